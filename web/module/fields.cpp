@@ -2,6 +2,7 @@
 
 #include <emscripten/bind.h>
 
+#include "brindle/array_field.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
@@ -93,6 +94,14 @@ val tangent_field(const SurfaceObject& object, val vectors) {
   });
 }
 
+val array_field(const SurfaceObject& object, std::string name) {
+  return guarded([&] {
+    const DirectionField field =
+        direction_field_of(object.surface, array_at_vertices(object, name));
+    return array_of(std::span<const Vec3>(field));
+  });
+}
+
 val detailed_field(const SurfaceObject& object, val directions, val frequencies, val given) {
   return guarded([&] {
     FieldDetailOptions options;
@@ -124,6 +133,7 @@ void bind_fields() {
   function("curvatureField", &curvature_field);
   function("rotatedField", &rotated_field);
   function("tangentField", &tangent_field);
+  function("arrayField", &array_field);
   function("detailedField", &detailed_field);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/data_arrays.h"
 #include "brindle/pattern_frames.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
@@ -19,7 +20,12 @@ struct SurfaceObject {
   Surface surface;
   std::vector<std::string> notes;  ///< what was repaired, joined or left out
   std::vector<Index> vertex_of_row;
+  DataArrays arrays;  ///< of the file that it was read from
 };
+
+/// The array of that name, a row per vertex: of triangles, their mean around it. Throws Error for a
+/// name that is none, saying which there are.
+DataArray array_at_vertices(const SurfaceObject& object, const std::string& name);
 
 using SurfacePointer = std::shared_ptr<const SurfaceObject>;
 

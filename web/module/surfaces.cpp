@@ -8,6 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
+#include "brindle/mesh_data.h"
 #include "brindle/shapes.h"
 #include "objects.h"
 
@@ -91,6 +92,7 @@ std::shared_ptr<SurfaceObject> surface_from_file(val bytes, std::string name) {
     add_lines(notes, loaded.left_out);
     auto object = surface_of(std::move(loaded.mesh), std::move(notes));
     object->vertex_of_row = std::move(loaded.vertex_of_row);
+    object->arrays = std::move(loaded.arrays);
     return object;
   });
 }
@@ -100,6 +102,31 @@ const Surface& of(const SurfaceObject& object) { return object.surface; }
 val triangles_of(const SurfaceObject& object) {
   const std::vector<Triangle>& triangles = of(object).mesh.triangles;
   return array_of(std::span<const std::uint32_t>(triangles.data()->data(), 3 * triangles.size()));
+}
+
+val arrays_of(const SurfaceObject& object) {
+  val list = val::array();
+  const auto add = [&](const std::vector<DataArray>& arrays, const char* of) {
+    for (const DataArray& array : arrays) {
+      val entry = val::object();
+      entry.set("name", array.name);
+      entry.set("of", std::string(of));
+      entry.set("components", array.components);
+      list.call<void>("push", entry);
+    }
+  };
+  add(object.arrays.points, "points");
+  add(object.arrays.cells, "cells");
+  return list;
+}
+
+val array_values(const SurfaceObject& object, std::string name) {
+  return guarded([&] {
+    DataArray array = array_at_vertices(object, name);
+    array.components = 1;  // number by number, as they lie there
+    const std::vector<float> numbers = numbers_of(array.view(), "array '" + name + "'");
+    return array_of(std::span<const float>(numbers));
+  });
 }
 
 /// Where the tool's --camera looks from.
@@ -132,6 +159,19 @@ val origin_of(const SurfaceObject& object) {
 
 }  // namespace
 
+DataArray array_at_vertices(const SurfaceObject& object, const std::string& name) {
+  if (const DataArray* array = find_array(object.arrays.points, name)) return *array;
+  if (const DataArray* array = find_array(object.arrays.cells, name)) {
+    return cells_to_points(of(object).mesh, *array);
+  }
+  std::string names;
+  for (const auto* arrays : {&object.arrays.points, &object.arrays.cells}) {
+    for (const DataArray& array : *arrays) names += (names.empty() ? "" : ", ") + array.name;
+  }
+  throw Error("there is no array '" + name + "'; there " +
+              (names.empty() ? "are none" : "are " + names));
+}
+
 void bind_surfaces() {
   using namespace emscripten;
   class_<SurfaceObject>("SurfaceObject")
@@ -157,6 +197,8 @@ void bind_surfaces() {
                 optional_override([](const SurfaceObject& s) { return array_of(s.notes); }))
       .function("triangles", &triangles_of)
       .function("camera", &camera_of)
+      .function("arrays", &arrays_of)
+      .function("array", &array_values)
       .function("origin", &origin_of);
   function("surfaceFromArrays", &surface_from_arrays);
   function("surfaceFromShape", &surface_from_shape);

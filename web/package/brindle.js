@@ -103,6 +103,7 @@ export class Surface extends Owned {
     this.diagonal = raw.diagonal();
     this.origin = raw.origin();
     this.notes = raw.notes();
+    this.arrays = raw.arrays();
   }
 
   positions() {
@@ -142,6 +143,13 @@ export class Surface extends Owned {
     const o = options(given, { rotate: 0 }, 'tangentField');
     const field = floats(vectors, 3 * this.vertexCount, 'the field');
     return this.#rotated(this.#module.tangentField(this.raw, field), o.rotate);
+  }
+  array(name) {
+    return this.raw.array(String(name));
+  }
+  arrayField(name, given) {
+    const o = options(given, { rotate: 0 }, 'arrayField');
+    return this.#rotated(this.#module.arrayField(this.raw, String(name)), o.rotate);
   }
   rotatedField(field, degrees) {
     return this.#module.rotatedField(this.raw, floats(field, 3 * this.vertexCount, 'the field'), degrees);

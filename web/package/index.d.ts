@@ -102,6 +102,8 @@ export class Surface extends Owned {
   readonly origin: [number, number, number];
   /** What was repaired, joined or left out, and what is probably not meant. */
   readonly notes: string[];
+  /** What the file that it was read from says of its points and cells; not of glTF. */
+  readonly arrays: readonly { name: string; of: 'points' | 'cells'; components: number }[];
   /** Three numbers a vertex, relative to `origin`. */
   positions(): Float32Array;
   normals(): Float32Array;
@@ -117,6 +119,10 @@ export class Surface extends Owned {
   projectedField(vector: Numbers, options?: RotateOption): DirectionField;
   /** Your own vectors, three numbers a vertex, projected into the tangent planes. */
   tangentField(vectors: Numbers, options?: RotateOption): DirectionField;
+  /** One of `arrays`, a row per vertex; of cells the mean around it. */
+  array(name: string): Float32Array;
+  /** One of `arrays` that has vectors: as `tangentField` of it. */
+  arrayField(name: string, options?: RotateOption): DirectionField;
   rotatedField(field: DirectionField, degrees: number): DirectionField;
   /** Vectors that were measured, noisy or with holes, seen at the scale of the stripes. */
   measuredField(vectors: Numbers, options?: MeasuredFieldOptions): MeasuredField;

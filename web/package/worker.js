@@ -7,7 +7,7 @@ export { BrindleError };
 const methods = {
   Brindle: ['shapes', 'tiles', 'tile', 'shape', 'surface', 'readSurface'],
   Surface: ['positions', 'normals', 'triangles', 'vertexOfRow', 'smoothField', 'curvatureField',
-            'projectedField', 'tangentField', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
+            'projectedField', 'tangentField', 'array', 'arrayField', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
             'texture', 'camera', 'animator', 'dispose'],
   Pattern: ['phases', 'directions', 'frequencies', 'triangleKinds', 'curves', 'curvesFile', 'samplesWith',
             'svg', 'dispose'],

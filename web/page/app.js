@@ -125,6 +125,7 @@ async function open(make, name) {
   live.strokes = own || !settings.strokes ? [] : readStrokes(settings.strokes, live.surface.diagonal);
   settings.strokes = '';
   keepStrokes();
+  settings.offer(surface.arrays.filter(({ components }) => components === 3).map(({ name: array }) => array));
   say(surface.notes.map((note) => `${note}.`.replace(/\.\.$/, '.')).join('\n'), true);
   live.ask(settings.values);
   return true;

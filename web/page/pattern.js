@@ -1,3 +1,5 @@
+import { isData } from './settings.js';
+
 // The surface and its pattern, which a Worker makes. The newest wish wins: what is asked for while it
 // works is begun when it is done, and nothing in between.
 export class LivePattern {
@@ -56,20 +58,29 @@ export class LivePattern {
     }
   }
 
-  async fieldFor({ field, rotate }) {
-    const key = JSON.stringify([field, rotate, this.strokes]);
+  async fieldFor({ field, rotate, detail, stripes, tile }) {
+    // Arrows have a sense, and those that face each other cancel.
+    const seen = isData(field) && detail > 0 ? { stripes, periods: detail, symmetry: tile === 'arrows' ? 1 : 2 } : null;
+    const key = JSON.stringify([field, rotate, seen, this.strokes]);
     if (key === this.fieldKey) return this.field;
     const axis = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }[field];
     const strokes = this.strokes;
     // Stripes run across a field: turned, they run along strokes and edges.
     const along = rotate + 90;
-    const made = axis && strokes.length === 0
-      ? await this.surface.projectedField(axis, { rotate })
-      : await this.surface.smoothField({ rotate: along, strokes, curvature: field === 'curvature' ? 0.1 : 0,
+    let made;
+    if (strokes.length === 0 && isData(field)) made = await this.fieldOfData(field.slice('array:'.length), rotate, seen);
+    else if (strokes.length === 0 && axis) made = await this.surface.projectedField(axis, { rotate });
+    else made = await this.surface.smoothField({ rotate: along, strokes, curvature: field === 'curvature' ? 0.1 : 0,
                                          curvatureDirection: 'min', features: field === 'edges' ? 1 : 0 });
     this.fieldKey = key;
     this.field = made;
     return made;
+  }
+
+  async fieldOfData(name, rotate, seen) {
+    if (!seen) return this.surface.arrayField(name, { rotate });
+    const { directions } = await this.surface.measuredField(await this.surface.array(name), seen);
+    return this.surface.rotatedField(directions, rotate);
   }
 
   async follow(settings, draft) {
@@ -94,7 +105,7 @@ export class LivePattern {
 
   async followTexture({ field, stripes, slack, tile }, directions, begin) {
     // Vectors have a sense, along which arrows point.
-    const oriented = 'xyz'.includes(field) && this.strokes.length === 0;
+    const oriented = (isData(field) || 'xyz'.includes(field)) && this.strokes.length === 0;
     const texture = await this.surface.texture(directions, { stripes, slack: slack / 100, oriented });
     this.tiles[tile] ??= await this.brindle.tile(tile);
     const [waves, kinds, broken] = [await texture.waves(), await texture.triangleKinds(), await texture.brokenTiles(tile)];

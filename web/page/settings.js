@@ -1,7 +1,10 @@
 // What the form says, and the link that carries it.
-export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, tile: 'stripes', stripes: 40, width: 50, slack: 0, branches: false };
+export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, detail: 0, tile: 'stripes', stripes: 40, width: 50, slack: 0, branches: false };
 
-const units = { rotate: (v) => `${v}°`, width: (v) => `${v} %`, slack: (v) => `${v} %`, stripes: (v) => String(v) };
+const units = { rotate: (v) => `${v}°`, detail: (v) => (Number(v) === 0 ? 'off' : v), width: (v) => `${v} %`, slack: (v) => `${v} %`, stripes: (v) => String(v) };
+
+/** Fields that are arrays of the mesh's file. */
+export const isData = (field) => field.startsWith('array:');
 
 export class Settings {
   constructor(form, changed) {
@@ -38,9 +41,25 @@ export class Settings {
       input.nextElementSibling.textContent = text;
       input.setAttribute('aria-valuetext', text);
     }
+    this.form.elements.namedItem('detail').disabled = !isData(this.values.field);
     const isTexture = this.values.tile !== 'stripes';
     this.form.elements.namedItem('width').disabled = isTexture;
     for (const what of ['svg', 'obj']) this.form.querySelector(`[data-save="${what}"]`).disabled = isTexture;
+  }
+
+  /** The arrays of vectors that the mesh has: directions to choose from, and how finely they are seen. */
+  offer(names) {
+    const field = this.form.elements.namedItem('field');
+    field.querySelector('optgroup')?.remove();
+    this.form.querySelector('#detailed').hidden = names.length === 0;
+    if (names.length > 0) {
+      const group = Object.assign(document.createElement('optgroup'), { label: "The mesh's data" });
+      group.append(...names.map((name) => new Option(name, `array:${name}`)));
+      field.append(group);
+    } else if (isData(this.values.field)) {
+      field.value = this.values.field = defaults.field;
+    }
+    this.show();
   }
 
   hash() {

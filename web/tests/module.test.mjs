@@ -271,6 +271,39 @@ test('samples of two patterns lie on the surface', () => {
   }
 });
 
+test('arrays of files are fields', () => {
+  const text = `# vtk DataFile Version 3.0
+data
+ASCII
+DATASET POLYDATA
+POINTS 4 float
+0 0 0  1 0 0  1 1 0  0 1 0
+POLYGONS 2 8
+3 0 1 2  3 0 2 3
+CELL_DATA 2
+SCALARS load double 1
+LOOKUP_TABLE default
+1 3
+POINT_DATA 4
+VECTORS flow float
+2 0 1  0 3 0  nan nan nan  0 0 0
+`;
+  const surface = brindle.readSurface(new TextEncoder().encode(text), 'data.vtk');
+  assert.deepEqual(surface.arrays, [{ name: 'flow', of: 'points', components: 3 }, { name: 'load', of: 'cells', components: 1 }]);
+  const flow = surface.array('flow');
+  assert.deepEqual([...flow.slice(0, 6)], [2, 0, 1, 0, 3, 0]);
+  const field = surface.arrayField('flow');
+  assert.deepEqual([...field], [1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]);
+  assert.deepEqual(surface.arrayField('flow', { rotate: 90 }), surface.rotatedField(field, 90));
+  const load = surface.array('load');
+  assert.deepEqual([load.length, load[1], load[3]], [4, 1, 3]);
+  assert.ok(load[0] > 1 && load[0] < 3);
+  refused(() => surface.array('wind'), /no array 'wind'; there are flow, load/);
+  refused(() => surface.arrayField('load'), /load/);
+  assert.deepEqual(brindle.shape('torus').arrays, []);
+  refused(() => brindle.shape('torus').array('wind'), /there are none/);
+});
+
 test('measured fields are filled and smoothed', () => {
   const torus = brindle.shape('torus');
   const vectors = torus.smoothField();

@@ -88,6 +88,28 @@ function sheet(n) {
   return `${rows.join('\n')}\n`;
 }
 
+// A flat one with vectors that turn round its middle, half as long noise, and a hole in the data.
+function noisySheet(n) {
+  let state = 1;
+  const random = () => (state = (state * 48271) % 2147483647) / 2147483647 - 0.5;
+  const points = [], faces = [], vectors = [];
+  for (let y = 0; y <= n; ++y) {
+    for (let x = 0; x <= n; ++x) {
+      const [u, v] = [x / n - 0.5, y / n - 0.5], length = Math.hypot(u, v) || 1;
+      points.push(`${u} ${v} 0`);
+      vectors.push(Math.hypot(u - 0.2, v - 0.1) < 0.06 ? 'nan nan nan' : `${-v / length + 1.6 * random()} ${u / length + 1.6 * random()} 0`);
+    }
+  }
+  for (let y = 0; y < n; ++y) {
+    for (let x = 0; x < n; ++x) {
+      const a = y * (n + 1) + x;
+      faces.push(`3 ${a} ${a + 1} ${a + n + 2}`, `3 ${a} ${a + n + 2} ${a + n + 1}`);
+    }
+  }
+  return `# vtk DataFile Version 3.0\ndata\nASCII\nDATASET POLYDATA\nPOINTS ${points.length} float\n${points.join('\n')}\n` +
+    `POLYGONS ${faces.length} ${4 * faces.length}\n${faces.join('\n')}\nPOINT_DATA ${points.length}\nVECTORS flow float\n${vectors.join('\n')}\n`;
+}
+
 test('the page opens on a striped surface, without a complaint', async () => {
   await visit({ hash: '', width: 1200, height: 800 });
   assert.match(await figures(), /64,960 triangles.*branches.*energy.*ms/);
@@ -142,6 +164,36 @@ test('a mesh is dropped, and a damaged one refused with nothing lost', async () 
   await slide('stripes', 20);
   await ready();
   assert.notEqual(await figures(), said);
+  assert.deepEqual(complaints, []);
+});
+
+test('vectors of a dropped mesh are directions, seen as finely as one likes', async () => {
+  await visit({ width: 1200, height: 800 });
+  assert.equal(await page.$eval('#detailed', (e) => e.hidden), true);
+  await drop(noisySheet(60), 'flow.vtk');
+  await page.waitForFunction(() => /7,200 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await ready();
+  assert.deepEqual(await page.$$eval('#field optgroup option', (options) => options.map((o) => o.value)), ['array:flow']);
+  assert.equal(await page.$eval('[name="detail"]', (e) => e.disabled), true);
+  await page.select('#field', 'array:flow');
+  await slide('stripes', 30);
+  await ready();
+  const branches = async () => Number(/([\d,]+) branch/.exec(await figures())[1].replace(',', ''));
+  const noisy = await branches();
+  await screenshot('data');
+  await slide('detail', 2);
+  await ready();
+  const calm = await branches();
+  await screenshot('data_detail');
+  assert.ok(calm < 0.5 * noisy, `${noisy} branches, then ${calm}`);
+  await page.select('#tile', 'arrows');
+  await ready();
+  await screenshot('data_arrows');
+  await page.select('#shape', 'torus');
+  await ready();
+  assert.deepEqual(await page.$$eval('#field option', (options) => options.map((o) => o.value)), ['smooth', 'curvature', 'edges', 'x', 'y', 'z']);
+  assert.equal(await page.$eval('#field', (e) => e.value), 'smooth');
+  assert.equal(await page.$eval('#detailed', (e) => e.hidden), true);
   assert.deepEqual(complaints, []);
 });
 

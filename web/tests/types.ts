@@ -17,6 +17,9 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   drawing.setPattern({ directions: pattern.directions(), frequencies: pattern.frequencies(), phases: pattern.phases() });
   drawing.draw({ ...surface.camera({ azimuth: 10, up: 'z', width: 320, height: 200 }), stripeWidth: 0.3 });
   drawing.draw({ viewFromWorld: [], clipFromView: [], width: 1, height: 1, stripeColor: colorOf('#000000') });
+  const measured = surface.measuredField(surface.array(surface.arrays[0].name), { stripes: 20 });
+  surface.stripes(surface.arrayField('flow', { rotate: 90 })).dispose();
+  surface.stripes(measured.directions).dispose();
   const texture = surface.texture(field, { stripes: 20, oriented: true });
   drawing.setTexture(texture.waves(), brindle.tile('dots'), texture.brokenTiles('dots'));
   // @ts-expect-error an option that is unknown
