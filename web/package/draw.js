@@ -170,13 +170,14 @@ export class StripeDrawing {
     this.#upload('texture_u', u);
     this.#upload('texture_v', v);
     this.#upload('broken_words', words);
-    this.#uploadTile(tile);
+    if (this.uploadedTile !== tile.distances) this.#uploadTile(tile);
     this.tile = { has_broken_tiles: words.length > 0, tile_layout: layout, splits_broken_tiles: split, tile_is_figure: true };
   }
 
   // Distances, and how much of each texel the figure covers, with smaller copies.
   #uploadTile({ side, distances }) {
     const { gl } = this;
+    this.uploadedTile = distances;
     const covered = Uint8Array.from(distances, (d) => Math.round(255 * Math.min(1, Math.max(0, 0.5 - side * d))));
     for (const [name, inside, type, numbers, smallest] of [['tile_distances', gl.R16F, gl.FLOAT, distances, gl.LINEAR],
                                                            ['tile_colors', gl.R8, gl.UNSIGNED_BYTE, covered, gl.LINEAR_MIPMAP_LINEAR]]) {

@@ -56,9 +56,9 @@ export class Settings {
       const group = Object.assign(document.createElement('optgroup'), { label: "The mesh's data" });
       group.append(...names.map((name) => new Option(name, `array:${name}`)));
       field.append(group);
-    } else if (isData(this.values.field)) {
-      field.value = this.values.field = defaults.field;
     }
+    const isThere = [...field.options].some(({ value }) => value === this.values.field);
+    field.value = this.values.field = isThere ? this.values.field : defaults.field;
     this.show();
   }
 

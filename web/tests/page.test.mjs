@@ -189,6 +189,15 @@ test('vectors of a dropped mesh are directions, seen as finely as one likes', as
   await page.select('#tile', 'arrows');
   await ready();
   await screenshot('data_arrows');
+  // Another mesh with an array of this name keeps the choice, one without it does not.
+  await drop(noisySheet(20), 'coarse.vtk');
+  await page.waitForFunction(() => /800 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await ready();
+  assert.equal(await page.$eval('#field', (e) => e.value), 'array:flow');
+  await drop(noisySheet(30).replace('VECTORS flow', 'VECTORS wind'), 'wind.vtk');
+  await page.waitForFunction(() => /1,800 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await ready();
+  assert.equal(await page.$eval('#field', (e) => e.value), 'smooth');
   await page.select('#shape', 'torus');
   await ready();
   assert.deepEqual(await page.$$eval('#field option', (options) => options.map((o) => o.value)), ['smooth', 'curvature', 'edges', 'x', 'y', 'z']);
