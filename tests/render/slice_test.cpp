@@ -49,6 +49,9 @@ TEST(Slice, IsReadFromWords) {
   EXPECT_EQ(parse_slice("-y=-2"), (Slice{{0, -2, 0}, {0, -1, 0}, false}));
   EXPECT_EQ(parse_slice("z=50%"), (Slice{{0, 0, 0.5}, {0, 0, 1}, true}));
   EXPECT_EQ(parse_slice("1,2,3,0,0,-4"), (Slice{{1, 2, 3}, {0, 0, -4}, false}));
+  // Coordinates of files have more digits than a float.
+  EXPECT_EQ(parse_slice("x=2600000.2"), (Slice{{2600000.2, 0, 0}, {1, 0, 0}, false}));
+  EXPECT_EQ(parse_slice("2600000.2,0,0,1,0,0"), parse_slice("x=2600000.2"));
   for (const char* text : {"", "x", "x=", "=1", "x=1,2", "w=1", "xy=1", "--x=1", "x=%", "x=nan",
                            "1,2,3", "1,2,3,0,0,0", "1,2,3,0,0,1,2", "0.5", "50%", "x=1=2"}) {
     EXPECT_FALSE(parse_slice(text)) << text;

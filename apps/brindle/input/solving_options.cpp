@@ -6,6 +6,7 @@
 #include "cli/option_fields.h"
 
 namespace brindle::tool {
+
 void add_solving_options(CLI::App& app, SolvingOptions& options) {
   visit_solving(options.stripes, AddField(app));
   add_fields(app, options.slack);

@@ -306,10 +306,6 @@ void check_tiles(const CLI::App& command, const StyleOptions& options, Drawn dra
   }
 }
 
-}  // namespace
-
-namespace {
-
 void check_others(const CLI::App& command, const StyleOptions& options) {
   const bool whole = std::ranges::any_of(options.others, &OtherSurfaceChoice::whole);
   if (!whole) return;
@@ -350,10 +346,7 @@ bool StyleOptions::follows_camera() const {
                              depends_on_camera);
 }
 
-bool StyleOptions::follows_field() const {
-  return std::ranges::any_of(std::array{width_by, color_by, opacity_by, texture_by, tile_size_by},
-                             depends_on_field);
-}
+bool StyleOptions::follows_field() const { return std::ranges::any_of(values(), depends_on_field); }
 
 std::vector<UsedFile> style_files(const StyleOptions& options) {
   std::vector<UsedFile> files;

@@ -11,6 +11,7 @@
 
 #include "brindle/styled_picture.h"
 #include "input/used_files.h"
+#include "input/vertex_values.h"
 
 namespace brindle::tool {
 
@@ -100,11 +101,12 @@ struct StyleOptions {
 
   bool has_lines() const { return outline != OutlineStyle::none || crease_deg.has_value(); }
   bool by_light() const { return width_by == "light"; }
-  /// Whether a value or a width is another one where the light comes from elsewhere.
-  bool follows_light() const {
-    const std::array values{&width_by, &color_by, &opacity_by, &texture_by, &tile_size_by};
-    return std::ranges::any_of(values, [](auto* value) { return *value == "light"; });
+  /// The names of all values that something follows; empty where nothing does.
+  std::array<std::string, 5> values() const {
+    return {width_by, color_by, opacity_by, texture_by, tile_size_by};
   }
+  /// Whether a value or a width is another one where the light comes from elsewhere.
+  bool follows_light() const { return std::ranges::any_of(values(), depends_on_light); }
 
   /// Calls `add("--option", field)` for the options that set a field.
   template <class Add>

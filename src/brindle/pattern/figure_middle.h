@@ -12,6 +12,9 @@
 
 namespace brindle {
 
+/// Half of the joint between bricks, in sides of the tile; as in render/shaders/broken_tiles.glsl.
+inline constexpr float kHalfJoint = 0.035f;
+
 /// The middle of a figure, twice its U and twice its V: no other figure has it.
 struct Middle {
   std::int32_t u = 0, v = 0;

@@ -116,12 +116,13 @@ Eigen::Matrix4f parallel_projection(const Extent& extent, const CameraView& view
 }
 
 /// Finite numbers, separated by commas; empty if the text is anything else.
-std::vector<float> numbers_in(std::string_view text) {
-  std::vector<float> numbers;
+template <class Number>
+std::vector<Number> numbers_in(std::string_view text) {
+  std::vector<Number> numbers;
   const char* next = text.data();
   const char* end = text.data() + text.size();
   while (true) {
-    float number = 0;
+    Number number = 0;
     const auto [rest, failure] = read_number(next, end, number);
     if (failure != std::errc() || !std::isfinite(number)) return {};
     numbers.push_back(number);
@@ -135,7 +136,7 @@ std::vector<float> numbers_in(std::string_view text) {
 }  // namespace
 
 std::optional<LightDirection> parse_light_direction(std::string_view text) {
-  const std::vector<float> numbers = numbers_in(text);
+  const std::vector<float> numbers = numbers_in<float>(text);
   if (numbers.size() != 2 || std::abs(numbers[1]) > 90) return {};
   return LightDirection{numbers[0], numbers[1]};
 }
@@ -150,10 +151,10 @@ std::optional<Slice> slice_along(std::string_view name, std::string_view place) 
   Slice slice;
   slice.in_shares = place.ends_with('%');
   if (slice.in_shares) place.remove_suffix(1);
-  const std::vector<float> numbers = numbers_in(place);
+  const std::vector<double> numbers = numbers_in<double>(place);
   if (numbers.size() != 1) return {};
   const int axis = name[0] - 'x';
-  slice.point[axis] = static_cast<double>(numbers[0]) / (slice.in_shares ? 100 : 1);
+  slice.point[axis] = numbers[0] / (slice.in_shares ? 100 : 1);
   slice.normal = (backwards ? -1 : 1) * Eigen::Vector3d::Unit(axis);
   return slice;
 }
@@ -163,19 +164,19 @@ std::optional<Slice> slice_along(std::string_view name, std::string_view place) 
 std::optional<Slice> parse_slice(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals != text.npos) return slice_along(text.substr(0, equals), text.substr(equals + 1));
-  const std::vector<float> numbers = numbers_in(text);
+  const std::vector<double> numbers = numbers_in<double>(text);
   if (numbers.size() != 6) return {};
   Slice slice;
   for (int axis = 0; axis < 3; ++axis) {
-    slice.point[axis] = static_cast<double>(numbers[axis]);
-    slice.normal[axis] = static_cast<double>(numbers[axis + 3]);
+    slice.point[axis] = numbers[axis];
+    slice.normal[axis] = numbers[axis + 3];
   }
   if (slice.normal.isZero(0)) return {};
   return slice;
 }
 
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
-  const std::vector<float> numbers = numbers_in(text);
+  const std::vector<float> numbers = numbers_in<float>(text);
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90) return {};
   const float zoom = numbers.size() == 3 ? numbers[2] : 1.0f;
   if (zoom < 0.01f || zoom > 10000) return {};

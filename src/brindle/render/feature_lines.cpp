@@ -167,10 +167,6 @@ float fine_spacing(const WaveSet& waves) {
                                                                : 1 / (kStepsPerPeriod * *highest);
 }
 
-}  // namespace
-
-namespace {
-
 /// Where values of vertices, linear between them, pass zero.
 Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vector<double> values) {
   for (double& value : values) {

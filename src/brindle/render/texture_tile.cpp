@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
+#include "brindle/pattern/figure_middle.h"
 #include "brindle/render/parsed_words.h"
 #include "brindle/renderer.h"
 
@@ -15,7 +16,6 @@ using Point = Eigen::Vector2f;
 
 // In sides of the tile.
 constexpr float kDotRadius = 0.29f;
-constexpr float kJoint = 0.035f;                          // half of it
 constexpr float kSignLength = 0.25f, kSignWidth = 0.07f;  // half of each
 constexpr float kSmallSign = 0.75f;                       // where a tile has two
 
@@ -81,7 +81,7 @@ float checker(float u, float v) {
 /// about the middle maps each onto itself.
 float bricks(const Point& p) {
   constexpr float kRound = 0.03f;
-  const Point half(0.5f - kJoint - kRound, 0.25f - kJoint - kRound);
+  const Point half(0.5f - kHalfJoint - kRound, 0.25f - kHalfJoint - kRound);
   const float middle_course = box(wrapped(p - Point(0, 0.5f)), half);
   const float other_course = box(wrapped(p - Point(0.5f, 0)), half);
   return std::min(middle_course, other_course) - kRound;

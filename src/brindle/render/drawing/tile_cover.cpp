@@ -15,7 +15,6 @@ namespace {
 
 using Point = Eigen::Vector2f;
 
-constexpr float kHalfJoint = 0.035f;  // as in broken_tiles.glsl
 constexpr float kSmallestSize = 1e-3f;
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
