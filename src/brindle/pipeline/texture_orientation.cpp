@@ -1,21 +1,17 @@
 #include "brindle/pipeline/texture_orientation.h"
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/ranges.h"
+#include "brindle/pipeline/agreeing_turns.h"
 #include "brindle/pipeline/short_seam.h"
-#include "brindle/solver.h"
 
 namespace brindle {
 namespace {
-
-/// Far less than an edge of the seam weighs, even if all triangles of a piece together pull.
-constexpr float kAsItStands = 1e-7f;
 
 std::vector<std::uint8_t> which_are_oriented(const TextureWaves& waves) {
   std::vector<std::uint8_t> oriented(waves.triangle_count());
@@ -25,16 +21,10 @@ std::vector<std::uint8_t> which_are_oriented(const TextureWaves& waves) {
   return oriented;
 }
 
-/// What the edges between a triangle and its neighbour add up to.
-struct Link {
-  Index neighbor;
-  float coupling;
-};
-
 /// In the rows of both triangles of every edge that both sides of agree at all.
-CompressedRows<Link> links_of(std::size_t triangle_count, std::span<const SharedEdge> edges,
-                              std::span<const EdgeAgreement> agreement) {
-  return compressed_rows<Link>(triangle_count, [&](const auto& add) {
+CompressedRows<TriangleLink> links_of(std::size_t triangle_count, std::span<const SharedEdge> edges,
+                                      std::span<const EdgeAgreement> agreement) {
+  return compressed_rows<TriangleLink>(triangle_count, [&](const auto& add) {
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const Index a = edges[e].from[0] / 3, b = edges[e].from[1] / 3;
       if (a == b || agreement[e] == kNoAgreement) continue;
@@ -44,32 +34,6 @@ CompressedRows<Link> links_of(std::size_t triangle_count, std::span<const Shared
       add(b, {a, 0.5f * (u + v)});
     }
   });
-}
-
-/// Triangles as nodes. Phases stay on the imaginary axis, where the solver starts: +i is "as it
-/// stands".
-PhaseGraph triangle_graph(CompressedRows<Link> links) {
-  PhaseGraph graph;
-  const std::size_t triangle_count = links.size();
-  auto adjacency = std::make_shared<Adjacency>();
-  adjacency->offsets.assign(triangle_count + 1, 0);
-  for (std::size_t t = 0; t < triangle_count; ++t) {
-    const std::span<Link> row = links.of(t);
-    ranges::sort(row, {}, &Link::neighbor);
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0 && row[i].neighbor == row[i - 1].neighbor) {
-        graph.coupling.back() += row[i].coupling;
-      } else {
-        adjacency->neighbors.push_back(row[i].neighbor);
-        graph.coupling.emplace_back(row[i].coupling);
-      }
-    }
-    adjacency->offsets[t + 1] = static_cast<Index>(adjacency->neighbors.size());
-  }
-  graph.reflecting.assign(graph.coupling.size(), 0);
-  graph.anchor.assign(triangle_count, Complex(0, kAsItStands));
-  graph.adjacency = std::move(adjacency);
-  return graph;
 }
 
 void turn(TextureWaves& waves, std::span<const std::uint8_t> turned) {
@@ -214,17 +178,9 @@ std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
                                           std::span<const SharedEdge> edges,
                                           std::span<const EdgeAgreement> agreement,
                                           const Progress& progress) {
-  SolverOptions options;
-  options.sweeps = 4;
-  options.cycles = 4;
   JobStages stages(progress, {{"orientation", 4}, {"seams", 2}});
-  const Progress orienting = stages.begin("orientation");
-  CompressedRows<Link> links = links_of(triangles.size(), edges, agreement);
-  orienting.report(0.05);
-  const PhaseGraph graph = triangle_graph(std::move(links));
-  const PhaseSolution solution = solve_phases(graph, options, orienting.part(0.1, 1));
-  std::vector<std::uint8_t> turned(triangles.size());
-  for (std::size_t t = 0; t < turned.size(); ++t) turned[t] = solution.z[t].imag() < 0;
+  std::vector<std::uint8_t> turned =
+      agreeing_turns(links_of(triangles.size(), edges, agreement), stages.begin("orientation"));
   const Progress shortening = stages.begin("seams");
   std::vector<EdgeAgreement> after(agreement.begin(), agreement.end());
   turn_agreements(turned, edges, after);
