@@ -497,6 +497,24 @@ TEST(StyledPicture, OcclusionDarkensHollowsAndNothingElse) {
   EXPECT_GT(light(closed, 35, 45), 0.97 * light(open, 35, 45));
 }
 
+TEST(StyledPicture, HollowsAreAsDarkWhereThePictureIsDrawnInParts) {
+  Mesh fold = square(16);
+  for (Vec3& p : fold.positions) p.z() = std::abs(p.x() + 0.3f * p.y() - 0.65f);
+  const StyledSurface surface{.mesh = fold, .color = {0.7f, 0.7f, 0.7f}};
+  StyledOptions options = styled_options(200, 200);
+  options.occlusion = 1;
+  const Image whole = draw_styled({surface}, options);
+  options.render.tile_side = 150;  // parts of 28 rows
+  const Image in_parts = draw_styled({surface}, options);
+  for (int y = 0; y < whole.height; ++y) {
+    double difference = 0;
+    for (int x = 0; x < whole.width; ++x) {
+      difference += std::abs(whole.at(x, y).red - in_parts.at(x, y).red);
+    }
+    EXPECT_LT(difference / whole.width, 0.2) << y;
+  }
+}
+
 TEST(StyledPicture, TheShadowLiesOnTheGroundAlone) {
   Mesh table = square(8);
   for (Vec3& p : table.positions) p = Vec3(p.x(), 0.4f, p.y());

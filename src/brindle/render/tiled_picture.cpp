@@ -55,6 +55,10 @@ Eigen::Vector2i largest_tile(const RenderOptions& options) {
 
 }  // namespace
 
+bool is_one_tile(const RenderOptions& options) {
+  return largest_tile(options) == Eigen::Vector2i(options.width, options.height);
+}
+
 /// One for every side, which is a constant: software renderers enter a loop once more than it says.
 const ShaderProgram& TiledPicture::develop_program(int side) {
   std::optional<ShaderProgram>& program = develop_[static_cast<std::size_t>(side - 1)];

@@ -42,6 +42,9 @@ void flip_rows(std::vector<Item>& items, int width, int height) {
 /// How often the picture's quality has the surface evaluated along each side of a pixel.
 int shading_side(const RenderOptions& options);
 
+/// Whether a picture is drawn at once, as one tile.
+bool is_one_tile(const RenderOptions& options);
+
 /// Averages what is evaluated in a pixel, lays the background underneath and encodes as sRGB.
 /// Targets are kept from picture to picture.
 class TiledPicture {

@@ -4,6 +4,9 @@
 uniform float occlusion;         // 1: as little as there is; 0 would be all of it
 uniform float occlusion_radius;  // how far away things count, in units of length
 uniform vec2 part_of_target;     // share of the depths' texture that is in use
+uniform vec2 target_corner;      // where the target begins in the picture, in its own pixels
+uniform bool has_surroundings;   // whether the picture goes on beyond the target
+uniform sampler2D depths_of_picture;  // of all of it then, coarser
 
 float view_depth(float depth) {
   if (is_orthographic()) {
@@ -17,12 +20,23 @@ float chance(vec2 pixel) {
   return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }
 
+// The depth of what the picture shows at a place in clip space, behind everything beyond its edges.
+float front_depth(vec2 clip) {
+  vec2 target = 0.5 * (clip * tile.xy + tile.zw) + 0.5;
+  if (all(equal(target, clamp(target, 0.0, 1.0)))) {
+    return textureLod(visible_depth, target * part_of_target, 0.0).r;
+  }
+  vec2 picture = 0.5 * clip + 0.5;
+  bool is_inside = has_surroundings && all(equal(picture, clamp(picture, 0.0, 1.0)));
+  return is_inside ? textureLod(depths_of_picture, picture, 0.0).r : 1.0;
+}
+
 float open_share(SurfacePoint p) {
   const float kSamples = 18.0;
   vec3 n = normalize(p.view_normal);
   vec3 side = normalize(cross(n, abs(n.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
   vec3 other = cross(n, side);
-  float turn = chance(gl_FragCoord.xy);
+  float turn = chance(gl_FragCoord.xy + target_corner);
   float blocked = 0.0;
   for (float k = 0.5; k < kSamples; k += 1.0) {
     float share = k / kSamples;
@@ -32,9 +46,7 @@ float open_share(SurfacePoint p) {
     float distance = occlusion_radius * (0.08 + 0.92 * fract(turn + 0.754878 * k));
     vec3 place = p.view_position + distance * direction + 0.01 * occlusion_radius * n;
     vec4 clip = clip_from_view * vec4(place, 1.0);
-    vec2 target = 0.5 * (clip.xy * tile.xy / clip.w + tile.zw) + 0.5;
-    if (any(lessThan(target, vec2(0.0))) || any(greaterThan(target, vec2(1.0)))) continue;
-    float front = view_depth(textureLod(visible_depth, target * part_of_target, 0.0).r);
+    float front = view_depth(front_depth(clip.xy / clip.w));
     float behind = -place.z - front;
     // What is far in front is another thing, not a wall.
     if (behind > 0.02 * occlusion_radius) {

@@ -25,6 +25,7 @@ namespace {
 constexpr int kVisibleSamples =
     2;  // along the side of a light sample, as visible_samples.glsl has it
 constexpr GLuint kShadowUnit = 14;
+constexpr GLuint kSurroundingsUnit = 14;  // of surfaces, which the shadow is not laid on
 constexpr GLuint kColorMapUnit = 15;
 constexpr float kOcclusionReach = 0.11f;  // of the surfaces' diagonal
 
@@ -166,6 +167,7 @@ struct Drawing {
   std::optional<GroundShadow> shadow;  ///< if there is one to be seen
   GlTexture shadow_texture;
   GlTexture color_map;
+  bool has_surroundings = false;  ///< the picture has several parts that darken each other
 
   PictureQuality quality() const { return options.render.quality; }
   /// The camera as it shows a surface.
@@ -188,7 +190,8 @@ struct Drawing {
 /// The part of the picture that is drawn.
 struct Part {
   Eigen::Vector4f transform;
-  Eigen::Vector2i size;  ///< of its light
+  Eigen::Vector2i size;    ///< of its light
+  Eigen::Vector2i corner;  ///< of its light in the picture's
 };
 
 /// Lets a target of the first pass show nothing.
@@ -213,6 +216,7 @@ struct StyledRenderer::State {
   StyledPrograms programs;
   TiledPicture picture;
   Target visible, once;  ///< what samples show, and what pixels do
+  Target surroundings;   ///< what samples of all the picture show, coarser
   SampleGroups groups;
   GlVertexArray no_attributes = no_vertex_attributes();
   std::vector<DrawnSurface> surfaces;
@@ -230,6 +234,7 @@ struct StyledRenderer::State {
   void draw_surface(const DrawnSurface& drawn, const Drawing& drawing, const Part& part,
                     const Target& light);
   void draw_ground(const Drawing& drawing, const Part& part, const Target& light);
+  void draw_surroundings(const Drawing& drawing);
   void set_picture(const ShaderProgram& program, const Drawing& drawing, const Part& part) const;
 };
 
@@ -308,6 +313,9 @@ void StyledRenderer::State::set_picture(const ShaderProgram& program, const Draw
   program.set("haze_color", linear_light(options.render.background_center));
   program.set("occlusion", options.occlusion);
   program.set("occlusion_radius", kOcclusionReach * diagonal);
+  program.set("target_corner", Eigen::Vector2f(part.corner.cast<float>()));
+  program.set("has_surroundings", drawing.has_surroundings);
+  program.set("depths_of_picture", static_cast<int>(kSurroundingsUnit));
   program.set("part_of_target",
               Eigen::Vector2f(Eigen::Vector2f((kVisibleSamples * part.size).cast<float>())
                                   .cwiseQuotient(Eigen::Vector2f(visible.width, visible.height))));
@@ -337,6 +345,21 @@ void StyledRenderer::State::draw_surface(const DrawnSurface& drawn, const Drawin
     if (texture) drawn.style.bind_region(program, region);
     groups.shade(program, light, count, SampleGroups::First::on_top);
   }
+}
+
+/// What all of the picture shows, for the occlusion of parts that end where it goes on.
+void StyledRenderer::State::draw_surroundings(const Drawing& drawing) {
+  constexpr int kLongestSide = 1024;
+  const RenderOptions& render = drawing.options.render;
+  const int longest = std::max(render.width, render.height);
+  const auto side = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::int64_t{pixels} * kLongestSide / longest));
+  };
+  const Eigen::Vector2i size(side(render.width), side(render.height));
+  const Part all{tile_transform({0, 0, render.width, render.height}, render), size, {0, 0}};
+  std::swap(visible, surroundings);
+  draw_visible(drawing, all, size);
+  std::swap(visible, surroundings);
 }
 
 /// The second pass: the light of each surface where it is seen, on top of nothing.
@@ -507,12 +530,16 @@ Image StyledRenderer::draw(const StyledOptions& options, const Progress& progres
   const RenderOptions& render = options.render;
   const auto framed = options.framed.empty() ? std::span<const Vec3>(s.points) : options.framed;
   const Camera camera = camera_beside(framed, render, options.right_margin);
-  const Drawing drawing = s.drawing(camera, options, progress);
+  Drawing drawing = s.drawing(camera, options, progress);
+  drawing.has_surroundings = options.occlusion > 0 && !is_one_tile(render);
+  if (drawing.has_surroundings) s.draw_surroundings(drawing);
   const auto draw_light = [&](const Target& target, const Tile& tile) {
-    const Part part{tile_transform(tile, render),
-                    shading_side(render) * Eigen::Vector2i(tile.width, tile.height)};
+    const int side = shading_side(render);
+    const Part part{tile_transform(tile, render), side * Eigen::Vector2i(tile.width, tile.height),
+                    side * Eigen::Vector2i(tile.x, tile.y)};
     s.draw_visible(drawing, part, {target.width, target.height});
     glBindTextureUnit(kColorMapUnit, drawing.color_map);
+    if (drawing.has_surroundings) glBindTextureUnit(kSurroundingsUnit, s.surroundings.textures[1]);
     s.draw_surfaces(drawing, part, target);
   };
   return s.picture.draw(render, draw_light, progress);
