@@ -42,10 +42,15 @@ struct TileFigures {
   /// counts as broken.
   bool split = false;
 
+  bool operator==(const TileFigures& other) const;
+
   static Eigen::AlignedBox2f whole_tile() {
     return {Eigen::Vector2f(-0.5f, -0.5f), Eigen::Vector2f(0.5f, 0.5f)};
   }
 };
+
+/// Throws Error for extents that reach beyond half a tile and for a shift that is not finite.
+void check_tile_figures(const TileFigures& figures);
 
 /// The figures that are broken, triangle by triangle.
 struct BrokenTiles {

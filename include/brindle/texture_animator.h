@@ -49,7 +49,8 @@ struct TextureFrameMilliseconds {
   double solve = 0;    ///< frames of both patterns
   double orient = 0;   ///< orientation, seams, and the waves at all corners
   double measure = 0;  ///< corner phases, branches, errors, distortion
-  double tiles = 0;    ///< finding broken ones
+  double tiles = 0;    ///< finding broken ones: how much longer that takes than measuring, which
+                       ///< goes on at the same time
 };
 
 struct TextureFrameResult {
@@ -98,6 +99,10 @@ class TextureAnimator {
 
   /// As StripeAnimator's, for both patterns.
   void set_slack(const Slack& slack);
+
+  /// Figures to look after from the next frame on, as TextureAnimatorOptions has them. Throws Error
+  /// for extents that reach beyond half a tile, and leaves all as it was.
+  void set_whole_tiles(const std::optional<TileFigures>& figures);
 
  private:
   struct State;

@@ -552,5 +552,30 @@ TEST(BrokenTiles, RefuseWhatDoesNotFit) {
   EXPECT_THROW(find(square, shifted), Error);
 }
 
+TEST(BrokenTiles, FramesLookAfterTheFiguresThatAreAskedForLast) {
+  const Surface surface = make_surface(make_shape("torus,resolution=60"));
+  const WaveSet waves =
+      waves_of(surface, projected_direction_field(Vec3(0.3f, 0.9f, 0.2f), surface.normals), 14);
+  const TextureFrameInput input{{waves.positions, waves.directions, waves.frequencies, {}}, {}, {}};
+  TextureAnimator animator(surface);
+  EXPECT_EQ(animator.frame(input).broken, nullptr);
+  TileFigures shifted = kArrows;
+  shifted.shift = {0.3f, 0.1f};
+  for (const TileFigures& figures : {kArrows, shifted}) {
+    animator.set_whole_tiles(figures);
+    const TextureFrameResult frame = animator.frame(input);
+    ASSERT_NE(frame.broken, nullptr);
+    EXPECT_FALSE(frame.broken->words.empty());
+    const Textured textured{surface.mesh, frame.waves};
+    EXPECT_EQ(answers(textured, *frame.broken), answers(textured, find(textured, figures)));
+  }
+  TileFigures too_large = kArrows;
+  too_large.extents[0].max().x() = 0.6f;
+  EXPECT_THROW(animator.set_whole_tiles(too_large), Error);
+  EXPECT_NE(animator.frame(input).broken, nullptr);
+  animator.set_whole_tiles(std::nullopt);
+  EXPECT_EQ(animator.frame(input).broken, nullptr);
+}
+
 }  // namespace
 }  // namespace brindle

@@ -153,20 +153,23 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
   const ChangingInput input = changing_input(surface, subject.fields[0]);
   SurroundingFigures figures;
   figures.threads = ThreadLimit::current();
-  TextureAnimatorOptions options;
-  options.whole_tiles = dots();
-  TextureAnimator animator(surface, options);
+  TextureAnimator animator(surface);
   animator.frame({input.frame(0), {}, {}});
+  // Frames with and without whole tiles in turns: these are found while others are measured.
   int number = 0;
-  std::vector<double> of_tiles;  // of the same frames
+  std::vector<double> more;
   figures.texture = spread_of(samples_of(repetitions, [&] {
     progress.report("textures", 0);
-    const TextureFrameMilliseconds frame =
-        animator.frame({input.frame(++number), {}, {}}).milliseconds;
-    of_tiles.push_back(frame.tiles);
-    return frame.orient + frame.measure;
+    const auto beside_solving = [&](const std::optional<TileFigures>& whole) {
+      animator.set_whole_tiles(whole);
+      const auto frame = animator.frame({input.frame(++number), {}, {}}).milliseconds;
+      return frame.orient + frame.measure + frame.tiles;
+    };
+    const double with = beside_solving(dots()), without = beside_solving(std::nullopt);
+    more.push_back(with - without);
+    return without;
   }));
-  figures.whole_tiles = spread_of(of_tiles);
+  figures.whole_tiles = spread_of(more);
   CrossAnimator crosses(surface);
   crosses.frame({input.frame(0), {}});
   figures.cross_frame = spread_of(samples_of(repetitions, [&] {

@@ -117,7 +117,7 @@ FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitio
 struct SurroundingFigures {
   int threads = 0;
   Spread texture;       ///< a frame of TextureAnimator but for solving: orientation, seams, errors
-  Spread whole_tiles;   ///< of the same frames: finding broken tiles
+  Spread whole_tiles;   ///< how much longer it takes with broken tiles found
   Spread cross_frame;   ///< a frame of CrossAnimator but for solving: matching, corners, errors
   Spread cross;         ///< the same of a cross field, once: `cross_texture`, corner phases, errors
   Spread smooth_field;  ///< `smooth_direction_field`, once

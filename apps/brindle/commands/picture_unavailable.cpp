@@ -53,10 +53,9 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& /*choice*/, bool /*c
   return std::nullopt;
 }
 
-Texture texture_of(const Mesh& /*mesh*/, TexturePattern pattern, TextureTile tile,
-                   WholeTiles whole) {
-  return {std::move(pattern), std::move(tile), std::move(whole), {}};
-}
+WholeTiles::WholeTiles(std::optional<bool> asked) : asked_(asked) {}
+
+std::shared_ptr<const BrokenTiles> Texture::broken(const Mesh& /*mesh*/) const { return nullptr; }
 
 void write_ornaments(const std::filesystem::path& /*path*/, const Surface& /*surface*/,
                      std::span<const Ornament> /*ornaments*/, const PictureOptions& /*options*/,

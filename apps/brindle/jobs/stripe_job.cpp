@@ -24,11 +24,10 @@ PatternWishes wishes_of(const StripeArguments& arguments, Preparation& prepared,
   return wishes;
 }
 
-Texture drawn_texture(const Mesh& mesh, TexturePattern pattern, std::optional<TextureTile> tile,
+Texture drawn_texture(TexturePattern pattern, std::optional<TextureTile> tile,
                       const StripeArguments& arguments) {
-  return texture_of(mesh, std::move(pattern),
-                    tile ? std::move(*tile) : TextureTile(BuiltInTile::checker),
-                    {arguments.texture.whole});
+  return {std::move(pattern), tile ? std::move(*tile) : TextureTile(BuiltInTile::checker),
+          WholeTiles(arguments.texture.whole)};
 }
 
 StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
@@ -42,14 +41,12 @@ StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
     CrossTexture& texture = crosses->texture;
     job.data = on_cross_texture(std::move(job.data), prepared.surface.mesh.triangles,
                                 crosses->cross.cover);
-    job.result = {drawn_texture(texture.surface.mesh, std::move(texture.pattern), std::move(tile),
-                                arguments)};
+    job.result = {drawn_texture(std::move(texture.pattern), std::move(tile), arguments)};
     job.surface = std::make_shared<const Surface>(std::move(texture.surface));
     return job;
   }
   if (auto* texture = std::get_if<TexturePattern>(&made.of)) {
-    job.result = {
-        drawn_texture(prepared.surface.mesh, std::move(*texture), std::move(tile), arguments)};
+    job.result = {drawn_texture(std::move(*texture), std::move(tile), arguments)};
   } else {
     job.result = {std::get<StripePattern>(std::move(made.of))};
   }

@@ -111,8 +111,9 @@ class FrameTexture {
       animator_.emplace(surface, TextureAnimatorOptions{.oriented = style_.oriented,
                                                         .stripes = without_slack(style_.animator)});
       triangles_ = surface.mesh.triangles;
-      whole_.finder = nullptr;
+      whole_ = WholeTiles();
     }
+    whole_ = whole_.of_next_texture(style_.whole_tiles);
     FrequencyField across;
     if (frequency_v_ > 0) across.assign(surface.mesh.vertex_count(), frequency_v_);
     return animator_
@@ -123,8 +124,8 @@ class FrameTexture {
   }
 
   /// What is left out of the tiles of the last frame; for as long as that is shown.
-  std::span<const BrokenTiles> broken(const TextureView& texture, const Followed& followed) {
-    broken_ = broken_tiles_of(triangles_, texture, style_.style, followed, whole_);
+  std::span<const LeftOutTiles> broken(const TextureView& texture, const Followed& followed) {
+    broken_ = left_out_tiles(triangles_, texture, style_.style, followed, whole_);
     return broken_;
   }
 
@@ -141,8 +142,8 @@ class FrameTexture {
   float frequency_v_;  ///< 0: as along the field
   std::optional<TextureAnimator> animator_;
   std::vector<Triangle> triangles_;
-  WholeTiles whole_{style_.whole_tiles};
-  std::vector<BrokenTiles> broken_;
+  WholeTiles whole_;
+  std::vector<LeftOutTiles> broken_;
 };
 
 class StyledFrames : public FramePainter {

@@ -80,8 +80,9 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
     if (texture != nullptr) patterns.push_back({texture->pattern.v, "_v"});
   }
   DataArrays own = textured_arrays(textured, made.surface, patterns, missing_in(path));
-  if (texture != nullptr && texture->broken) {
-    own.cells.push_back(broken_in_triangles(textured, *texture->broken));
+  if (texture != nullptr) {
+    const auto broken = texture->broken(made.surface.mesh);
+    if (broken) own.cells.push_back(broken_in_triangles(textured, *broken));
   }
   if (is_gltf(path)) own.cells.clear();
   if (holds_waves(path) && !made.data.agreement.empty()) {

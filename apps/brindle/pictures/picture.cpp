@@ -197,7 +197,8 @@ SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
   if (const Texture* texture = result.texture()) {
     drawing.texture_waves = &texture->pattern.waves;
     drawing.texture_tile = &texture->tile;
-    if (texture->broken) drawing.broken_tiles = &*texture->broken;
+    // The texture keeps what it has found.
+    drawing.broken_tiles = texture->broken(surface.mesh).get();
   }
   return drawing;
 }

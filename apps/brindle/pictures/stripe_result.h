@@ -2,26 +2,22 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <utility>
 
-#include "brindle/broken_tiles.h"
 #include "brindle/renderer.h"
 #include "brindle/texture_pattern.h"
+#include "pictures/whole_tiles.h"
 
 namespace brindle::tool {
-
-/// Whether tiles are left out where they would be cut.
-struct WholeTiles {
-  std::optional<bool> asked;                                 ///< nothing: as suits the tile
-  std::shared_ptr<const BrokenTileFinder> finder = nullptr;  ///< of the mesh, once it was needed
-};
 
 struct Texture {
   TexturePattern pattern;
   TextureTile tile;
   WholeTiles whole;
-  std::optional<BrokenTiles> broken;  ///< without a style; nothing: tiles are cut
+
+  /// The figures of the tile that are left out without a style, on the mesh that the pattern is of;
+  /// null where tiles are cut.
+  std::shared_ptr<const BrokenTiles> broken(const Mesh& mesh) const;
 };
 
 /// Stripes alone, or a texture along two stripe patterns.

@@ -122,9 +122,8 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
                              const StyleInput& input, const PictureOptions& picture) {
   StyledPicture styled(follow(style, input.values), scene_of(surface, result, style, patterns));
   if (const Texture* texture = result.texture()) {
-    WholeTiles whole = texture->whole;
-    styled.broken = broken_tiles_of(surface.mesh.triangles, *styled.scene.texture, style,
-                                    styled.followed, whole);
+    styled.broken = left_out_tiles(surface.mesh.triangles, *styled.scene.texture, style,
+                                   styled.followed, texture->whole);
     styled.scene.texture->broken = styled.broken;
   }
   styled.options = styled_options(style, picture, surface.mesh.origin, styled.followed);

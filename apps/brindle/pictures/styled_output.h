@@ -61,7 +61,7 @@ StylePatterns make_style_patterns(const Surface& surface, const StripeResult& re
 /// moved but not copied.
 struct StyledPicture {
   Followed followed;
-  std::vector<BrokenTiles> broken;  ///< of a texture
+  std::vector<LeftOutTiles> broken;  ///< of a texture
   StyledScene scene;
   std::vector<StyledSurface> surfaces;
   StyledOptions options;

@@ -136,7 +136,7 @@ RegionTexture region_texture(const TextureView& texture, const StyleOptions& sty
     result.tiles.push_back({region.tile, region.color.value_or(render.stripe_color), region.from});
   }
   for (std::size_t i = 0; i < texture.broken.size(); ++i) {
-    result.tiles[i].broken = &texture.broken[i];
+    result.tiles[i].broken = texture.broken[i].get();
   }
   result.values = followed.regions;
   result.sizes = followed.tile_sizes;
@@ -165,17 +165,17 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
 
 }  // namespace
 
-std::vector<BrokenTiles> broken_tiles_of(std::span<const Triangle> triangles,
+std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
                                          const TextureView& texture, const StyleOptions& style,
-                                         const Followed& followed, WholeTiles& whole) {
+                                         const Followed& followed, const WholeTiles& whole) {
   const std::vector<float>& sizes = followed.tile_sizes;
   // NaN is less than nothing here.
   const float size = std::accumulate(sizes.begin(), sizes.end(), sizes.empty() ? 1.0f : 0.0f,
                                      [](float a, float b) { return b > a ? b : a; });
   const auto of = [&](const TextureTile& tile) {
-    return broken_tiles_of(triangles, texture.waves, tile, whole, texture.shift, size);
+    return whole.broken(triangles, texture.waves, tile, texture.shift, size);
   };
-  std::vector<BrokenTiles> broken;
+  std::vector<LeftOutTiles> broken;
   broken.push_back(of(texture.tile));
   for (const RegionChoice& region : style.regions) broken.push_back(of(region.tile));
   return broken;

@@ -41,17 +41,20 @@ struct StripesView {
   std::span<const Complex> z;
 };
 
+/// Null where tiles are cut.
+using LeftOutTiles = std::shared_ptr<const BrokenTiles>;
+
 struct TextureView {
   const TextureWaves& waves;
   const TextureTile& tile;
-  Eigen::Vector2f shift{0, 0};               ///< in tiles
-  std::span<const BrokenTiles> broken = {};  ///< of the tile, then of those of regions
+  Eigen::Vector2f shift{0, 0};                ///< in tiles
+  std::span<const LeftOutTiles> broken = {};  ///< of the tile, then of those of regions
 };
 
 /// Figures that are left out of a texture in a style: of the tile, then of those of regions.
-std::vector<BrokenTiles> broken_tiles_of(std::span<const Triangle> triangles,
+std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
                                          const TextureView& texture, const StyleOptions& style,
-                                         const Followed& followed, WholeTiles& whole);
+                                         const Followed& followed, const WholeTiles& whole);
 
 /// What is drawn; all of it lives elsewhere.
 struct StyledScene {

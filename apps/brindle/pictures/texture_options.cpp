@@ -28,10 +28,6 @@ std::optional<bool> parse_whole(std::string_view name) {
   return std::nullopt;
 }
 
-bool are_whole(const WholeTiles& whole, const TextureTile& tile) {
-  return whole.asked.value_or(has_own_shape(tile));
-}
-
 }  // namespace
 
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves) {
@@ -62,20 +58,8 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) 
   }
 }
 
-BrokenTiles broken_tiles_of(std::span<const Triangle> triangles, const TextureWaves& waves,
-                            const TextureTile& tile, WholeTiles& whole,
-                            const Eigen::Vector2f& shift, float size) {
-  if (!are_whole(whole, tile)) return {};
-  if (whole.finder == nullptr) whole.finder = std::make_shared<const BrokenTileFinder>(triangles);
-  return whole.finder->find(waves, figures_within(tile_figures(tile), size, shift));
-}
-
-Texture texture_of(const Mesh& mesh, TexturePattern pattern, TextureTile tile, WholeTiles whole) {
-  std::optional<BrokenTiles> broken;
-  if (are_whole(whole, tile)) {
-    broken = broken_tiles_of(mesh.triangles, pattern.waves, tile, whole);
-  }
-  return {std::move(pattern), std::move(tile), std::move(whole), std::move(broken)};
+std::shared_ptr<const BrokenTiles> Texture::broken(const Mesh& mesh) const {
+  return whole.broken(mesh.triangles, pattern.waves, tile);
 }
 
 }  // namespace brindle::tool

@@ -37,13 +37,4 @@ Drawn drawn_by(const TextureChoice& choice, bool has_tiles);
 /// for a built-in tile that does not suit a cross field.
 std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross);
 
-/// The figures of a tile that are left out, shifted by so many tiles and at most `size` of their
-/// place; none where tiles are cut. Makes the finder if it is needed and not there.
-BrokenTiles broken_tiles_of(std::span<const Triangle> triangles, const TextureWaves& waves,
-                            const TextureTile& tile, WholeTiles& whole,
-                            const Eigen::Vector2f& shift = {0, 0}, float size = 1);
-
-/// A texture with the figures that are left out of it.
-Texture texture_of(const Mesh& mesh, TexturePattern pattern, TextureTile tile, WholeTiles whole);
-
 }  // namespace brindle::tool

@@ -11,6 +11,13 @@ FrameInput frame_input(const WaveSet& waves) {
   return {waves.positions, waves.directions, waves.frequencies};
 }
 
+/// Those that pictures will ask for, if that is known before there is a frame.
+std::optional<TileFigures> figures_in_frames(const WholeTiles& whole, const TextureTile& tile,
+                                             const StyleOptions& style) {
+  if (!style.tile_size_by.empty()) return std::nullopt;
+  return whole.figures_of(tile, style.texture_shift);
+}
+
 }  // namespace
 
 TileFollower::TileFollower(const StripeArguments& arguments,
@@ -41,16 +48,20 @@ StripeJob TileFollower::next_texture(const StripeArguments& arguments, const Pre
                                      const PreparationFigures& figures) {
   const Surface& surface = prepared_->surface;
   const PhaseShiftKind kind = arguments.solving.stripes.phase_shift;
+  TextureTile tile = chosen_tile(arguments.texture, false).value();
+  whole_ = whole_.of_next_texture(arguments.texture.whole);
+  const std::optional<TileFigures> figures_left_out =
+      figures_in_frames(whole_, tile, arguments.style);
+  texture_->set_whole_tiles(figures_left_out);
   const TextureFrameResult frame =
       texture_->frame({frame_input(waves.waves), waves.frequencies_v, {}});
+  if (frame.broken != nullptr) whole_.know(*figures_left_out, *frame.broken);
   phase_step_ = frame.u.stripes.phase_step;
   TexturePattern pattern =
       pattern_of_frame(frame, *texture_, waves.waves, waves.frequencies_v, surface.normals, kind);
   Report report = make_report(surface, figures, pattern, arguments.solving.stripes.solver.solver);
-  Texture drawn = with_tile(surface, std::move(pattern),
-                            chosen_tile(arguments.texture, false).value(), arguments);
   return {{prepared_, &surface},
-          {std::move(drawn)},
+          {Texture{std::move(pattern), std::move(tile), whole_}},
           std::move(report),
           {prepared_->arrays, prepared_->original_ids, prepared_->partners}};
 }
@@ -61,7 +72,7 @@ StripeJob TileFollower::next_cross(const StripeArguments& arguments, const Prepa
   phase_step_ = frame.stripes.phase_step;
   if (frame.matching != CrossMatching::kept || !cross_surface_) {
     cross_surface_ = std::make_shared<const Surface>(make_surface(frame.mesh));
-    finder_ = nullptr;
+    whole_ = WholeTiles();
     cross_data_ =
         on_cross_texture({prepared_->arrays, prepared_->original_ids, prepared_->partners},
                          prepared_->surface.mesh.triangles, frame.cover);
@@ -70,17 +81,10 @@ StripeJob TileFollower::next_cross(const StripeArguments& arguments, const Prepa
   // As of a pattern that is made at once: of the surface without the parts of singular triangles.
   Report report =
       make_report(prepared_->surface, figures, texture, arguments.solving.stripes.solver.solver);
-  const TextureTile tile = chosen_tile(arguments.texture, true).value_or(BuiltInTile::checker);
-  Texture drawn = with_tile(*cross_surface_, std::move(texture.pattern), tile, arguments);
+  whole_ = whole_.of_next_texture(arguments.texture.whole);
+  Texture drawn{std::move(texture.pattern),
+                chosen_tile(arguments.texture, true).value_or(BuiltInTile::checker), whole_};
   return {cross_surface_, {std::move(drawn)}, std::move(report), cross_data_};
-}
-
-Texture TileFollower::with_tile(const Surface& surface, TexturePattern pattern, TextureTile tile,
-                                const StripeArguments& arguments) {
-  Texture texture = texture_of(surface.mesh, std::move(pattern), std::move(tile),
-                               {arguments.texture.whole, finder_});
-  finder_ = texture.whole.finder;
-  return texture;
 }
 
 }  // namespace brindle::tool

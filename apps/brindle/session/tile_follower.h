@@ -34,15 +34,12 @@ class TileFollower {
   StripeJob next_cross(const StripeArguments& arguments, const PreparedWaves& waves,
                        const PreparationFigures& figures, const Progress& progress);
 
-  Texture with_tile(const Surface& surface, TexturePattern pattern, TextureTile tile,
-                    const StripeArguments& arguments);
-
   std::shared_ptr<const Preparation> prepared_;
   std::optional<TextureAnimator> texture_;
   std::optional<CrossAnimator> cross_;
   std::shared_ptr<const Surface> cross_surface_;  ///< as long as crosses belong together alike
   InputData cross_data_;
-  std::shared_ptr<const BrokenTileFinder> finder_;  ///< of the surface that is drawn
+  WholeTiles whole_;  ///< of the last texture
   double phase_step_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #ifdef BRINDLE_HAS_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
 #include "brindle/base/task_order.h"
@@ -50,6 +51,27 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
 /// microseconds a piece can be cancelled within a tenth of a second, and so much that waiting for
 /// the last thread costs nothing.
 inline constexpr std::size_t kReportSlice = 1 << 14;
+
+/// Calls both, at the same time if there is a thread for it. Neither may read what the other
+/// writes.
+template <class First, class Second>
+void parallel_both(const First& first, const Second& second) {
+#ifdef BRINDLE_HAS_TBB
+  TaskOrder::call();
+  const auto as_task = [](const auto& body) {
+    return [&body] {
+      TaskOrder::begin_task();
+      body();
+      TaskOrder::end_task();
+    };
+  };
+  tbb::parallel_invoke(as_task(first), as_task(second));
+  TaskOrder::join();
+#else
+  first();
+  second();
+#endif
+}
 
 /// As above, and `progress` hears how much is done before every slice of the range. Reports come at
 /// places that depend on `count` alone, and from the calling thread.

@@ -497,7 +497,9 @@ class Breaks {
   std::vector<std::pair<Index, Middle>> pending_;
 };
 
-void check_figures(const TileFigures& figures) {
+}  // namespace
+
+void check_tile_figures(const TileFigures& figures) {
   for (const Rect& extent : figures.extents) {
     const bool fits = extent.min().allFinite() && extent.max().allFinite() &&
                       (extent.min().array() >= -0.5f).all() && (extent.max().array() <= 0.5f).all();
@@ -506,7 +508,14 @@ void check_figures(const TileFigures& figures) {
   if (!figures.shift.allFinite()) throw Error("tiles are shifted by no number");
 }
 
-}  // namespace
+bool TileFigures::operator==(const TileFigures& other) const {
+  const auto alike = [](const Rect& a, const Rect& b) {
+    return a.min() == b.min() && a.max() == b.max();
+  };
+  return layout == other.layout && alike(extents[0], other.extents[0]) &&
+         alike(extents[1], other.extents[1]) && symmetries == other.symmetries &&
+         shift == other.shift && split == other.split;
+}
 
 // The twin is shaders/broken_tiles.glsl.
 bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
@@ -552,7 +561,7 @@ BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<co
                                    const Progress& progress) const {
   const MeshEdgeTwins& mesh = state_->mesh;
   const std::size_t count = mesh.triangles.size();
-  check_figures(figures);
+  check_tile_figures(figures);
   if (u.size() != count || v.size() != count) {
     throw Error("tiles: there are waves of " + std::to_string(u.size()) + " and " +
                 std::to_string(v.size()) + " triangles for " + std::to_string(count));

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
@@ -56,7 +57,6 @@ struct TextureAnimator::State {
         orientation(made_for.mesh.triangles),
         u{StripeAnimator(made_for, made_with.stripes)} {
     u.animator.allow_take_back();
-    if (made_with.whole_tiles) finder.emplace(made_for.mesh.triangles);
   }
 
   Surface surface;  ///< at the place of the last frame
@@ -66,7 +66,7 @@ struct TextureAnimator::State {
   std::optional<AnimatedPattern> v;  ///< after the first frame of U, whose topology it shares
   std::vector<Complex> given_v;      ///< last phases of V for its first frame
   TextureWaves waves;
-  std::optional<BrokenTileFinder> finder;  ///< where somebody asks
+  std::optional<BrokenTileFinder> finder;  ///< once somebody has asked
   BrokenTiles broken;
 
   void find_broken();
@@ -74,11 +74,14 @@ struct TextureAnimator::State {
   NextWaves checked_waves(const TextureFrameInput& input) const;
   TextureFrameResult solve(NextWaves& next, const Progress& progress);
   void take_waves(AnimatedPattern& pattern, WaveSet& next, const FrameResult& stripes) const;
-  TexturePatternFrame measured(AnimatedPattern& pattern, const FrameResult& stripes) const;
+  void lift(AnimatedPattern& pattern, const FrameResult& stripes) const;
+  PatternQuality measured(AnimatedPattern& pattern) const;
+  void measure(TextureFrameResult& result);
 };
 
 /// From the corner phases of the vertices' own waves, if those are what textures are drawn by.
 void TextureAnimator::State::find_broken() {
+  if (!finder) finder.emplace(surface.mesh.triangles);
   broken = options.stripes.phase_shift == PhaseShiftKind::aligned
                ? finder->find(u.corners, v->corners, orientation.signs(), *options.whole_tiles)
                : finder->find(waves, *options.whole_tiles);
@@ -152,12 +155,14 @@ void TextureAnimator::State::take_waves(AnimatedPattern& pattern, WaveSet& next,
   pattern.waves.frequencies.assign(chosen.begin(), chosen.end());
 }
 
-TexturePatternFrame TextureAnimator::State::measured(AnimatedPattern& pattern,
-                                                     const FrameResult& stripes) const {
-  const PhaseShiftKind kind = options.stripes.phase_shift;
-  WaveSet& waves_now = pattern.waves;
+void TextureAnimator::State::lift(AnimatedPattern& pattern, const FrameResult& stripes) const {
   pattern.corners.resize(surface.mesh.triangle_count());
-  fill_corner_phases(surface.mesh.triangles, waves_now, stripes.z, kind, pattern.corners);
+  fill_corner_phases(surface.mesh.triangles, pattern.waves, stripes.z, options.stripes.phase_shift,
+                     pattern.corners);
+}
+
+PatternQuality TextureAnimator::State::measured(AnimatedPattern& pattern) const {
+  WaveSet& waves_now = pattern.waves;
   PatternQuality quality = measure_quality(surface.mesh, waves_now, pattern.corners);
   quality.spacing_error_wanted_mean = quality.spacing_error_mean;
   if (!pattern.frequencies_wanted.empty()) {
@@ -170,11 +175,29 @@ TexturePatternFrame TextureAnimator::State::measured(AnimatedPattern& pattern,
   if (!calm.empty()) {
     quality.branches_in_calm = count_in_calm(surface.mesh.triangles, pattern.corners, calm);
   }
-  return {stripes, pattern.corners, quality};
+  return quality;
+}
+
+/// What is known of the frame's patterns. Figures that are broken are found at the same time: they
+/// are passed on from triangle to triangle by one thread.
+void TextureAnimator::State::measure(TextureFrameResult& result) {
+  Stopwatch watch;
+  const auto measure_patterns = [&] {
+    result.u.quality = measured(u);
+    result.v.quality = measured(*v);
+    result.quality = measure_texture(surface.mesh, {u.corners, u.waves.frequencies},
+                                     {v->corners, v->waves.frequencies});
+    result.milliseconds.measure = watch.lap();
+  };
+  if (!options.whole_tiles) return measure_patterns();
+  parallel_both([&] { find_broken(); }, measure_patterns);
+  result.broken = &broken;
+  result.milliseconds.tiles = watch.lap();
 }
 
 TextureAnimator::TextureAnimator(const Surface& surface, const TextureAnimatorOptions& options) {
   if (surface.mesh.triangles.empty()) throw Error("textures need triangles; points have none");
+  if (options.whole_tiles) check_tile_figures(*options.whole_tiles);
   state_ = std::make_unique<State>(surface, options);
 }
 
@@ -198,15 +221,13 @@ TextureFrameResult TextureAnimator::frame(const TextureFrameInput& input,
                     s.v->vertex_waves(v.z), s.waves);
   result.milliseconds.orient += watch.lap();
 
-  result.u = s.measured(s.u, u);
-  result.v = s.measured(*s.v, v);
-  result.quality = measure_texture(s.surface.mesh, {s.u.corners, s.u.waves.frequencies},
-                                   {s.v->corners, s.v->waves.frequencies});
-  result.milliseconds.measure = watch.lap();
-  if (!s.finder) return result;
-  s.find_broken();
-  result.broken = &s.broken;
-  result.milliseconds.tiles = watch.lap();
+  s.lift(s.u, u);
+  s.lift(*s.v, v);
+  result.u.corners = s.u.corners;
+  result.v.corners = s.v->corners;
+  const double lifting = watch.lap();
+  s.measure(result);
+  result.milliseconds.measure += lifting;
   return result;
 }
 
@@ -235,6 +256,11 @@ void TextureAnimator::set_slack(const Slack& slack) {
   s.u.animator.set_slack(slack);
   if (s.v) s.v->animator.set_slack(slack);
   s.options.stripes.slack = slack;
+}
+
+void TextureAnimator::set_whole_tiles(const std::optional<TileFigures>& figures) {
+  if (figures) check_tile_figures(*figures);
+  state_->options.whole_tiles = figures;
 }
 
 void TextureAnimator::restart() {
