@@ -71,9 +71,15 @@ vtkBrindleCurves::vtkBrindleCurves() = default;
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
 void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
-  const bp::LineOptions options = {{.join = this->Join, .trim = static_cast<float>(this->Trim)},
+  const bp::LineOptions options = {{.join = this->Join,
+                                    .trim = static_cast<float>(this->Trim),
+                                    .fair = static_cast<float>(this->Fair)},
                                    this->MinimumLength};
   run.ranks.together([&] {
+    if (options.curves.fair != 0 && run.input->piece) {
+      throw brindle::Error(
+          "Fair needs all of the surface on one rank; set it to 0, or run one rank");
+    }
     if (std::isfinite(options.minimum_length) && options.minimum_length >= 0) return;
     throw brindle::Error("Minimum Length must be 0 or above");
   });

@@ -19,6 +19,10 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
   /// 0 to 1, 0 leaves them. Not together with `Join`.
   vtkSetMacro(Trim, double);
   vtkGetMacro(Trim, double);
+  /// Kinks shorter than about this share of the spacing are taken out; 0 to 1, 0 leaves them. Needs
+  /// all of the surface on one rank.
+  vtkSetMacro(Fair, double);
+  vtkGetMacro(Fair, double);
   /// Shorter curves are left out; 0 or above, in units of length.
   vtkSetMacro(MinimumLength, double);
   vtkGetMacro(MinimumLength, double);
@@ -35,5 +39,6 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
  private:
   bool Join = false;
   double Trim = 0;
+  double Fair = 0;
   double MinimumLength = 0;
 };

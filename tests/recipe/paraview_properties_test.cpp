@@ -76,6 +76,7 @@ const std::vector<Property>& properties() {
       {"TextureCoordinates", PatternJob::stripe, {{"", "--uv"}}, "the representation draws them"},
       {"Join", PatternJob::curves, {{"", "--join"}}},
       {"Trim", PatternJob::curves, {{"", "--trim"}}},
+      {"Fair", PatternJob::curves, {{"", "--fair"}}},
       {"MinimumLength", PatternJob::curves, {{"", "--min-length"}}},
   };
   return all;
@@ -121,7 +122,6 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"winding", "loops have no names in ParaView"},
     {"lines", "a filter more traces the others"},
     {"offset", "not yet asked for"},
-    {"fair", "not yet asked for"},
     {"simplify", "the filter Decimate Polyline"},
     {"resample", "not yet asked for"},
     {"line-width", "ParaView draws"},
