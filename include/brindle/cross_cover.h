@@ -15,7 +15,7 @@ namespace BRINDLE_EXPORT brindle {
 
 /// The covering of a surface by two sheets on which a cross field is an ordinary line field
 /// (Kälberer et al. 2007). Wave r of the cross at vertex i, r = 0 or 1, is node 2 i + r; each edge
-/// of the surface joins (i, r) to the wave of j that is best aligned with it, and the other two to
+/// of the surface joins (i, r) to the wave of j that it turns least to, and the other two to
 /// each other. On the cover everything is as on a mesh with one wave per vertex: its phase graph is
 /// `build_phase_graph(neighborhood, waves)`.
 struct CrossCover {
@@ -45,7 +45,8 @@ inline Index other_wave(Index node) { return node ^ 1u; }
 WaveSet cross_waves(const WaveSet& waves, std::span<const Vec3> normals);
 
 /// The m in {0, 1} for which wave (i, 0) belongs to (j, m) and (i, 1) to (j, 1 - m): the pairing
-/// whose two alignments |<d, d'>| have the larger sum. The same from i to j as from j to i.
+/// that turns the cross by less than an eighth, once it has been moved in parallel from i to j. The
+/// same from i to j as from j to i.
 Index matching_wave(const WaveSet& crosses, Index i, Index j);
 
 /// Whether `crosses`, other waves of the same vertices, belong together as those of the cover do:

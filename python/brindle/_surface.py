@@ -232,15 +232,17 @@ class Surface:
 
     def smooth_field(self, *, symmetry: int = 2, curvature_anchor: float = 0,
                      curvature: str = "max", feature_anchor: float = 0, feature_angle: float = 40,
-                     feature_radius: float = 0, strokes: Sequence[Stroke] = (), last: Any = None,
-                     match: Optional[str] = None,
+                     feature_radius: float = 0, normal_radius: float = 0,
+                     strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[str] = None,
                      max_distance: Optional[float] = None) -> "NDArray[np.float32]":
         """(n, 3) unit tangent vectors that turn as little as possible from vertex to vertex.
 
         ``symmetry``: 1 vectors, 2 lines, 4 crosses. ``curvature_anchor``: how strongly principal
         curvature attracts the field (``curvature``: "max" or "min"); ``feature_anchor``: the same
         of edges where the surface bends by more than ``feature_angle`` degrees, as far as
-        ``feature_radius`` from them (0: at their vertices). ``strokes``: lines that the field runs
+        ``feature_radius`` from them (0: at their vertices). ``normal_radius``: the field follows the
+        bends of a surface whose normals are averaged over so large a distance, so that what is
+        smaller makes no singularities (0: its own normals). ``strokes``: lines that the field runs
         along (``brindle.Stroke``), for even symmetries.
 
         ``last``: the field before, that this one goes on from and stays near to, as a pair of a
@@ -250,20 +252,20 @@ class Surface:
         surface before (of a pair everywhere, of a Stripes one mean period).
         """
         return self._smooth_field(symmetry, curvature_anchor, curvature, feature_anchor,
-                                  feature_angle, feature_radius, strokes,
+                                  feature_angle, feature_radius, normal_radius, strokes,
                                   _last_field(last, match, max_distance))[0]
 
     def _smooth_field(self, symmetry: Any = 2, curvature_anchor: Any = 0, curvature: Any = "max",
                       feature_anchor: Any = 0, feature_angle: Any = 40, feature_radius: Any = 0,
-                      strokes: Any = (), last: Any = None) -> Any:
+                      normal_radius: Any = 0, strokes: Any = (), last: Any = None) -> Any:
         """The field, and the degrees that it turned by on average since ``last``, or None."""
         return _core.smooth_field(self._core, whole_number(symmetry, "symmetry"),
                                   number(curvature_anchor, "curvature_anchor"),
                                   word(curvature, "curvature"),
                                   number(feature_anchor, "feature_anchor"),
                                   number(feature_angle, "feature_angle"),
-                                  number(feature_radius, "feature_radius"), _parts_of(strokes),
-                                  last)
+                                  number(feature_radius, "feature_radius"),
+                                  number(normal_radius, "normal_radius"), _parts_of(strokes), last)
 
     def stroke_anchors(self, strokes: Sequence[Stroke]
                        ) -> "tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]":
@@ -283,24 +285,25 @@ class Surface:
 
     def curvature_field(self, which: str = "max", *, anchor: float = 0.1, raw: bool = False,
                         symmetry: int = 2, feature_anchor: float = 0, feature_angle: float = 40,
-                        feature_radius: float = 0) -> "NDArray[np.float32]":
+                        feature_radius: float = 0,
+                        normal_radius: float = 0) -> "NDArray[np.float32]":
         """(n, 3): along the principal direction of larger ("max") or smaller ("min") absolute
         curvature.
 
         It is the smooth field drawn to curvature by ``anchor``, as ``--field curvature`` of the
-        tool; ``symmetry`` and what ``feature_anchor`` does are those of ``smooth_field``.
+        tool; ``symmetry``, what ``feature_anchor`` does and ``normal_radius`` are those of ``smooth_field``.
         ``raw=True`` gives the directions as they are measured, noise and all.
         """
         if flag(raw, "raw"):
-            if (symmetry, feature_anchor, feature_angle, feature_radius) != (2, 0, 40, 0):
+            if (symmetry, feature_anchor, feature_angle, feature_radius, normal_radius) != (2, 0, 40, 0, 0):
                 raise Error("raw: directions as they are measured are drawn to nothing, and are lines; "
-                            "leave symmetry and what draws to features out")
+                            "leave symmetry, normal_radius and what draws to features out")
             return _core.raw_curvature_field(self._core, word(which, "which"))
         if not number(anchor, "anchor") > 0:
             raise Error("anchor: 0 leaves nothing of curvature; take smooth_field")
         return self.smooth_field(symmetry=symmetry, curvature_anchor=anchor, curvature=which,
                                  feature_anchor=feature_anchor, feature_angle=feature_angle,
-                                 feature_radius=feature_radius)
+                                 feature_radius=feature_radius, normal_radius=normal_radius)
 
     def array_field(self, vectors: "Union[str, ArrayLike]") -> "NDArray[np.float32]":
         """(n, 3): vectors of any length projected into the tangent planes.

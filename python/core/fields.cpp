@@ -109,7 +109,8 @@ DirectionField carried_last(const LastTuple& last, const DirectionField& directi
 // The field, and the mean degrees that it turned by against the last one or None.
 py::tuple smooth_field(const SurfaceData& data, int symmetry, float curvature_anchor,
                        const std::string& curvature, float feature_anchor, float feature_angle,
-                       float feature_radius, const std::vector<StrokeTuple>& tuples,
+                       float feature_radius, float normal_radius,
+                       const std::vector<StrokeTuple>& tuples,
                        const std::optional<LastTuple>& last) {
   SmoothFieldOptions options;
   options.symmetry = symmetry;
@@ -118,6 +119,7 @@ py::tuple smooth_field(const SurfaceData& data, int symmetry, float curvature_an
   options.feature_anchor = feature_anchor;
   options.feature_angle_deg = feature_angle;
   options.feature_radius = feature_radius;
+  options.normal_radius = normal_radius;
   check_smooth(options, data.is_points());
   const std::vector<FieldStroke> strokes = strokes_of(tuples);
   std::optional<double> turned_deg;
@@ -240,7 +242,8 @@ bool matches_by_number(const Mesh& last, const Mesh& mesh, const std::string& ma
 void bind_fields(py::module_& module) {
   module.def("smooth_field", smooth_field, py::arg("surface"), py::arg("symmetry"),
              py::arg("curvature_anchor"), py::arg("curvature"), py::arg("feature_anchor"),
-             py::arg("feature_angle"), py::arg("feature_radius"), py::arg("strokes"),
+             py::arg("feature_angle"), py::arg("feature_radius"), py::arg("normal_radius"),
+             py::arg("strokes"),
              py::arg("last").none(true));
   module.def("stroke_anchors", anchors_of_strokes, py::arg("surface"), py::arg("strokes"));
   module.def("read_strokes", strokes_in, py::arg("path"));

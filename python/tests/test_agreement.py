@@ -93,6 +93,8 @@ REQUESTS = [
     ("stripe", TREFOIL, "--field raw-curvature", with_field(lambda s: s.curvature_field(raw=True))),
     ("stripe", "shape:box", "--feature-anchor 2 --feature-angle 30",
      with_field(lambda s: s.smooth_field(feature_anchor=2, feature_angle=30))),
+    ("stripe", "shape:molecule,resolution=24", "--normal-radius 0.2",
+     with_field(lambda s: s.smooth_field(normal_radius=0.2))),
     ("stripe", "shape:box", "--feature-anchor 1 --feature-radius 0.2",
      with_field(lambda s: s.smooth_field(feature_anchor=1, feature_radius=0.2))),
     ("stripe", TORUS, "--rotate 35", with_field(lambda s: s.turned_field(s.smooth_field(), 35))),

@@ -66,6 +66,7 @@ FIELDS = {
     "feature-anchor": lambda c: number(c, 0, 2),
     "feature-angle": lambda c: number(c, 1, 179),
     "feature-radius": lambda c: number(c, 0.01, 0.5),
+    "normal-radius": lambda c: number(c, 0.01, 0.5),
 }
 
 

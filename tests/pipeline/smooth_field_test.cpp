@@ -8,6 +8,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/field_index.h"
 #include "brindle/mesh.h"
 #include "brindle/shapes.h"
 #include "brindle/stripe_pattern.h"
@@ -234,6 +235,55 @@ TEST(SmoothField, RunsAlongFeaturesWithinTheirRadius) {
     if (std::abs(p.x()) > 0.4f || std::abs(std::abs(p.y()) - 0.9f) > 0.06f) continue;
     EXPECT_LT(degrees_between_lines(field[v], Vec3::UnitX()), 8);
   }
+}
+
+/// A sphere of radius 1 with bumps that are 0.27 long and up to 0.12 high.
+Surface bumpy_sphere(float scale = 1) {
+  Mesh mesh = make_shape("sphere,resolution=60");
+  for (Vec3& p : mesh.positions) {
+    const Vec3 q = p.normalized();
+    const float bump = std::sin(23 * q.x()) * std::sin(19 * q.y() + 1) * std::sin(21 * q.z() + 2);
+    p = scale * (1 + 0.12f * bump) * q;
+  }
+  return make_surface(std::move(mesh));
+}
+
+TEST(SmoothField, HasNoSingularitiesOfBumpsThatItsNormalsAreAveragedOver) {
+  const Surface sphere = bumpy_sphere();
+  const auto count = [&](float radius) {
+    const DirectionField field =
+        smooth_direction_field(sphere, {.symmetry = 4, .normal_radius = radius});
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      EXPECT_NEAR(field[i].norm(), 1, 1e-5);
+      EXPECT_NEAR(field[i].dot(sphere.normals[i]), 0, 1e-5);
+    }
+    return count_singularities(sphere.mesh, field, 4);
+  };
+  EXPECT_GT(count(0), 100u);
+  // Each counts a quarter; they sum to the Euler characteristic, 2.
+  EXPECT_LE(count(0.1f), 12u);
+  EXPECT_EQ(count(0.5f), 8u);
+}
+
+TEST(SmoothField, AveragesNormalsOverTheSamePlacesAtEveryScale) {
+  const Surface sphere = bumpy_sphere(), large = bumpy_sphere(8);
+  const auto field = smooth_direction_field(sphere, {.normal_radius = 0.3f});
+  const auto same = smooth_direction_field(large, {.normal_radius = 2.4f});
+  double off = 0;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    off += 1 - std::abs(static_cast<double>(field[i].dot(same[i])));
+  }
+  EXPECT_LT(off / static_cast<double>(field.size()), 1e-3);
+}
+
+TEST(SmoothField, OfASmoothSurfaceStaysWhereItsNormalsAreAveraged) {
+  const Surface plane = make_surface(make_shape("plane,resolution=30"));
+  const DirectionField field = smooth_direction_field(plane, {.normal_radius = 0.2f});
+  const DirectionField plain = smooth_direction_field(plane);
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    EXPECT_NEAR(std::abs(field[i].dot(plain[i])), 1, 1e-5);
+  }
+  EXPECT_THROW(smooth_direction_field(plane, {.normal_radius = -1}), Error);
 }
 
 TEST(SmoothField, RefusesAnchorsThatAreNone) {

@@ -110,6 +110,7 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"feature-anchor", "not yet asked for"},
     {"feature-angle", "of feature-anchor"},
     {"feature-radius", "of feature-anchor"},
+    {"normal-radius", "not yet asked for"},
     {"field-singularities", "FieldSingularities, which has a number for none"},
     {"strokes", "there is nothing to draw them with"},
     {"field-mesh", "the filter Resample With Dataset"},

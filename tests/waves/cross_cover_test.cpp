@@ -48,6 +48,31 @@ WavySurface plane_with_singularity(int quarters) {
   return s;
 }
 
+/// Two crosses at the ends of an edge along which the surface bends by so much about the y axis;
+/// in their planes they stand at these angles against it.
+WaveSet crosses_at_a_bend(float bend_deg, float angle_deg, float other_deg) {
+  const float radians = 3.14159265f / 180;
+  const Eigen::AngleAxisf bend(bend_deg * radians, Vec3::UnitY());
+  const auto direction = [&](float degrees) {
+    return Vec3(std::sin(degrees * radians), std::cos(degrees * radians), 0);
+  };
+  const WaveSet waves = {
+      {Vec3::Zero(), Vec3::UnitX()}, {direction(angle_deg), bend * direction(other_deg)}, {1, 1}};
+  return cross_waves(waves, std::vector<Vec3>{Vec3::UnitZ(), bend * Vec3::UnitZ()});
+}
+
+TEST(CrossCover, PairsCrossesAsTheyRunOverABendHoweverSharp) {
+  for (const float bend : {0.0f, 30.0f, 80.0f, 100.0f, 130.0f}) {
+    for (const float angle : {0.0f, 30.0f, 60.0f, 85.0f}) {
+      SCOPED_TRACE(std::to_string(bend) + ", " + std::to_string(angle));
+      EXPECT_EQ(matching_wave(crosses_at_a_bend(bend, angle, angle + 20), 0, 1), 0u);
+      EXPECT_EQ(matching_wave(crosses_at_a_bend(bend, angle, angle + 70), 0, 1), 1u);
+      EXPECT_EQ(matching_wave(crosses_at_a_bend(bend, angle, angle + 70), 1, 0), 1u);
+      EXPECT_EQ(matching_wave(crosses_at_a_bend(bend, angle, angle + 180), 0, 1), 0u);
+    }
+  }
+}
+
 TEST(CrossCover, WavesOfACrossAreOrthogonalUnitTangents) {
   const WavySurface s = rough_surface();
   const WaveSet crosses = cross_waves(s.waves, s.normals);

@@ -105,6 +105,9 @@ SmoothFieldOptions smooth_options(const Surface& surface, const WaveOptions& opt
   if (options.feature_radius) {
     smooth.feature_radius = options.feature_radius->on(bounding_box(surface.mesh).diagonal());
   }
+  if (options.normal_radius) {
+    smooth.normal_radius = options.normal_radius->on(bounding_box(surface.mesh).diagonal());
+  }
   if (!options.strokes.empty()) add_read_strokes(surface, options.strokes, smooth.anchors);
   if (!options.drawn_strokes.empty()) {
     const std::vector<FieldAnchor> drawn = stroke_anchors(surface, options.drawn_strokes, progress);

@@ -107,6 +107,8 @@ void check_field_options(const CLI::App& command, const WaveOptions& options) {
                  {"--curvature-anchor", "--feature-anchor", "--feature-angle", "--feature-radius",
                   "--strokes"},
                  "only --field smooth and --field curvature are drawn to anything");
+    refuse_given(command, {"--normal-radius"},
+                 "only --field smooth and --field curvature follow the bends of the surface");
     if (options.direction || options.field != "raw-curvature") {
       refuse_given(command, {"--curvature-direction"},
                    "the field does not follow curvature; --field curvature does");

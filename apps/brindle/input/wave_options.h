@@ -24,6 +24,7 @@ struct WaveOptions {
   float feature_anchor = 0;               ///< of the smooth field
   float feature_angle_deg = 40;
   std::optional<Length> feature_radius;
+  std::optional<Length> normal_radius;  ///< of the smooth field; nothing: its normals are its own
   std::string strokes;  ///< file of strokes that the smooth field follows; empty: none
   std::vector<FieldStroke> drawn_strokes;  ///< further ones, that were drawn and not read
   bool cross = false;                      ///< the field is a cross field
@@ -46,6 +47,7 @@ struct WaveOptions {
     add("--feature-anchor", feature_anchor);
     add("--feature-angle", feature_angle_deg);
     add("--feature-radius", feature_radius);
+    add("--normal-radius", normal_radius);
     add("--strokes", strokes);
     add("--rotate", rotate_deg);
     add("--along", along);

@@ -227,7 +227,12 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
                                       const SmoothFieldOptions& options, HierarchyBounds bounds) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
-  ranks.together([&] { check_smoothing(options); });
+  ranks.together([&] {
+    check_smoothing(options);
+    if (options.normal_radius > 0) {
+      throw Error("smooth field: normals are averaged by one process alone; take a radius of 0");
+    }
+  });
   if (surface.vertices == 0) return {};
   const auto normals = std::span(surface.normals).first(surface.graph.node_count());
   PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);

@@ -145,6 +145,18 @@ constexpr OptionInfo kWaveRows[] = {
      .jobs = kAll,
      .help = "how far from edges and boundaries --feature-anchor attracts (default: at their "
              "vertices alone)"},
+    {.name = "normal-radius",
+     .words = "scale of bends",
+     .group = "Field",
+     .kind = OptionKind::length,
+     .form = "L|P%",
+     .unit = "units of length, or percent of the diagonal",
+     .range = kPositive,
+     .slider = {0.1, 20, true},
+     .stale = OptionStage::field,
+     .jobs = kAll,
+     .help = "the smooth field follows the bends of a surface whose normals are averaged over this "
+             "distance: what is smaller makes no singularities (default: its own normals)"},
     {.name = "strokes",
      .words = "strokes of a file",
      .group = "Field",

@@ -77,9 +77,18 @@ WaveSet cross_waves(const WaveSet& waves, std::span<const Vec3> normals) {
 
 Index matching_wave(const WaveSet& crosses, Index i, Index j) {
   const auto alignment = [&](Index r, Index m) {
-    return std::abs(crosses.directions[2 * i + r].dot(crosses.directions[2 * j + m]));
+    return crosses.directions[2 * i + r].dot(crosses.directions[2 * j + m]);
   };
-  return alignment(0, 1) + alignment(1, 0) > alignment(0, 0) + alignment(1, 1) ? 1 : 0;
+  const float d00 = alignment(0, 0), d01 = alignment(0, 1);
+  const float d10 = alignment(1, 0), d11 = alignment(1, 1);
+  // What is more than 135 degrees is no bend: normals point to opposite sides, as they do somewhere
+  // on an unorientable surface.
+  constexpr float kOppositeSides = -0.7f;
+  const float of_normals = d00 * d11 - d01 * d10;
+  const float sense = of_normals < kOppositeSides ? -1.0f : 1.0f;
+  // Moved in parallel from i to j, the cross is turned by an angle t against that of j; these are
+  // cos t and sin t, both times 1 + |of_normals|.
+  return std::abs(d01 - sense * d10) > std::abs(d00 + sense * d11) ? 1 : 0;
 }
 
 bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,

@@ -15,6 +15,7 @@
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/several_starts.h"
+#include "brindle/pipeline/fields/averaged_normals.h"
 #include "brindle/pipeline/fields/curvature_anchors.h"
 #include "brindle/pipeline/fields/feature_anchors.h"
 #include "brindle/pipeline/fields/field_anchors.h"
@@ -60,6 +61,7 @@ void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
 
 std::vector<JobStage> stages_of(const SmoothFieldOptions& options) {
   std::vector<JobStage> stages = {{"transport", 4}};
+  if (options.normal_radius > 0) stages.insert(stages.begin(), {"normals", 8});
   if (options.curvature_anchor > 0) stages.push_back({"curvature", 4});
   if (options.feature_anchor > 0) stages.push_back({"features", 4});
   stages.insert(stages.end(), {{"solve", 10}, {"directions", 1}, {"orient", 2}});
@@ -102,6 +104,19 @@ std::vector<Complex> values_from(const PhaseGraph& graph, std::vector<Complex> s
   return to_nodes(finest.layout(), finest.z);
 }
 
+/// Directions that are tangent to some normals, turned until they are to others.
+void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, DirectionField& field) {
+  parallel_for(field.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (field[i].isZero(0) || from[i] == to[i]) continue;
+      // Where the surface is folded so finely that its normal is the other side's, it is mirrored.
+      const bool folded = from[i].dot(to[i]) < -0.7f;
+      field[i] =
+          tangent_direction(transported(field[i], from[i], folded ? Vec3(-to[i]) : to[i]), to[i]);
+    }
+  });
+}
+
 DirectionField following_field(const Surface& surface, PhaseGraph& graph,
                                std::vector<float> of_curvature, const SmoothFieldOptions& options,
                                const Progress& progress) {
@@ -129,9 +144,40 @@ void check_smoothing(const SmoothFieldOptions& options) {
           "anchors must be finite numbers of 0 or above");
   require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
   require(strength(options.feature_radius), "the feature radius must be finite and 0 or above");
+  require(strength(options.normal_radius), "the normal radius must be finite and 0 or above");
   require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
           "edges have no sign; feature anchors need an even symmetry");
 }
+
+namespace {
+
+/// The field of a surface that is seen as `seen` has it: with other normals, maybe.
+DirectionField field_of(const Surface& surface, const Surface& seen,
+                        const SmoothFieldOptions& options, JobStages& stages) {
+  PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
+                                           stages.begin("transport"));
+  std::vector<float> of_curvature = add_all_anchors(graph, seen, options, stages);
+  if (!options.last.directions.empty()) {
+    DirectionField field =
+        following_field(seen, graph, std::move(of_curvature), options, stages.begin("solve"));
+    turn_to_normals(seen.normals, surface.normals, field);
+    return field;
+  }
+  const bool has_triangles = !surface.mesh.triangles.empty();
+  const LowestPhases u = solve_from(starts_of_field(graph, has_triangles), graph, options.sweeps,
+                                    options.cycles, stages.begin("solve"));
+  DirectionField field =
+      directions_of(u.z, seen.normals, options.symmetry, stages.begin("directions"));
+  turn_to_normals(seen.normals, surface.normals, field);
+  if (has_triangles && turns_freely(graph, options.symmetry)) {
+    const CurlSums sums = curl_sums(surface.mesh, field, surface.normals);
+    turn_to_least_curl(sums, u.is_lower, surface.normals, field);
+  }
+  orient_alike(*surface.neighborhood, field, stages.begin("orient"));
+  return field;
+}
+
+}  // namespace
 
 DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options,
                                       const Progress& progress) {
@@ -140,25 +186,14 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   if (surface.mesh.vertex_count() == 0) return {};
   check_known(options.last, surface.mesh.vertex_count(), "the last field");
   JobStages stages(progress, stages_of(options));
-  PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals, options.symmetry,
-                                           stages.begin("transport"));
-  std::vector<float> of_curvature = add_all_anchors(graph, surface, options, stages);
-  if (!options.last.directions.empty()) {
-    DirectionField field =
-        following_field(surface, graph, std::move(of_curvature), options, stages.begin("solve"));
-    stages.finish();
-    return field;
+  DirectionField field;
+  if (options.normal_radius > 0) {
+    Surface seen = surface;
+    seen.normals = averaged_normals(surface, options.normal_radius, stages.begin("normals"));
+    field = field_of(surface, seen, options, stages);
+  } else {
+    field = field_of(surface, surface, options, stages);
   }
-  const bool has_triangles = !surface.mesh.triangles.empty();
-  const LowestPhases u = solve_from(starts_of_field(graph, has_triangles), graph, options.sweeps,
-                                    options.cycles, stages.begin("solve"));
-  DirectionField field =
-      directions_of(u.z, surface.normals, options.symmetry, stages.begin("directions"));
-  if (has_triangles && turns_freely(graph, options.symmetry)) {
-    const CurlSums sums = curl_sums(surface.mesh, field, surface.normals);
-    turn_to_least_curl(sums, u.is_lower, surface.normals, field);
-  }
-  orient_alike(*surface.neighborhood, field, stages.begin("orient"));
   stages.finish();
   return field;
 }
