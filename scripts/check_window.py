@@ -634,6 +634,29 @@ def place_under_mouse(window):
     return window.wait_until(find, "place under the mouse")
 
 
+def expect_word_of_empty_slices(window, folder):
+    since = window.now()
+    window.drag_slider("option slice", 0.65, 0.9)  # to the end, where the front is: something is left
+    frame = window.settled(since)
+    expect(frame["nothing_left"] == "", "something is left where the plane is behind all")
+    since = window.now()
+    window.drag_slider("option slice", 0.65, 0.0)
+    frame = window.settled(since)
+    expect("leaves nothing" in frame["nothing_left"], "an empty picture says nothing")
+    window.place("why empty")
+    path = folder / "empty.png"
+    window.key("ctrl+p")
+    since = window.now()
+    window.save_as(path)
+    window.wait_for("message", since, kind="error", text=frame["nothing_left"])
+    expect(not path.exists(), "an empty picture is saved")
+    for _ in range(2):
+        since = window.now()
+        window.key("ctrl+z")
+        frame = window.settled(since)
+    expect(frame["nothing_left"] == "" and "why empty" not in window.places, "undo does not bring it back")
+
+
 def check_slice_opens_the_surface(start, folder):
     window = start("shape:sphere,resolution=40", "--stripes", "20", "--camera", "0,0", "--up", "y")
     window.settled()
@@ -662,6 +685,7 @@ def check_slice_opens_the_surface(start, folder):
     window.key("Escape", "ctrl+z")
     window.settled(since)
     expect(options_of(window, folder / "undone.json").get("slice") == "z=50%", "a drag is not one step to undo")
+    expect_word_of_empty_slices(window, folder)
     window.click("slice axis")
     since = window.now()
     window.click("choice slice not")
@@ -865,6 +889,39 @@ def check_opening_asks_for_what_is_not_saved(start, folder):
     session = json.loads((folder / "plate.json").read_text())
     expect(len(session["strokes"]) == 1, "the stroke is not saved first")
     expect(json.loads(save_session(window, folder / "torus.json"))["mesh"] == "shape:torus", "no torus is opened")
+    window.quit()
+
+
+def check_shapes_keep_strokes_or_say_why_not(start, folder):
+    window = start("shape:sphere,resolution=40", "--stripes", "16")
+    window.settled()
+    window.click("tool Comb")
+    since = window.now()
+    window.drag([window.point("picture", 0.35 + 0.03 * i, 0.62) for i in range(6)])
+    window.settled(since)
+    before = save_session(window, folder / "before.json")
+    strokes = json.loads(before)["strokes"]
+    expect(strokes, "no stroke is drawn")
+    window.key("v")
+    window.menu("File", "Shape", "Parameters...")
+    since = window.now()
+    window.type_into_slider("shape resolution", "50")
+    window.settled(since)
+    finer = json.loads(save_session(window, folder / "finer.json"))
+    expect("resolution=50" in finer["mesh"] and finer["strokes"] == strokes, "another resolution takes strokes away")
+    since = window.now()
+    window.type_into_slider("shape radius", "3")
+    window.wait_for("message", since, kind="error")
+    failure = window.wait_for("failure", since)
+    expect(failure["taken_back"], "what does not work stays")
+    said = [e["text"] for e in window.lines[since:] if e["event"] == "message"][-1]
+    expect("stroke" in said and "from the surface" in said, f"it says {said}")
+    window.settled()
+    expect(json.loads(save_session(window, folder / "back.json")) == finer, "the shape before is not back")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(save_session(window, folder / "undone.json") == before, "undo does not bring the first shape back")
     window.quit()
 
 

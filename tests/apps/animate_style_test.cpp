@@ -95,6 +95,26 @@ TEST_F(AnimateStyle, ArraysAreThoseOfTheStep) {
   }
 }
 
+// Surfaces that move may do so beyond a plane, which is no mistake; it is said.
+TEST_F(AnimateStyle, FramesOfWhichASliceLeavesNothingAreSaid) {
+  for (const Arguments& style : {Arguments{}, Arguments{"--flat"}}) {
+    Arguments arguments = {"animate",  "shape:torus,resolution=24",
+                           "--frames", "2",
+                           "--size",   "96x72",
+                           "-o",       "frame%d.png",
+                           "--slice",  "z=-9"};
+    arguments.insert(arguments.end(), style.begin(), style.end());
+    const ToolResult empty = run(arguments);
+    EXPECT_EQ(empty.exit_code, 0) << empty.err;
+    const std::string said = empty.out + empty.err;
+    EXPECT_NE(said.find("warning: frame 0: --slice leaves nothing"), std::string::npos) << said;
+    EXPECT_NE(said.find("in 2 of 2 frames"), std::string::npos) << said;
+    arguments.back() == "z=-9" ? arguments.back() = "z=50%" : arguments.end()[-2] = "z=50%";
+    const ToolResult half = run(arguments);
+    EXPECT_EQ((half.out + half.err).find("--slice"), std::string::npos) << half.out << half.err;
+  }
+}
+
 TEST_F(AnimateStyle, EndsOfValuesAreThoseOfTheFirstFrame) {
   write_step("step0.vtp", 0);
   write_step("step1.vtp", 1);

@@ -106,6 +106,60 @@ TEST_F(StyleTool, SlicesLeaveSomething) {
   EXPECT_NE(beside.pixels, picture({}).pixels);
 }
 
+// What touches the plane alone has no area; what lies within it is not taken away.
+TEST_F(StyleTool, SlicesAtTheEndsLeaveNothing) {
+  const std::string ball = "shape:sphere,resolution=8";
+  const std::vector<Arguments> empty = {
+      {"--slice", "z=0%"},
+      {"--slice", "-z=100%"},
+      {"--slice", "-x=100%", "--flat"},
+      {"--slice", "z=-9", "--with", ball + "@0,0,3"},
+      {"--slice", "z=-9", "--with", ball + "@0,0,3", "--output", "lines.svg"}};
+  for (const Arguments& slice : empty) {
+    const ToolResult result = run(with(slice));
+    EXPECT_EQ(result.exit_code, 1) << slice[1];
+    EXPECT_NE(result.err.find("leaves nothing"), std::string::npos) << result.err;
+  }
+  picture({"--slice", "z=-9", "--with", ball + "@0,0,3@whole"});
+  write_text(folder / "square.obj", kSquare);
+  const std::string square = (folder / "square.obj").string();
+  EXPECT_EQ(picture({"--slice", "z=0"}, square).pixels, picture({}, square).pixels);
+  for (const Arguments& more : {Arguments{}, Arguments{"--glyph", "disc"}}) {
+    Arguments arguments = {"sample",    "shape:torus,resolution=24",
+                           "--stripes", "8",
+                           "-o",        "samples.png",
+                           "--size",    "96x72",
+                           "--slice",   "z=0%"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.err.find("leaves nothing"), std::string::npos) << result.err;
+  }
+}
+
+// Within a ball of which the nearer half is away, its light is that of the side that is seen, which
+// is lit from where the outer one is dark.
+TEST_F(StyleTool, ValuesThatFollowTheLightKnowTheSlice) {
+  const std::string ball = "shape:sphere,resolution=24";
+  const Arguments light = {"--up",           "z",          "--camera",      "0,0",    "--color-by",
+                           "light",          "--color-on", "surface",       "--flat", "--no-legend",
+                           "--stripe-width", "0",          "--color-range", "0,1"};
+  const auto seen = [&](const std::string& from, bool cut) {
+    Arguments arguments = light;
+    arguments.insert(arguments.end(), {"--light-from", from});
+    if (cut) arguments.insert(arguments.end(), {"--slice", "-y=50%"});
+    return picture(arguments, ball);
+  };
+  const auto brightness = [](const Image& image, int x) {
+    const Pixel pixel = image.at(x, image.height / 2);
+    return pixel.red + pixel.green + pixel.blue;
+  };
+  const Image whole = seen("80,0", false), within = seen("80,0", true);
+  const int left = 96 / 2 - 22, right = 96 / 2 + 22;
+  EXPECT_GT(brightness(whole, right), brightness(whole, left) + 100);
+  EXPECT_GT(brightness(within, left), brightness(within, right) + 100);
+}
+
 TEST_F(StyleTool, TransparentPicturesHaveNoBackground) {
   EXPECT_EQ(picture({"--transparent"}).at(0, 0).alpha, 0);
   EXPECT_EQ(picture({"--flat"}).at(0, 0).alpha, 255);

@@ -336,6 +336,58 @@ TEST_F(RenderTool, ExportsAreWhatRenderDrawsOrNothing) {
   }
 }
 
+// The window shows an empty picture and says why; no file has it.
+TEST_F(RenderTool, PicturesOfWhichASliceLeavesNothingAreNotWritten) {
+  for (const Shown shown : kAllShown) {
+    SessionDocument document = small_document();
+    document.shown = shown;
+    document.options["slice"] = {"z=-9"};
+    write_session(folder / "s.json", document);
+    std::vector<std::string> files = {"s.png"};
+    if (shown != Shown::samples) files.emplace_back("s.svg");
+    for (const std::string& file : files) {
+      const test::ToolResult result = run({"render", "s.json", "-q", "-o", file});
+      EXPECT_EQ(result.exit_code, 1) << file;
+      EXPECT_NE(result.err.find("--slice leaves nothing"), std::string::npos) << result.err;
+      EXPECT_FALSE(std::filesystem::exists(folder / file));
+    }
+    SessionWorker worker;
+    worker.request({document, 1, PictureQuality::interactive});
+    worker.wait();
+    ASSERT_TRUE(worker.latest());
+    EXPECT_NE(worker.latest()->nothing_left.find("--slice"), std::string::npos);
+    document.options["slice"] = {"z=50%"};
+    worker.request({document, 2, PictureQuality::final});
+    worker.wait();
+    EXPECT_EQ(worker.latest()->nothing_left, "");
+  }
+}
+
+// Values follow the side that is seen once a plane opens the surface; patterns do not.
+TEST_F(RenderTool, WhatFollowsTheLightIsThatOfASessionDrawnAfresh) {
+  for (const char* option : {"color-by", "frequency-by"}) {
+    SessionDocument document = small_document();
+    document.options[option] = {"light"};
+    SessionWorker worker;
+    std::uint64_t revision = 0;
+    const auto shown = [&] {
+      worker.request({document, ++revision, PictureQuality::final, Follow::last});
+      worker.wait();
+      write_png(folder / "w.png", worker.latest()->image);
+      return content(folder / "w.png");
+    };
+    shown();
+    const StripePattern& whole = worker.latest()->state->job->result.stripes();
+    document.options["slice"] = {"z=50%"};
+    EXPECT_EQ(shown(), rendered(document)) << option;
+    EXPECT_EQ(&worker.latest()->state->job->result.stripes(), &whole) << option;
+    document.options["slice"] = {"z=40%"};
+    EXPECT_EQ(shown(), rendered(document)) << option;
+    document.options.erase("slice");
+    EXPECT_EQ(shown(), rendered(document)) << option;
+  }
+}
+
 TEST_F(RenderTool, ExportsGoOnBesideAWindow) {
   SessionDocument document = small_document();
   const std::string alone = rendered(document);

@@ -113,7 +113,7 @@ TEST_F(SessionFile, ViewsGoToTheClipboardAndBack) {
 
 std::vector<SessionCommand> all_commands() {
   const FieldStroke stroke = full_document().strokes[0];
-  return {commands::Open{"a b.ply", false},
+  return {commands::Open{"a b.ply", false, true},
           commands::SetOption{"stripes", {"20"}},
           commands::ClearOption{"stripes"},
           commands::SetOptions{{{"along", {}}, {"field", {"curvature"}}}, {"stripes"}},

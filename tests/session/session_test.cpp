@@ -277,6 +277,21 @@ TEST(Session, ADraggedViewIsOneView) {
   EXPECT_FALSE(session.has_previous_view());
 }
 
+// They stand in space, so that a surface like the old one may have them.
+TEST(Session, StrokesMayOutlastTheirSurface) {
+  Session session;
+  session.apply(commands::AddStroke{{{{1, 0, 0}, {1, 1, 0}}, 0.2, 1}});
+  const std::vector<FieldStroke> strokes = session.document().strokes;
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_TRUE(
+      session.apply(commands::Open{.mesh = "shape:trefoil,resolution=20", .keep_strokes = true}));
+  EXPECT_EQ(session.document().strokes, strokes);
+  EXPECT_TRUE(session.apply(commands::Open{"shape:trefoil"}));
+  EXPECT_TRUE(session.document().strokes.empty());
+  session.undo();
+  EXPECT_EQ(session.document().strokes, strokes);
+}
+
 TEST(Session, AnotherSurfaceHasItsCamera) {
   Session session(small_document());
   CameraView near{80, 20, 3};

@@ -344,6 +344,26 @@ std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArgu
                     .display = display};
 }
 
+/// Frames of which a slice leaves nothing: said of the first one at once, of all at the end.
+class EmptyFrames {
+ public:
+  void note(const std::string& nothing_left, JobListener& listener) {
+    if (!nothing_left.empty() && empty_++ == 0) {
+      listener.note("warning: frame " + std::to_string(frames_) + ": " + nothing_left);
+    }
+    ++frames_;
+  }
+
+  void say(JobListener& listener) const {
+    if (empty_ < 2) return;
+    listener.note("warning: nothing of the surface is seen in " + std::to_string(empty_) + " of " +
+                  std::to_string(frames_) + " frames");
+  }
+
+ private:
+  std::size_t frames_ = 0, empty_ = 0;
+};
+
 void run_animate(const CLI::App& command, AnimateArguments arguments) {
   if (!is_series(arguments)) refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
@@ -361,12 +381,13 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     const Device device(arguments.device);
     const std::optional<FrameStyle> style = frame_style(command, arguments, display);
     std::optional<MovingPicture> picture;
+    EmptyFrames empty;
     ShowFrame show;
     if (draws(arguments)) {
       picture.emplace(of_kind(arguments.outputs, false), *arguments.picture,
                       arguments.frames_per_second, !device.has_context(),
                       style ? &*style : nullptr);
-      show = [&](const SolvedFrame& frame) { picture->add(frame); };
+      show = [&](const SolvedFrame& frame) { empty.note(picture->add(frame), display); };
     }
     report = series ? play_series(arguments, *series, show, display)
                     : play_scene(arguments, device, show, display);
@@ -377,6 +398,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
     device.check_errors("solving on the GPU");
     if (picture) picture->finish();
+    empty.say(display);
     if (!arguments.report.empty()) write_json(arguments.report, to_json(report));
   }
   if (arguments.quiet) return;

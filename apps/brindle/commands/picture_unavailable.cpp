@@ -139,7 +139,7 @@ MovingPicture::MovingPicture(std::vector<FrameOutput> /*outputs*/,
 
 MovingPicture::~MovingPicture() = default;
 
-void MovingPicture::add(const SolvedFrame& /*frame*/) {}
+std::string MovingPicture::add(const SolvedFrame& /*frame*/) { return ""; }
 
 void MovingPicture::finish() {}
 

@@ -8,7 +8,9 @@ Camera camera_of(const Viewpoint& viewpoint, const Mesh& mesh) {
       framed.triangles.empty() ? framed.positions : points_of_triangles(framed);
   const Vec3 offset = (framed.origin - mesh.origin).cast<float>();
   for (Vec3& point : points) point += offset;
-  return framed_camera(points, viewpoint.view, viewpoint.width, viewpoint.height);
+  CameraView view = viewpoint.view;
+  if (view.slice && !view.slice->in_shares) view.slice->point -= mesh.origin;
+  return framed_camera(points, view, viewpoint.width, viewpoint.height);
 }
 
 bool has_camera(const CLI::App& command) {

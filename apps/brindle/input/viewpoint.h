@@ -12,7 +12,7 @@
 namespace brindle::tool {
 
 struct Viewpoint {
-  CameraView view;
+  CameraView view;                            ///< its slice is in the coordinates of files
   int width = 0;                              ///< of the picture, pixels
   int height = 0;                             ///< of the picture, pixels
   std::optional<Mesh> framed = std::nullopt;  ///< by the camera, instead of the surface itself

@@ -9,6 +9,7 @@
 #include "brindle/headless_context.h"
 #include "pictures/frame_writer.h"
 #include "pictures/picture_options.h"
+#include "pictures/slice_refusal.h"
 #include "pictures/video_file.h"
 
 namespace brindle::tool {
@@ -37,8 +38,12 @@ class PlainFrames : public FramePainter {
     add_points(frame.scene.points, overlay.marks);
     show(frame, overlay);
     first_ = false;
+    nothing_left_ = slice_refusal(
+        frame.scene.mesh, framed_camera(framed_, render_.camera, render_.width, render_.height));
     return renderer_.draw(render_);
   }
+
+  std::string nothing_left() const override { return nothing_left_; }
 
  private:
   void upload(const SolvedFrame& solved, const Overlay& overlay);
@@ -49,6 +54,7 @@ class PlainFrames : public FramePainter {
   RenderOptions render_;
   Renderer renderer_;
   bool first_ = true;
+  std::string nothing_left_;
   std::vector<Vec3> positions_;  // as the renderer has them
   std::vector<Triangle> triangles_;
   std::vector<Vec3> framed_;  // by the camera
@@ -146,12 +152,13 @@ MovingPicture::MovingPicture(std::vector<FrameOutput> outputs, const PictureOpti
 
 MovingPicture::~MovingPicture() = default;
 
-void MovingPicture::add(const SolvedFrame& frame) {
+std::string MovingPicture::add(const SolvedFrame& frame) {
   State& s = *state_;
   Image image = s.painter->paint(frame);
   if (s.context) s.context->check_errors("drawing a frame");
   s.write(std::move(image));
   ++s.count;
+  return s.painter->nothing_left();
 }
 
 void MovingPicture::finish() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "jobs/animation.h"
@@ -23,8 +24,9 @@ class MovingPicture {
   ~MovingPicture();
 
   /// Draws the next frame, and its points as marks; it is written while the next ones are made.
-  /// Throws Error if an earlier one could not be written.
-  void add(const SolvedFrame& frame);
+  /// Throws Error if an earlier one could not be written. Returns why nothing of the surface is
+  /// seen, or nothing: surfaces that move may do so beyond a slice.
+  std::string add(const SolvedFrame& frame);
 
   /// Waits until all frames are written and ends videos; without it nothing of a video stays.
   void finish();

@@ -15,6 +15,7 @@
 #include "input/vertex_values.h"
 #include "jobs/series_player.h"
 #include "pictures/picture_options.h"
+#include "pictures/slice_refusal.h"
 #include "pictures/style_values.h"
 #include "pictures/styled_scene.h"
 
@@ -153,9 +154,10 @@ class StyledFrames : public FramePainter {
         picture_(picture),
         values_(style),
         crossing_(without_slack(style.animator), style.match),
-        viewpoint_(viewpoint_of(picture).value()) {}
+        viewpoint_(seen_viewpoint_of(picture)) {}
 
   Image paint(const SolvedFrame& frame) override;
+  std::string nothing_left() const override { return nothing_left_; }
 
  private:
   void begin(const SolvedFrame& frame, const Surface& surface);
@@ -174,15 +176,17 @@ class StyledFrames : public FramePainter {
   StyledRenderer renderer_;
   std::size_t uploaded_ = 0;  ///< surfaces and points
   std::size_t count_ = 0;
+  std::string nothing_left_;
 };
 
 /// What stays from frame to frame.
 void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
   const StyleOptions& style = style_.style;
   const float diagonal = bounding_box(surface.mesh).diagonal();
-  viewpoint_.framed = surface.mesh;
-  std::vector<Preparation> others = read_others(
-      style, style_.waves, mean_frequency(frame.scene.waves), viewpoint_, style_.display);
+  Viewpoint whole = viewpoint_of(picture_).value();
+  whole.framed = surface.mesh;
+  std::vector<Preparation> others =
+      read_others(style, style_.waves, mean_frequency(frame.scene.waves), whole, style_.display);
   viewpoint_.framed = framed_mesh(surface.mesh, others);
   framed_ = points_of_triangles(*viewpoint_.framed);
   StripeOptions stripes;
@@ -250,6 +254,7 @@ Image StyledFrames::paint(const SolvedFrame& frame) {
   const StyledScene scene = scene_of(frame, surface, followed);
   const std::vector<StyledSurface> surfaces =
       surfaces_of(scene, style_.style, options.render, followed);
+  nothing_left_ = slice_refusal(surfaces, styled_camera(surfaces, options));
   show(surfaces, frame.scene.points);
   Image image = renderer_.draw(options);
   draw_lines(image, scene, surfaces, style_.style, options, {});

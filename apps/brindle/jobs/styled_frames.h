@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "brindle/image.h"
 #include "brindle/renderer.h"
@@ -21,6 +22,9 @@ class FramePainter {
 
   /// The next frame, seen from where the camera framed the first one.
   virtual Image paint(const SolvedFrame& frame) = 0;
+
+  /// Why the last one shows nothing (`slice_refusal`); empty if it shows anything.
+  virtual std::string nothing_left() const = 0;
 };
 
 /// Points of a frame, of the paper's Fig. 1: orange and blue for two vortex cores.

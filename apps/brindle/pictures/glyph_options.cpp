@@ -101,7 +101,7 @@ void read_values(const GlyphOptions& options, const ValueSource& source, GlyphIn
 GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prepared,
                             const SurfaceOptions& surface, const WaveOptions& waves,
                             const PictureOptions& picture) {
-  Viewpoint viewpoint = viewpoint_of(picture).value();
+  Viewpoint viewpoint = seen_viewpoint_of(picture);
   const ValueSource source{prepared.surface,       prepared.arrays, surface.mesh,      waves.arrays,
                            prepared.vertex_of_row, &viewpoint,      prepared.agreement};
   GlyphInput input;

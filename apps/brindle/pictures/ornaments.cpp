@@ -7,6 +7,7 @@
 #include "brindle/normals.h"
 #include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
+#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 namespace {
@@ -44,8 +45,8 @@ void write_ornaments(const std::filesystem::path& path, const Surface& surface,
                      std::span<const Ornament> ornaments, const PictureOptions& options,
                      const Progress& progress) {
   const RenderOptions render = render_options(options, surface.mesh.origin);
-  check_slice(surface, render);
   const OrnamentedSurface all = ornamented(surface, ornaments, render);
+  check_slice(all.mesh, render);
   const Image image = render_picture(all.drawing(), render, progress.part(0, kDrawn));
   write_png(path, image, progress.part(kDrawn, 1));
 }
@@ -54,7 +55,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
                         std::span<const FamilyLines> families, const PictureOptions& options,
                         const Progress& progress) {
   const RenderOptions render = render_options(options, surface.mesh.origin);
-  check_slice(surface, render);
+  check_slice(surface.mesh, render);
   std::vector<PenLines> lines;
   for (const FamilyLines& family : families) {
     lines.push_back({family.name, ornament_color(family.second, render), family.lines});

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/formatted.h"
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/option_fields.h"
 #include "pictures/picture_options.h"
+#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 
@@ -122,13 +122,18 @@ void stand_on_z(PictureOptions& options) {
 }
 
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
-  // What follows the camera or the light has nothing to do with slices.
   const RenderOptions render =
       render_options({options.view, options.up, {}, options.render}, Eigen::Vector3d::Zero());
   // A file's pictures have y up only because nobody has said what is; its heights stay along z.
   return Viewpoint{
       render.camera,    render.width, render.height, std::nullopt, options.up.value_or(UpAxis::z),
       render.light_from};
+}
+
+Viewpoint seen_viewpoint_of(const PictureOptions& options) {
+  Viewpoint viewpoint = viewpoint_of(options).value();
+  viewpoint.view.slice = options.slice;
+  return viewpoint;
 }
 
 bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }
@@ -155,25 +160,6 @@ RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3
   if (options.view != View::stripes) render = with_faint_stripes(render);
   render.camera.up = options.up.value_or(render.camera.up);
   return render;
-}
-
-void check_slice(const Surface& surface, const RenderOptions& render) {
-  if (!render.camera.slice) return;
-  const Mesh& mesh = surface.mesh;
-  const std::vector<Vec3> points =
-      mesh.triangles.empty() ? mesh.positions : points_of_triangles(mesh);
-  const Camera camera = framed_camera(points, render.camera, render.width, render.height);
-  const auto is_left = [&](const Vec3& point) { return !camera.cuts_off(point); };
-  if (points.empty() || std::ranges::any_of(points, is_left)) return;
-  const BoundingBox box = bounding_box(mesh);
-  std::string ranges;
-  for (int axis = 0; axis < 3; ++axis) {
-    ranges += formatted("%s %c from %.4g to %.4g", axis == 0 ? "" : ",", 'x' + axis,
-                        mesh.origin[axis] + static_cast<double>(box.lower[axis]),
-                        mesh.origin[axis] + static_cast<double>(box.upper[axis]));
-  }
-  throw Error("--slice leaves nothing of the surface, which has" + ranges +
-              "; put the plane elsewhere, or take the other side, such as -x=50%");
 }
 
 SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
@@ -209,7 +195,7 @@ void write_picture(const std::filesystem::path& path, const Surface& surface,
   const Progress drawing = progress.part(0, kDrawn), writing = progress.part(kDrawn, 1);
   const StripePattern& pattern = result.stripes();
   const RenderOptions render = render_options(options, surface.mesh.origin);
-  check_slice(surface, render);
+  check_slice(surface.mesh, render);
   if (surface.mesh.triangles.empty()) {
     const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
     const SplatDrawing splats = splat_drawing_of(surface, pattern, radii);

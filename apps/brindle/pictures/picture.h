@@ -35,8 +35,13 @@ std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
 /// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
 void stand_on_z(PictureOptions& options);
 
-/// Where pictures are taken from; nothing in a build without OpenGL.
+/// Where pictures are taken from; nothing in a build without OpenGL. For patterns, which are those
+/// of the whole surface: without a slice.
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options);
+
+/// The same for what a picture alone has, with its slice, which shows inner sides. Not in a build
+/// without OpenGL.
+Viewpoint seen_viewpoint_of(const PictureOptions& options);
 
 /// Whether pictures show stripes and nothing on top of them.
 bool shows_stripes(const PictureOptions& options);

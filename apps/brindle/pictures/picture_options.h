@@ -44,7 +44,4 @@ SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& patte
 /// of the first one).
 RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3d& origin);
 
-/// Throws Error if the slice leaves nothing of the surface, of which a picture is to be written.
-void check_slice(const Surface& surface, const RenderOptions& render);
-
 }  // namespace brindle::tool

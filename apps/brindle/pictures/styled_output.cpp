@@ -7,6 +7,7 @@
 #include "brindle/stripe_outlines.h"
 #include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
+#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 namespace {
@@ -70,7 +71,7 @@ StyleValues read_style_values(const StyleOptions& style, const Preparation& prep
                               std::span<const Preparation> others, const SurfaceOptions& surface,
                               const WaveOptions& waves, const PictureOptions& picture,
                               std::span<const float> agreement) {
-  Viewpoint viewpoint = viewpoint_of(picture).value();
+  Viewpoint viewpoint = seen_viewpoint_of(picture);
   if (style.follows_camera()) viewpoint.framed = framed_mesh(prepared.surface.mesh, others);
   const ValueSource source{prepared.surface,       prepared.arrays, surface.mesh, waves.arrays,
                            prepared.vertex_of_row, &viewpoint,      agreement};
@@ -145,8 +146,7 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
                           const StyleOptions& style, const StyleInput& input,
                           const PictureOptions& picture, const Progress& progress) {
   StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
-  // What is left may be other surfaces.
-  if (style.others.empty()) check_slice(surface, styled.options.render);
+  check_slice(slice_refusal(styled.surfaces, styled_camera(styled.surfaces, styled.options)));
   if (is_drawing_file(path)) {
     return write_outlines(path, styled, style, progress);
   }

@@ -13,6 +13,7 @@
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"
 #include "pictures/picture_options.h"
+#include "pictures/slice_refusal.h"
 #include "session/draft_size.h"
 
 namespace brindle::tool {
@@ -287,6 +288,19 @@ Camera LivePicture::camera(const LiveState& state) const {
   }
   const RenderOptions render = render_options(picture_of(state), origin_of(state));
   return framed_camera(drawing_->framed, render.camera, render.width, render.height);
+}
+
+std::string LivePicture::nothing_left(const LiveState& state) const {
+  if (!picture_of(state).slice) return "";
+  const Camera seen = camera(state);
+  if (const ShownOrnaments* shown = ornaments_of(state)) {
+    return shown->glyphs ? slice_refusal(shown->glyphs->surfaces, seen)
+                         : slice_refusal(shown->ornaments.mesh, seen);
+  }
+  if (state.style && drawing_->styled_picture) {
+    return slice_refusal(drawing_->styled_picture->surfaces, seen);
+  }
+  return slice_refusal(state.job->surface->mesh, seen);
 }
 
 }  // namespace brindle::tool

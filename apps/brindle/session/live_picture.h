@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "brindle/image.h"
 #include "session/live_pattern.h"
@@ -28,6 +29,10 @@ class LivePicture {
   /// How the picture that was drawn of the state was taken: for picking and for what a window draws
   /// on top. Coordinates are those of the surface's mesh.
   Camera camera(const LiveState& state) const;
+
+  /// Why that picture shows nothing (`slice_refusal`): then no file of it is written. Empty if it
+  /// shows anything.
+  std::string nothing_left(const LiveState& state) const;
 
  private:
   struct Drawing;

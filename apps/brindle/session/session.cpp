@@ -44,7 +44,7 @@ struct Changer {
       document.curves.clear();
       document.samples.clear();
     }
-    document.strokes.clear();
+    if (!c.keep_strokes) document.strokes.clear();
     document.phases.reset();
     document.camera.center.reset();
   }

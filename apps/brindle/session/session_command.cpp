@@ -44,6 +44,7 @@ struct CommandWriter {
   void operator()(const commands::Open& c) const {
     json["mesh"] = c.mesh;
     if (!c.keep_options) json["keep_options"] = false;
+    if (c.keep_strokes) json["keep_strokes"] = true;
   }
   void operator()(const commands::SetOption& c) const {
     json["name"] = c.name;
@@ -89,8 +90,9 @@ struct CommandWriter {
 constexpr int kMostStrokes = 1 << 30;
 
 commands::Open open_from(const JsonReader& reader) {
-  reader.allow({"command", "mesh", "keep_options"});
-  return {reader.text("mesh"), !reader.has("keep_options") || reader.flag("keep_options")};
+  reader.allow({"command", "mesh", "keep_options", "keep_strokes"});
+  return {reader.text("mesh"), !reader.has("keep_options") || reader.flag("keep_options"),
+          reader.has("keep_strokes") && reader.flag("keep_strokes")};
 }
 
 commands::SetOption set_option_from(const JsonReader& reader) {

@@ -14,10 +14,12 @@
 
 namespace brindle::tool::commands {
 
-/// Another surface. Strokes, phases and the camera's centre were the old one's and go.
+/// Another surface. Phases and the camera's centre were the old one's and go, and so do strokes,
+/// unless it is one like the old: a shape with another parameter, the next step of a series.
 struct Open {
   std::string mesh;
-  bool keep_options = true;  ///< else all options go, too
+  bool keep_options = true;   ///< else all options go, too
+  bool keep_strokes = false;  ///< they stay where they are in space
 
   bool operator==(const Open&) const = default;
 };

@@ -13,6 +13,7 @@
 #include "cli/option_values.h"
 #include "jobs/curves_output.h"
 #include "pictures/drawing_file.h"
+#include "pictures/slice_refusal.h"
 #include "pictures/styled_output.h"
 
 namespace brindle::tool {
@@ -120,6 +121,7 @@ void PictureWriter::write(const std::shared_ptr<const LiveState>& state,
   if (!picture_) picture_.emplace();
   const Progress progress = listener.progress();
   const Image image = picture_->draw(state, quality_, progress.part(0, kDrawn));
+  check_slice(picture_->nothing_left(*state));
   write_png(path, image, progress.part(kDrawn, 1), dpi_);
 }
 

@@ -47,6 +47,7 @@ class FrameMaker {
     frame->image = draft ? picture_->draft(frame->state, solve_milliseconds, progress)
                          : picture_->draw(frame->state, request.quality, progress);
     frame->camera = picture_->camera(*frame->state);
+    frame->nothing_left = picture_->nothing_left(*frame->state);
     frame->draw_milliseconds = watch.lap();
     frame->milliseconds = solve_milliseconds + frame->draw_milliseconds;
     return frame;

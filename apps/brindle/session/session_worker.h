@@ -28,6 +28,7 @@ struct SessionFrame {
   PictureQuality quality = PictureQuality::final;
   Image image;
   Camera camera;                           ///< with which it was drawn: for `pick`
+  std::string nothing_left;                ///< why it shows nothing; empty if it shows anything
   std::shared_ptr<const LiveState> state;  ///< document, figures, notes, phases
   double draw_milliseconds = 0;
   double milliseconds = 0;  ///< all together

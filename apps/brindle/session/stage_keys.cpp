@@ -61,6 +61,11 @@ std::string light_key(const SessionDocument& document) {
   return key_of(named_options(document, kLight));
 }
 
+/// On which side of surfaces it is looked for. Where a slice lies has no say in it.
+std::string sides_key(const SessionDocument& document) {
+  return shown_options(document).contains("slice") ? "both sides" : "";
+}
+
 std::string view_key(const SessionDocument& document) {
   return view_text(document.camera) + std::to_string(document.size.width) + 'x' +
          std::to_string(document.size.height) + up_key(document);
@@ -88,7 +93,9 @@ std::string surface_key(const SessionDocument& document) {
 
 std::string camera_key(const SessionDocument& document, OptionStage stages) {
   if (has_values(document, stages, depends_on_light)) {
-    return view_key(document) + light_key(document);
+    // Waves are those of the whole surface.
+    const bool seen = has(stages, OptionStage::style);
+    return view_key(document) + light_key(document) + (seen ? sides_key(document) : "");
   }
   if (has_values(document, stages, depends_on_camera)) return view_key(document);
   return has_values(document, stages, depends_on_up) ? up_key(document) : "";
@@ -138,7 +145,9 @@ std::string values_key(const SessionDocument& document, const StyleOptions& styl
   std::string key = options_key(document, OptionStage::values) + up_key(document);
   if (!style.follows_camera()) return key;
   return key + options_key(document, OptionStage::margin) + others + view_key(document) +
-         (has_values(document, OptionStage::values, depends_on_light) ? light_key(document) : "");
+         (has_values(document, OptionStage::values, depends_on_light)
+              ? light_key(document) + sides_key(document)
+              : "");
 }
 
 std::string second_key(const SessionDocument& document) {

@@ -155,6 +155,9 @@ void Viewer::ask_save_picture() {
                 .done = [this](const fs::path& path) {
                   live_.when_at_rest(
                       [this, path](const std::shared_ptr<const SessionFrame>& frame) {
+                        if (!frame->nothing_left.empty()) {
+                          return live_.add_message(MessageKind::error, frame->nothing_left);
+                        }
                         jobs_.start([path, frame] {
                           write_png(path, frame->image);
                           return "wrote " + shown(path.native());

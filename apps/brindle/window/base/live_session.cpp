@@ -197,6 +197,7 @@ void LiveSession::log_frame(const SessionFrame& frame) {
                        {"spacing_error", figures.mean_spacing_error},
                        {"edges_per_period", figures.edges_per_period},
                        {"notes", frame.state->notes},
+                       {"nothing_left", frame.nothing_left},
                        {"shown", std::move(shown)},
                        {"followed", figures.followed},
                        {"milliseconds", frame.milliseconds},

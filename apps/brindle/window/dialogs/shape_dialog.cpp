@@ -122,7 +122,8 @@ void ShapeDialog::draw_parameter(const ShapeEntry& shape, const ShapeParameter& 
   const std::string after = text_of_value(value, change, parameter.whole);
   if (change == ValueChange::none || after == text) return;
   values[parameter.name] = after;
-  live_.apply_value(change, commands::Open{shape_text(shape, values)});
+  live_.apply_value(change,
+                    commands::Open{.mesh = shape_text(shape, values), .keep_strokes = true});
 }
 
 }  // namespace brindle::tool

@@ -164,7 +164,8 @@ void GalleryMenu::draw_steps() {
     return live_.add_message(MessageKind::error,
                              formatted("there are steps from 0 to %d", steps.count - 1));
   }
-  live_.apply_value(change, commands::Open{steps.path(static_cast<int>(whole)).string()});
+  live_.apply_value(change, commands::Open{.mesh = steps.path(static_cast<int>(whole)).string(),
+                                           .keep_strokes = true});
 }
 
 void GalleryMenu::draw_flow() {

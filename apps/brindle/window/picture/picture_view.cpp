@@ -68,6 +68,7 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   note_mouse(place, hovered);
   show_values(corner, end);
   show_legend(corner);
+  show_why_empty(corner, room);
   ImGui::GetWindowDrawList()->PopClipRect();
   follow_mouse(place, trail);
   if (hovered) follow_wheel();
@@ -171,6 +172,23 @@ void PictureView::show_legend(const ImVec2& corner) const {
     text(at.x + line, entry.meaning);
     at.y += line;
   }
+}
+
+// Where one looks for what is not there.
+void PictureView::show_why_empty(const ImVec2& corner, const ImVec2& room) const {
+  const std::string& why = uploaded_->nothing_left;
+  if (why.empty()) return;
+  const float line = ImGui::GetTextLineHeight();
+  const float width = std::min(30 * ImGui::GetFontSize(), room.x - 2 * line);
+  const ImVec2 size = ImGui::CalcTextSize(why.c_str(), nullptr, false, width);
+  const ImVec2 at(corner.x + (room.x - size.x) / 2, corner.y + (room.y - size.y) / 2);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec4 behind = ImGui::GetStyleColorVec4(ImGuiCol_PopupBg);
+  list.AddRectFilled(
+      {at.x - line / 2, at.y - line / 2}, {at.x + size.x + line / 2, at.y + size.y + line / 2},
+      ImGui::GetColorU32({behind.x, behind.y, behind.z, 0.9f}), ImGui::GetStyle().FrameRounding);
+  list.AddText(nullptr, 0, at, ImGui::GetColorU32(ImGuiCol_Text), why.c_str(), nullptr, width);
+  log_.note_place("why empty", PicturePlace::around(at, 1));
 }
 
 void PictureView::show(const PicturePlace& place) {

@@ -38,6 +38,7 @@ class PictureView {
   void note_mouse(const PicturePlace& place, bool hovered);
   void show_values(const ImVec2& corner, const ImVec2& end) const;
   void show_legend(const ImVec2& corner) const;
+  void show_why_empty(const ImVec2& corner, const ImVec2& room) const;
   void show(const PicturePlace& place);
   void follow_mouse(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
   void follow_tool(const PicturePlace& place, const std::vector<Eigen::Vector2f>& trail);
