@@ -146,15 +146,44 @@ def check_singularity_is_steered(start, folder):
     to = (round(0.45 * x + 0.55 * middle[0]), round(0.45 * y + 0.55 * middle[1]))
     since = window.now()
     window.drag([(x + (to[0] - x) * i // 8, y + (to[1] - y) * i // 8) for i in range(9)])
+    said = window.wait_for("steered", since)["text"]
+    expect(said == "the singularity is where you dropped it", f"it says: {said}")
     window.settled(since)
     window.hand()
+    window.place("status of steering")
     places = [window.point(name) for name in window.places if name.startswith("singularity ")]
     expect(any(abs(px - to[0]) + abs(py - to[1]) < 30 for px, py in places), f"no singularity at {to}: {places}")
     expect(all(abs(px - x) + abs(py - y) > 30 for px, py in places), f"one stays at {(x, y)}: {places}")
+    steered = json.loads(save_session(window, folder / "steered.json"))
+    expect(steered["steering"] and "strokes" not in steered, "what holds it is among the strokes that are shown")
+    window.drag([to, window.point("picture", 0.01, 0.01)])
+    said = window.wait_for("steered", window.now() - 6)["text"]
+    expect("beside the surface; it is" in said, f"dropped beside the surface it says: {said}")
     since = window.now()
     window.key("ctrl+z")
     window.settled(since)
     expect(save_session(window, folder / "after.json") == before, "one undo does not bring it back")
+    since = window.now()
+    window.key("ctrl+shift+z")
+    window.settled(since)
+    since = window.now()
+    window.click("let go")
+    window.settled(since)
+    expect("steering" not in json.loads(save_session(window, folder / "let_go.json")), "it is still held")
+    window.quit()
+
+
+def check_singularities_that_cannot_be_steered_say_why(start, folder):
+    window = start("shape:vessels", "--field", "raw-curvature")
+    window.settled()
+    window.key("g")
+    window.wait_until(lambda: any(name.startswith("singularity ") for name in window.places), "singularity")
+    name = next(name for name in window.places if name.startswith("singularity "))
+    x, y = window.point(name)
+    since = window.now()
+    window.drag([(x, y), (x + 20, y + 20), (x + 40, y + 40)])
+    said = window.wait_for("steered", since)["text"]
+    expect("stays: only --field smooth" in said, f"it says: {said}")
     window.quit()
 
 

@@ -135,7 +135,8 @@ std::vector<SessionCommand> all_commands() {
           commands::PreviousView{},
           commands::NextView{},
           commands::KeepPhases{full_document().phases},
-          commands::SolveAnew{}};
+          commands::SolveAnew{},
+          commands::SetSteering{{stroke}}};
 }
 
 TEST_F(SessionFile, CommandsAreReadAsTheyWereWritten) {

@@ -110,6 +110,56 @@ TEST(Singularities, OfOppositeSignsAreGoneWhenTheyMeet) {
   }
 }
 
+// What held one where it was is left behind when it is led on, so that it goes there, too.
+TEST(Singularities, AreLedOnFromWhereTheyAre) {
+  const std::string mesh = "shape:sphere,resolution=60";
+  const Solved before = solved(mesh);
+  const FieldSingularity& moved = before.singularities.front();
+  const float reach = 0.15f;
+  const Vec3 axis = moved.position.unitOrthogonal();
+  std::vector<FieldStroke> held;
+  Solved now = before;
+  for (const float degrees : {20.0f, 40.0f, 55.0f}) {
+    const Vec3 to = Eigen::AngleAxisf(degrees * 3.14159265f / 180, axis) * moved.position;
+    const DroppedSingularity dropped{triangle_at(now.surface(), to), moved.sign, false, 4};
+    const Arrival was = arrival_of(dropped, now.surface(), now.singularities, 0.5 * reach);
+    EXPECT_FALSE(was.there);
+    ASSERT_NE(was.nearest, nullptr);
+    EXPECT_NE(arrival_words(dropped, was, 2).find("from where you dropped it"), std::string::npos);
+    held = with_steering(std::move(held), strokes_that_move(*was.nearest, dropped.to, now.surface(),
+                                                            now.directions(), reach, 4));
+    now = solved(mesh, held);
+    const Arrival arrival = arrival_of(dropped, now.surface(), now.singularities, 0.5 * reach);
+    EXPECT_TRUE(arrival.there) << degrees << ": " << arrival.distance;
+    EXPECT_EQ(arrival.others, 0) << degrees;
+    EXPECT_EQ(arrival_words(dropped, arrival, 2), "the singularity is where you dropped it");
+  }
+  const std::size_t ends = held.size();
+  held = with_steering(std::move(held), held);
+  EXPECT_EQ(held.size(), ends) << "the same again takes the place of itself";
+}
+
+// Of two signs, one each, far from a place, at it and beyond it.
+TEST(Singularities, WhatBecameOfThemIsSaid) {
+  const Solved field = solved("shape:sphere,resolution=40");
+  const FieldSingularity& one = field.singularities.front();
+  std::vector<FieldSingularity> after = {one};
+  const auto words = [&](DroppedSingularity dropped) {
+    return arrival_words(dropped, arrival_of(dropped, field.surface(), after, 0.1), 2);
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_EQ(words({one.triangle, one.sign, false, 1}), "the singularity is where you dropped it");
+  EXPECT_TRUE(says(words({one.triangle, one.sign, false, 3}), "elsewhere 2 went"));
+  EXPECT_TRUE(says(words({one.triangle, one.sign, true, 1}), "have not met"));
+  EXPECT_TRUE(says(words({one.triangle, -one.sign, true, 3}), "have not met"));
+  EXPECT_TRUE(says(words({one.triangle, -one.sign, false, 3}), "is gone"));
+  const std::size_t far = triangle_at(field.surface(), -one.position);
+  EXPECT_TRUE(says(words({far, one.sign, false, 1}), "from where you dropped it"));
+  EXPECT_EQ(words({far, one.sign, true, 3}), "both singularities are gone");
+}
+
 TEST(Singularities, CannotBeMovedToAnotherPart) {
   const Solved field = solved("shape:pieces");
   ASSERT_FALSE(field.singularities.empty());

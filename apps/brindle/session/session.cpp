@@ -44,7 +44,10 @@ struct Changer {
       document.curves.clear();
       document.samples.clear();
     }
-    if (!c.keep_strokes) document.strokes.clear();
+    if (!c.keep_strokes) {
+      document.strokes.clear();
+      document.steering.clear();
+    }
     document.phases.reset();
     document.camera.center.reset();
   }
@@ -68,6 +71,7 @@ struct Changer {
     document.strokes.erase(document.strokes.begin() + static_cast<std::ptrdiff_t>(index));
   }
   void operator()(const commands::SetStrokes& c) const { document.strokes = c.strokes; }
+  void operator()(const commands::SetSteering& c) const { document.steering = c.strokes; }
   void operator()(const commands::SetCamera& c) const { document.camera = c.camera; }
   void operator()(const commands::SetSize& c) const { document.size = c.size; }
   void operator()(const commands::StoreView& c) const {
@@ -119,6 +123,9 @@ struct StepWords {
   std::string operator()(const commands::EraseStroke&) const { return "erasing a stroke"; }
   std::string operator()(const commands::SetStrokes& c) const {
     return c.strokes.empty() ? "erasing all strokes" : "strokes of a file";
+  }
+  std::string operator()(const commands::SetSteering& c) const {
+    return c.strokes.empty() ? "letting singularities go" : "steering";
   }
   std::string operator()(const commands::SetSize&) const { return "size of pictures"; }
   std::string operator()(const commands::StoreView& c) const {

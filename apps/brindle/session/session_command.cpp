@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCom
     "end_drag",      "undo",
     "redo",          "keep_phases",
     "solve_anew",    "previous_view",
-    "next_view"};
+    "next_view",     "set_steering"};
 
 /// Adds what a command holds to its object.
 struct CommandWriter {
@@ -63,6 +63,9 @@ struct CommandWriter {
   }
   void operator()(const commands::EraseStroke& c) const { json["index"] = c.index; }
   void operator()(const commands::SetStrokes& c) const {
+    json["strokes"] = strokes_to_json(c.strokes);
+  }
+  void operator()(const commands::SetSteering& c) const {
     json["strokes"] = strokes_to_json(c.strokes);
   }
   void operator()(const commands::SetCamera& c) const { json["camera"] = camera_to_json(c.camera); }
@@ -188,6 +191,10 @@ constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders 
     [](const JsonReader& r) -> SessionCommand { return bare<commands::SolveAnew>(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::PreviousView>(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::NextView>(r); },
+    [](const JsonReader& r) -> SessionCommand {
+      r.allow({"command", "strokes"});
+      return commands::SetSteering{strokes_in(r)};
+    },
 };
 
 }  // namespace

@@ -81,6 +81,13 @@ struct SetStrokes {
   bool operator==(const SetStrokes&) const = default;
 };
 
+/// All strokes that hold singularities where they were dragged; none lets them go.
+struct SetSteering {
+  std::vector<FieldStroke> strokes;
+
+  bool operator==(const SetSteering&) const = default;
+};
+
 struct SetCamera {
   CameraView camera;
 
@@ -169,7 +176,7 @@ using SessionCommand =
                  commands::RecallView, commands::SetFrequencyByZoom, commands::Load,
                  commands::BeginDrag, commands::EndDrag, commands::Undo, commands::Redo,
                  commands::KeepPhases, commands::SolveAnew, commands::PreviousView,
-                 commands::NextView>;
+                 commands::NextView, commands::SetSteering>;
 
 /// "set_option", the name of a command in files.
 std::string_view command_name(const SessionCommand& command);

@@ -75,8 +75,8 @@ bool SessionDocument::operator==(const SessionDocument& other) const {
       phases == other.phases || (phases && other.phases && *phases == *other.phases);
   return same_phases && mesh == other.mesh && shown == other.shown && options == other.options &&
          curves == other.curves && samples == other.samples && strokes == other.strokes &&
-         camera == other.camera && size == other.size && views == other.views &&
-         frequency_by_zoom == other.frequency_by_zoom;
+         steering == other.steering && camera == other.camera && size == other.size &&
+         views == other.views && frequency_by_zoom == other.frequency_by_zoom;
 }
 
 namespace {
@@ -94,12 +94,20 @@ constexpr std::array<WorkPart, 3> kWork = {{
               a.frequency_by_zoom == b.frequency_by_zoom;
      }},
     {"strokes",
-     [](const SessionDocument& a, const SessionDocument& b) { return a.strokes == b.strokes; }},
+     [](const SessionDocument& a, const SessionDocument& b) {
+       return a.strokes == b.strokes && a.steering == b.steering;
+     }},
     {"stored views",
      [](const SessionDocument& a, const SessionDocument& b) { return a.views == b.views; }},
 }};
 
 }  // namespace
+
+std::vector<FieldStroke> all_strokes(const SessionDocument& document) {
+  std::vector<FieldStroke> all = document.strokes;
+  all.insert(all.end(), document.steering.begin(), document.steering.end());
+  return all;
+}
 
 bool same_work(const SessionDocument& a, const SessionDocument& b) {
   return std::ranges::all_of(kWork, [&](const WorkPart& part) { return part.same(a, b); });
@@ -215,10 +223,11 @@ nlohmann::ordered_json strokes_to_json(const std::vector<FieldStroke>& strokes) 
   return json;
 }
 
-std::vector<FieldStroke> strokes_in(const JsonReader& reader) {
+std::vector<FieldStroke> strokes_in(const JsonReader& reader, const char* key) {
   std::vector<FieldStroke> strokes;
-  for (const nlohmann::json& stroke : reader.list("strokes")) {
-    strokes.push_back(stroke_from_json(stroke, "strokes[" + std::to_string(strokes.size()) + "]"));
+  for (const nlohmann::json& stroke : reader.list(key)) {
+    strokes.push_back(
+        stroke_from_json(stroke, std::string(key) + "[" + std::to_string(strokes.size()) + "]"));
   }
   return strokes;
 }
@@ -293,6 +302,7 @@ nlohmann::ordered_json document_to_json(const SessionDocument& document) {
   nlohmann::ordered_json views = views_to_json(document);
   if (!views.empty()) json["views"] = std::move(views);
   if (!document.strokes.empty()) json["strokes"] = strokes_to_json(document.strokes);
+  if (!document.steering.empty()) json["steering"] = strokes_to_json(document.steering);
   if (document.phases) json["phases"] = phases_to_json(*document.phases);
   return json;
 }
@@ -301,7 +311,7 @@ SessionDocument document_from_json(const nlohmann::json& json) {
   const JsonReader reader(json, "");
   check_format(reader);
   reader.allow({"brindle_session", "mesh", "shown", "options", "curves", "samples", "camera",
-                "size", "frequency_by_zoom", "views", "strokes", "phases"});
+                "size", "frequency_by_zoom", "views", "strokes", "steering", "phases"});
   SessionDocument document;
   document.mesh = reader.text("mesh");
   if (reader.has("shown")) document.shown = shown_in(reader);
@@ -315,6 +325,7 @@ SessionDocument document_from_json(const nlohmann::json& json) {
   }
   if (reader.has("views")) read_views(reader, document);
   if (reader.has("strokes")) document.strokes = strokes_in(reader);
+  if (reader.has("steering")) document.steering = strokes_in(reader, "steering");
   if (reader.has("phases")) document.phases = phases_in(reader);
   check_document(document);
   return document;

@@ -52,7 +52,9 @@ struct SessionDocument {
   OptionValues curves;               ///< of `brindle curves`, those that it alone has
   OptionValues samples;              ///< the same of `brindle sample`
   std::vector<FieldStroke> strokes;  ///< the smooth field runs along them, and along --strokes
-  CameraView camera;                 ///< its `up` does not count: --up says it
+  /// The same, of which singularities stay where they were dragged. Windows do not show them.
+  std::vector<FieldStroke> steering;
+  CameraView camera;  ///< its `up` does not count: --up says it
   PictureSize size;
   std::array<std::optional<CameraView>, kStoredViews> views;  ///< under the keys 1 to 9
   /// How far frequencies follow the zoom: they are multiplied by zoom^share. 0: not at all; 1: as
@@ -65,6 +67,9 @@ struct SessionDocument {
   /// Phases by their values.
   bool operator==(const SessionDocument& other) const;
 };
+
+/// All that the smooth field runs along: first those that were drawn.
+std::vector<FieldStroke> all_strokes(const SessionDocument& document);
 
 /// Whether both have the same options, strokes and stored views: what a user would miss.
 bool same_work(const SessionDocument& a, const SessionDocument& b);
@@ -98,7 +103,7 @@ Shown shown_in(const JsonReader& reader);
 nlohmann::ordered_json size_to_json(PictureSize size);
 PictureSize size_in(const JsonReader& reader);
 nlohmann::ordered_json strokes_to_json(const std::vector<FieldStroke>& strokes);
-std::vector<FieldStroke> strokes_in(const JsonReader& reader);
+std::vector<FieldStroke> strokes_in(const JsonReader& reader, const char* key = "strokes");
 nlohmann::ordered_json phases_to_json(const std::vector<float>& angles);
 std::shared_ptr<const std::vector<float>> phases_in(const JsonReader& reader);
 

@@ -126,6 +126,12 @@ void check_rest(const SessionDocument& document) {
     throw Error("how far frequencies follow the zoom must be a number from 0 to 1");
   }
   if (!document.strokes.empty()) check_strokes(document.strokes);
+  if (document.steering.empty()) return;
+  try {
+    check_strokes(document.steering);
+  } catch (const Error& error) {
+    throw Error("steering: " + std::string(error.what()));
+  }
 }
 
 bool all_finite(const std::vector<float>& numbers) {
@@ -133,10 +139,17 @@ bool all_finite(const std::vector<float>& numbers) {
 }
 
 void check_effects(const SessionDocument& document, const StripeArguments& arguments) {
-  if (!document.strokes.empty() && !is_smooth(arguments.waves)) {
-    throw Error(
-        "strokes have no effect here: only --field smooth and --field curvature are drawn to "
-        "anything; erase the strokes first");
+  if (!is_smooth(arguments.waves)) {
+    if (!document.strokes.empty()) {
+      throw Error(
+          "strokes have no effect here: only --field smooth and --field curvature are drawn to "
+          "anything; erase the strokes first");
+    }
+    if (!document.steering.empty()) {
+      throw Error(
+          "singularities were dragged, which only --field smooth and --field curvature follow; "
+          "let them go first (Steer, 'let go')");
+    }
   }
   if (!document.phases) return;
   if (!can_follow(arguments)) {
@@ -290,7 +303,7 @@ ParsedSession::ParsedSession(const SessionDocument& document)
   if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
   app_->parse(words_of(document));
   take_shared();
-  arguments_->waves.drawn_strokes = document.strokes;
+  arguments_->waves.drawn_strokes = all_strokes(document);
   arguments_->waves.frequency_factor = frequency_factor(document);
   PictureOptions& picture = *arguments_->picture;
   picture.render.camera = document.camera;

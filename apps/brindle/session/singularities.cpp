@@ -15,6 +15,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/formatted.h"
 #include "brindle/field_index.h"
 
 namespace brindle::tool {
@@ -261,6 +262,68 @@ std::vector<FieldStroke> strokes_that_move(const FieldSingularity& singularity, 
                                 spacing, strength));
   }
   return strokes;
+}
+
+std::vector<FieldStroke> with_steering(std::vector<FieldStroke> held,
+                                       const std::vector<FieldStroke>& added) {
+  const auto middle = [](const FieldStroke& stroke) {
+    return stroke.points[stroke.points.size() / 2];
+  };
+  std::erase_if(held, [&](const FieldStroke& old) {
+    return std::ranges::any_of(added, [&](const FieldStroke& stroke) {
+      return (middle(stroke) - middle(old)).norm() < old.radius / static_cast<double>(kRadius);
+    });
+  });
+  held.insert(held.end(), added.begin(), added.end());
+  return held;
+}
+
+Arrival arrival_of(const DroppedSingularity& dropped, const Surface& surface,
+                   std::span<const FieldSingularity> after, double reach) {
+  const Vec3 to = barycentre(surface.mesh, dropped.to);
+  const double edge =
+      std::sqrt(static_cast<double>(listed_normal(surface.mesh, dropped.to).norm()));
+  const double near = std::max(reach, 2 * edge);
+  Arrival arrival;
+  bool other_is_there = false;
+  for (const FieldSingularity& singularity : after) {
+    const auto distance = static_cast<double>((singularity.position - to).norm());
+    if (singularity.sign == -dropped.sign) other_is_there |= distance <= near;
+    if (singularity.sign != dropped.sign) continue;
+    if (arrival.nearest != nullptr && distance >= arrival.distance) continue;
+    arrival.nearest = &singularity;
+    arrival.distance = distance;
+  }
+  const bool is_near = arrival.nearest != nullptr && arrival.distance <= near;
+  arrival.there = dropped.meets ? !is_near && !other_is_there : is_near;
+  const int expected = static_cast<int>(dropped.before) - (dropped.meets ? 2 : 0);
+  arrival.others = static_cast<int>(after.size()) - expected;
+  return arrival;
+}
+
+std::string arrival_words(const DroppedSingularity& dropped, const Arrival& arrival,
+                          double diagonal) {
+  constexpr const char* kRemedy = "take a smaller radius, more strength, or a shorter way";
+  if (arrival.there) {
+    const std::string there =
+        dropped.meets ? "both singularities are gone" : "the singularity is where you dropped it";
+    if (arrival.others == 0) return there;
+    return there + formatted("; elsewhere %d %s: take a smaller radius, or a shorter way",
+                             std::abs(arrival.others), arrival.others > 0 ? "came" : "went");
+  }
+  if (dropped.meets) {
+    return std::string("the two singularities have not met: the field is smoother with both; ") +
+           kRemedy;
+  }
+  if (arrival.nearest == nullptr || arrival.others < 0) {
+    return "the singularity is gone: on its way it met one of the other colour; undo it, and lead "
+           "it round that";
+  }
+  return formatted(
+             "the singularity is %.2g %% of the diagonal from where you dropped it, where "
+             "the field is smoother; ",
+             100 * arrival.distance / diagonal) +
+         kRemedy;
 }
 
 }  // namespace brindle::tool

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brindle/corner_phases.h"
@@ -35,5 +36,35 @@ std::vector<FieldSingularity> field_singularities(const Surface& surface,
 std::vector<FieldStroke> strokes_that_move(const FieldSingularity& singularity, std::size_t to,
                                            const Surface& surface, std::span<const Vec3> directions,
                                            double reach, double strength);
+
+/// Strokes that hold singularities, with new ones, which take the place of those nearby: what held
+/// one where it was does not pull against what moves it on.
+std::vector<FieldStroke> with_steering(std::vector<FieldStroke> held,
+                                       const std::vector<FieldStroke>& added);
+
+/// A singularity that was dragged and let go.
+struct DroppedSingularity {
+  std::size_t to = 0;      ///< the triangle where it is to be
+  int sign = 0;            ///< its own
+  bool meets = false;      ///< one of the other sign was there
+  std::size_t before = 0;  ///< how many the field had
+};
+
+/// What became of it.
+struct Arrival {
+  bool there = false;
+  const FieldSingularity* nearest = nullptr;  ///< of its sign; null: there is none any more
+  double distance = 0;                        ///< of that from where it is to be
+  int others = 0;  ///< how many more there are now than there should be, or fewer
+};
+
+/// In a field that has these singularities now. It is there if it is no farther than `reach` or two
+/// edges from its triangle; if it met another one, if neither is there.
+Arrival arrival_of(const DroppedSingularity& dropped, const Surface& surface,
+                   std::span<const FieldSingularity> after, double reach);
+
+/// The same in words, with the remedy. Distances are shares of this diagonal.
+std::string arrival_words(const DroppedSingularity& dropped, const Arrival& arrival,
+                          double diagonal);
 
 }  // namespace brindle::tool

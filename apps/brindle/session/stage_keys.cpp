@@ -116,7 +116,7 @@ std::string field_key(const SessionDocument& document) {
                                                        "rotate"};
     key += key_of(named_options(document, kLast));
   }
-  for (const FieldStroke& stroke : document.strokes) key += stroke_to_json(stroke).dump();
+  for (const FieldStroke& stroke : all_strokes(document)) key += stroke_to_json(stroke).dump();
   return key + '\n';
 }
 

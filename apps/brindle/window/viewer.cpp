@@ -357,6 +357,11 @@ void Viewer::draw_status() {
     ImGui::SameLine(0, 20);
     ImGui::TextDisabled("%s ...", stage.c_str());
   }
+  if (!tool_.status().empty()) {
+    ImGui::SameLine(0, 20);
+    ImGui::TextUnformatted(tool_.status().c_str());
+    log_.note_widget("status of steering");
+  }
   const char* help = "? keys";
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(help).x);
   ImGui::TextDisabled("%s", help);

@@ -62,6 +62,7 @@ void Viewer::open_mesh(const std::string& name) {
   }
   SessionDocument after = live_.document();
   after.strokes.clear();  // as `Open` does
+  after.steering.clear();
   unless_lost(after, shown(fs::path(name).filename().native()), [this, name] {
     // Shapes have a menu of their own.
     if (live_.apply(commands::Open{name}) && !name.starts_with("shape:")) remember_opened(name);
@@ -197,7 +198,7 @@ void Viewer::ask_export(const std::string& title, std::vector<std::string> exten
 void Viewer::ask_strokes(bool save) {
   const auto write = [this](const fs::path& path) {
     try {
-      write_strokes(path, live_.document().strokes);
+      write_strokes(path, all_strokes(live_.document()));
       live_.add_message(MessageKind::note, "wrote " + shown(path.native()));
     } catch (const Error& error) {
       live_.add_message(MessageKind::error, error.what());

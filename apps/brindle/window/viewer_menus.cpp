@@ -166,7 +166,8 @@ void Viewer::draw_export_items() {
   ImGui::Separator();
   const bool has_strokes = !live_.document().strokes.empty();
   if (item("Load strokes...", nullptr)) ask_strokes(false);
-  if (item("Save strokes...", nullptr, false, has_strokes)) ask_strokes(true);
+  const bool has_any = !all_strokes(live_.document()).empty();
+  if (item("Save strokes...", nullptr, false, has_any)) ask_strokes(true);
   if (item("Erase all strokes", nullptr, false, has_strokes)) live_.apply(commands::SetStrokes{});
 }
 

@@ -44,6 +44,8 @@ class LiveSession {
   /// The same of what moves while no button is pressed, such as the wheel: a drag that ends by
   /// itself, once `end_drag_at_rest` finds that nothing has moved for a while.
   bool apply_moving(const SessionCommand& command);
+  /// The drag goes on for a while, because what is done is not finished.
+  void hold_drag() { last_moving_ = Clock::now(); }
   /// To be called once a frame. `pressed`: a button is, so that nothing ends.
   void end_drag_at_rest(bool pressed);
 

@@ -37,8 +37,9 @@ constexpr std::array<ToolName, kToolCount> kTools = {
      {"Move", "drag strokes; the sliders change the one that is chosen (M)"},
      {"Erase", "click strokes, or drag over them (E)"},
      {"Steer",
-      "drag singularities; dropped onto one of the other colour, both are gone. Strokes hold them "
-      "where they are (G)"}}};
+      "drag singularities; dropped onto one of the other colour, both are gone. The line below "
+      "says "
+      "what became of it (G)"}}};
 
 constexpr ImU32 kStrokeColor = IM_COL32(255, 176, 32, 255);
 constexpr ImU32 kChosenColor = IM_COL32(255, 235, 120, 255);
@@ -64,6 +65,7 @@ void go_on(float width, float gap = ImGui::GetStyle().ItemSpacing.x) {
 
 constexpr const char* kAlong = "stripes along strokes";
 constexpr const char* kSingularities = "singularities";
+constexpr const char* kLetGo = "let go";
 constexpr float kSliderWidth = 7, kBarGap = 1.2f;  // letters
 
 float width_of_box(const char* label) {
@@ -77,6 +79,8 @@ void StrokeTool::choose(Tool tool) {
   finish_spline();
   // Also if the button is still down.
   drawn_.reset();
+  steering_.reset();
+  status_.clear();
   tool_ = tool;
   if (tool != Tool::move) chosen_.reset();
 }
@@ -111,6 +115,7 @@ void StrokeTool::draw_bar() {
   }
   if (draws()) draw_sliders();
   if (tool_ == Tool::comb || tool_ == Tool::spline) draw_along();
+  if (tool_ == Tool::steer) draw_let_go();
   go_on(width_of_box(kSingularities), kBarGap * ImGui::GetFontSize());
   ImGui::Checkbox(kSingularities, &show_singularities_);
   log_.note_widget("show singularities");
@@ -131,6 +136,21 @@ void StrokeTool::draw_along() {
   log_.note_widget("stripes along strokes");
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("stripes run along what you draw; without, across it (--along)");
+  }
+}
+
+// Of what holds singularities, which is not shown.
+void StrokeTool::draw_let_go() {
+  if (live_.document().steering.empty()) return;
+  go_on(ImGui::CalcTextSize(kLetGo).x + 2 * ImGui::GetStyle().FramePadding.x);
+  if (ImGui::Button(kLetGo)) {
+    dropped_.reset();
+    live_.apply(commands::SetSteering{});
+    say("singularities are where the field has them of itself");
+  }
+  log_.note_widget("let go");
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("nothing holds singularities where they were dragged");
   }
 }
 
@@ -264,7 +284,7 @@ void StrokeTool::release() {
   if (tool_ == Tool::comb) drawn_.reset();
   comb_.clear();
   moving_.reset();
-  steering_.reset();
+  drop_singularity();
   refused_ = false;
 }
 
@@ -347,6 +367,7 @@ const FieldSingularity* StrokeTool::singularity_at(const PicturePlace& place,
   const Vec3 viewpoint = viewpoint_of(place.frame->camera);
   for (const FieldSingularity& singularity : singularities_) {
     if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
+    if (place.frame->camera.cuts_off(singularity.position)) continue;
     const auto at = place_in_picture(singularity.position, place.frame->camera, place.size.width,
                                      place.size.height);
     if (!at || (*at - pixel).norm() > least) continue;
@@ -356,22 +377,38 @@ const FieldSingularity* StrokeTool::singularity_at(const PicturePlace& place,
   return nearest;
 }
 
+// Strokes are along the field, waves are turned from it.
+DirectionField StrokeTool::field_directions(const LiveState& state) const {
+  const WaveOptions& waves = state.parsed->arguments().waves;
+  const float turn_deg = waves.rotate_deg + (waves.along ? 90.0f : 0.0f);
+  return rotated(state.job->result.stripes().waves.directions, state.job->surface->normals,
+                 -turn_deg * std::numbers::pi_v<float> / 180);
+}
+
+double StrokeTool::steering_reach() const {
+  return kSteeringReach * static_cast<double>(radius_) / 100 * diagonal_;
+}
+
+void StrokeTool::say(std::string status) {
+  if (!status.empty()) log_.write("steered", {{"text", status}});
+  status_ = std::move(status);
+}
+
 void StrokeTool::begin_steering(const PicturePlace& place, const Eigen::Vector2d& pixel) {
   const FieldSingularity* singularity = singularity_at(place, pixel);
   const WaveOptions& waves = place.frame->state->parsed->arguments().waves;
   if (singularity == nullptr) return;
+  dropped_.reset();
   if (!is_smooth(waves) || waves.cross) {
-    return live_.add_message(MessageKind::error,
-                             "singularities are moved by strokes, which --field smooth and "
-                             "--field curvature follow, and no cross field");
+    return say(
+        "the singularity stays: only --field smooth and --field curvature follow strokes, and no "
+        "cross field does");
   }
-  // Strokes are along the field, waves are turned from it.
-  const float turn_deg = waves.rotate_deg + (waves.along ? 90.0f : 0.0f);
-  const Surface& surface = place.frame->surface();
-  steering_ = Steering{*singularity, place.frame->state,
-                       rotated(noted_->result.stripes().waves.directions, surface.normals,
-                               -turn_deg * std::numbers::pi_v<float> / 180),
-                       live_.document().strokes};
+  say("");
+  steering_ = Steering{.singularity = *singularity,
+                       .state = place.frame->state,
+                       .directions = field_directions(*place.frame->state),
+                       .held = live_.document().steering};
 }
 
 void StrokeTool::steer(const PicturePlace& place, const Eigen::Vector2d& pixel) {
@@ -379,23 +416,82 @@ void StrokeTool::steer(const PicturePlace& place, const Eigen::Vector2d& pixel) 
   last_pixel_ = pixel;
   const Surface& surface = *steering_->state->job->surface;
   const auto hit = pick_at(place, pixel);
-  if (!hit || hit->triangle >= surface.mesh.triangle_count()) return;
+  if (!hit || hit->triangle >= surface.mesh.triangle_count()) {
+    steering_->why_not = "you dropped the singularity beside the surface; it is ";
+    return;
+  }
+  steering_->why_not.clear();
   // Those that were there when the drag began: what it meets is gone in the meantime.
   std::size_t to = hit->triangle;
+  steering_->meets = false;
   const StripePattern& before = steering_->state->job->result.stripes();
   for (const FieldSingularity& other :
        field_singularities(surface, before.corners, before.waves.directions)) {
     const auto at =
         place_in_picture(other.position, place.frame->camera, place.size.width, place.size.height);
     const bool meets = at && (*at - pixel).norm() < kNearSingularity * place.pixels_per_unit;
-    if (meets && other.sign == -steering_->singularity.sign) to = other.triangle;
+    if (!meets || other.sign != -steering_->singularity.sign) continue;
+    to = other.triangle;
+    steering_->meets = true;
   }
-  const double reach = kSteeringReach * radius_ / 100 * diagonal_;
-  std::vector<FieldStroke> strokes =
-      strokes_that_move(steering_->singularity, to, surface, steering_->directions, reach,
-                        kSteeringStrength * static_cast<double>(strength_));
-  strokes.insert(strokes.begin(), steering_->strokes.begin(), steering_->strokes.end());
-  refused_ = !live_.apply_dragged(commands::SetStrokes{std::move(strokes)});
+  lead(steering_->singularity, to);
+}
+
+void StrokeTool::lead(const FieldSingularity& singularity, std::size_t to) {
+  const std::vector<FieldStroke> strokes =
+      strokes_that_move(singularity, to, *steering_->state->job->surface, steering_->directions,
+                        steering_reach(), kSteeringStrength * static_cast<double>(strength_));
+  if (strokes.empty()) {
+    steering_->why_not =
+        "no way over the surface leads there: another part, or too far round; the singularity is ";
+    return;
+  }
+  refused_ = !live_.apply_dragged(commands::SetSteering{with_steering(steering_->held, strokes)});
+  if (!refused_) steering_->to = to;
+}
+
+void StrokeTool::drop_singularity() {
+  if (!steering_) return;
+  const Steering steered = *std::exchange(steering_, std::nullopt);
+  if (!steered.why_not.empty()) {
+    return say(steered.why_not + (steered.to ? "at the last place on its way" : "where it was"));
+  }
+  if (!steered.to || refused_) return;
+  const StripePattern& before = steered.state->job->result.stripes();
+  const std::size_t count =
+      field_singularities(*steered.state->job->surface, before.corners, before.waves.directions)
+          .size();
+  dropped_ = Dropped{{*steered.to, steered.singularity.sign, steered.meets, count},
+                     steering_reach(),
+                     live_.session().revision()};
+}
+
+// The field answers as a whole: once it has, one that is near is led on from there, and what became
+// of it is said.
+void StrokeTool::note_arrival(const SessionFrame& frame) {
+  if (!dropped_) return;
+  if (live_.session().revision() != dropped_->revision) return dropped_.reset();
+  live_.hold_drag();
+  if (frame.revision != dropped_->revision) return;
+  const Arrival arrival =
+      arrival_of(dropped_->what, frame.surface(), singularities_, dropped_->reach);
+  if (!arrival.there && !dropped_->is_led_on && arrival.nearest != nullptr) {
+    const Dropped dropped = *dropped_;
+    steering_ = Steering{.singularity = *arrival.nearest,
+                         .state = frame.state,
+                         .directions = field_directions(*frame.state),
+                         .held = live_.document().steering};
+    refused_ = false;
+    lead(steering_->singularity, dropped.what.to);
+    const bool led = steering_->to.has_value();
+    steering_.reset();
+    if (led) {
+      dropped_ = Dropped{dropped.what, dropped.reach, live_.session().revision(), true};
+      return;
+    }
+  }
+  say(arrival_words(dropped_->what, arrival, diagonal_));
+  dropped_.reset();
 }
 
 bool StrokeTool::erase_chosen() {
@@ -405,6 +501,7 @@ bool StrokeTool::erase_chosen() {
 
 void StrokeTool::draw_over(ImDrawList& list, const PicturePlace& place, bool hovered) {
   note_frame(*place.frame);
+  note_arrival(*place.frame);
   if (show_singularities_ || tool_ == Tool::steer) draw_singularities(list, place);
   if (!draws()) return;
   draw_strokes(list, place);

@@ -46,6 +46,9 @@ class StrokeTool {
   /// Erases the stroke that is chosen. False if there is none.
   bool erase_chosen();
 
+  /// What became of the singularity that was dragged last, or why it stays; for the status line.
+  const std::string& status() const { return status_; }
+
   /// Strokes, singularities and the mouse's radius, over the picture.
   void draw_over(ImDrawList& list, const PicturePlace& place, bool hovered);
 
@@ -55,7 +58,17 @@ class StrokeTool {
     FieldSingularity singularity;
     std::shared_ptr<const LiveState> state;
     DirectionField directions;  ///< of the field itself
-    std::vector<FieldStroke> strokes;
+    std::vector<FieldStroke> held;
+    std::optional<std::size_t> to = {};  ///< the triangle where it was led last
+    bool meets = false;                  ///< one of the other sign there
+    std::string why_not = {};            ///< it is not where the mouse is
+  };
+  /// One that was let go: what becomes of it is seen once the field is there.
+  struct Dropped {
+    DroppedSingularity what;
+    double reach;
+    std::uint64_t revision;  ///< of the session
+    bool is_led_on = false;  ///< once more, from where it got to
   };
   struct Moving {
     Points points;
@@ -76,10 +89,17 @@ class StrokeTool {
                                          const Eigen::Vector2d& pixel) const;
   void begin_steering(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void steer(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void lead(const FieldSingularity& singularity, std::size_t to);
+  void drop_singularity();
+  void note_arrival(const SessionFrame& frame);
+  void say(std::string status);
+  double steering_reach() const;
+  DirectionField field_directions(const LiveState& state) const;
   Points on_surface(const PicturePlace& place, const Points& points,
                     const Eigen::Vector2d& shift) const;
   void draw_sliders();
   void draw_along();
+  void draw_let_go();
   void change_strokes(ValueChange change, float radius, float strength);
   void draw_strokes(ImDrawList& list, const PicturePlace& place);
   void draw_singularities(ImDrawList& list, const PicturePlace& place);
@@ -99,6 +119,8 @@ class StrokeTool {
   std::optional<std::size_t> chosen_;  // the stroke that is moved
   std::optional<Moving> moving_;
   std::optional<Steering> steering_;
+  std::optional<Dropped> dropped_;
+  std::string status_;
   Eigen::Vector2d last_pixel_{0, 0};
   bool refused_ = false;  // until the button is let go
   std::shared_ptr<const StripeJob> noted_;
