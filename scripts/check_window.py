@@ -954,6 +954,29 @@ def check_shapes_keep_strokes_or_say_why_not(start, folder):
     window.quit()
 
 
+def check_what_takes_long_is_cancelled(start, folder):
+    window = start("shape:sphere,resolution=20")
+    window.settled()
+    before = save_session(window, folder / "before.json")
+    window.menu("File", "Shape", "Parameters...")
+    since = window.now()
+    window.type_into_slider("shape resolution", "1500")
+    window.wait_until(lambda: "cancel working" in window.places, "bar that cancels")
+    window.click("cancel working")
+    window.wait_for("message", since, kind="error", text="cancelled: all is as it was before")
+    expect(window.wait_for("failure", since)["taken_back"], "what was cancelled stays")
+    window.hand()
+    window.wait_until(lambda: "cancel working" not in window.places, "end of the bar")
+    expect(save_session(window, folder / "after.json") == before, "the shape before is not back")
+    picture = folder / "window.png"
+    window.key("Escape")
+    window.menu("File", "Save picture of the window...")
+    window.save_as(picture)
+    window.wait_for("message", text=f"wrote {picture}")
+    expect(window.places.get("browser name") is None, "the dialogue is still there")
+    window.quit()
+
+
 def check_recent_files_can_be_read(start, folder):
     for name in ("good.obj", "gone.obj", "bad.obj"):
         (folder / name).write_text(PLATE)

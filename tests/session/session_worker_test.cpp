@@ -46,6 +46,33 @@ TEST(SessionWorker, TheNewestWins) {
   EXPECT_EQ(frame->image.pixels, drawn(torus("30")).pixels);
 }
 
+TEST(SessionWorker, GivesUpAndGoesOn) {
+  SessionWorker worker;
+  worker.cancel();
+  worker.request(request_of(torus("20"), 1));
+  worker.wait();
+  const auto first = worker.latest();
+  SessionDocument large = torus();
+  large.mesh = "shape:torus,resolution=700";
+  worker.request(request_of(large, 2));
+  large.options["stripes"] = {"30"};
+  worker.request(request_of(large, 3, PictureQuality::final, Follow::last));
+  while (worker.step().name.empty()) std::this_thread::yield();
+  EXPECT_LE(worker.step().fraction, 1);
+  worker.cancel();
+  worker.wait();
+  EXPECT_TRUE(worker.step().name.empty());
+  const auto failure = worker.take_failure();
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->revision, 3u) << "what waits is given up, too";
+  EXPECT_EQ(failure->unread_mesh, "");
+  EXPECT_EQ(worker.latest(), first);
+  worker.request(request_of(torus("24"), 4));
+  worker.wait();
+  EXPECT_FALSE(worker.take_failure());
+  EXPECT_EQ(worker.latest()->revision, 4u);
+}
+
 TEST(SessionWorker, WhatWasToBeAfreshIsAfresh) {
   SessionWorker worker;
   worker.request(request_of(torus("20"), 1));
@@ -88,8 +115,8 @@ TEST(SessionWorker, StopsWhileItSolves) {
   long_lasting.options["cycles"] = {"10000"};
   SessionWorker worker;
   worker.request(request_of(long_lasting, 1));
-  while (worker.stage() != "cycles" && worker.busy()) std::this_thread::yield();
-  EXPECT_EQ(worker.stage(), "cycles");
+  while (worker.step().name != "cycles" && worker.busy()) std::this_thread::yield();
+  EXPECT_EQ(worker.step().name, "cycles");
   worker.stop();
   EXPECT_EQ(worker.latest(), nullptr) << "it was not solved to its end";
   EXPECT_FALSE(worker.take_failure()) << "to be cancelled is no failure";

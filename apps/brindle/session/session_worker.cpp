@@ -1,5 +1,6 @@
 #include "session/session_worker.h"
 
+#include <chrono>
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
@@ -16,19 +17,24 @@ struct SessionWorker::State {
   mutable std::condition_variable_any changed;
   std::optional<SessionRequest> next;
   std::optional<SessionRequest> current;
-  bool cancelled = false;  ///< `current` is not wanted any more
+  bool cancelled = false;                 ///< `current` is not wanted any more
+  std::optional<std::uint64_t> given_up;  ///< the newest revision that `cancel` was called for
   std::shared_ptr<const SessionFrame> latest;
   std::optional<SessionFailure> failure;
-  std::string stage;
+  WorkerStep step;
+  std::chrono::steady_clock::time_point begun;  ///< `current`
   std::uint64_t frames = 0;
 
   bool idle() const { return !next && !current; }
   Progress progress(const std::stop_token& stop);
   void finish(std::shared_ptr<const SessionFrame> frame);
   void fail(SessionFailure why);
+  std::optional<std::uint64_t> take_given_up();
 };
 
 namespace {
+
+constexpr const char* kGivenUp = "cancelled: all is as it was before";
 
 /// Makes frames, on the worker's thread.
 class FrameMaker {
@@ -68,9 +74,10 @@ bool is_useless(const SessionRequest& current, const SessionRequest& next) {
 }  // namespace
 
 Progress SessionWorker::State::progress(const std::stop_token& stop) {
-  return Progress([this, stop](std::string_view name, double) {
+  return Progress([this, stop](std::string_view name, double fraction) {
     const std::lock_guard lock(mutex);
-    stage = name;
+    step.name = name;
+    step.fraction = fraction;
     return !cancelled && !stop.stop_requested();
   });
 }
@@ -83,6 +90,11 @@ void SessionWorker::State::finish(std::shared_ptr<const SessionFrame> frame) {
 void SessionWorker::State::fail(SessionFailure why) {
   const std::lock_guard lock(mutex);
   failure = std::move(why);
+}
+
+std::optional<std::uint64_t> SessionWorker::State::take_given_up() {
+  const std::lock_guard lock(mutex);
+  return std::exchange(given_up, std::nullopt);
 }
 
 SessionWorker::SessionWorker(int threads) : state_(std::make_unique<State>()), thread_() {
@@ -109,6 +121,7 @@ void SessionWorker::run(const std::stop_token& stop) {
       if (!s.changed.wait(lock, stop, [&] { return s.next.has_value(); })) return;
       s.current = std::exchange(s.next, std::nullopt);
       s.cancelled = false;
+      s.begun = std::chrono::steady_clock::now();
       request = *s.current;
     }
     try {
@@ -116,6 +129,7 @@ void SessionWorker::run(const std::stop_token& stop) {
       frame->number = ++s.frames;
       s.finish(std::move(frame));
     } catch (const Cancelled&) {
+      if (const auto revision = s.take_given_up()) s.fail({*revision, kGivenUp});
     } catch (const std::bad_alloc&) {
       s.fail({request.revision, "not enough memory for this"});
     } catch (const UnreadMesh& error) {
@@ -125,7 +139,8 @@ void SessionWorker::run(const std::stop_token& stop) {
     }
     const std::lock_guard lock(s.mutex);
     s.current.reset();
-    s.stage.clear();
+    s.given_up.reset();
+    s.step = {};
     s.changed.notify_all();
   }
 }
@@ -158,9 +173,22 @@ bool SessionWorker::busy() const {
   return !state_->idle();
 }
 
-std::string SessionWorker::stage() const {
+WorkerStep SessionWorker::step() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->stage;
+  WorkerStep step = state_->step;
+  if (!state_->current) return step;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - state_->begun;
+  step.seconds = passed.count();
+  return step;
+}
+
+void SessionWorker::cancel() {
+  State& s = *state_;
+  const std::lock_guard lock(s.mutex);
+  if (!s.current) return;
+  s.cancelled = true;
+  s.given_up = s.next ? s.next->revision : s.current->revision;
+  s.next.reset();
 }
 
 void SessionWorker::wait() const {

@@ -36,6 +36,13 @@ struct SessionFrame {
   const Surface& surface() const { return *state->job->surface; }
 };
 
+/// What a worker is at.
+struct WorkerStep {
+  std::string name;     ///< "multilevel"; empty if it is at nothing
+  double fraction = 0;  ///< done of the step, in [0, 1]
+  double seconds = 0;   ///< since the request that is being made was begun
+};
+
 /// Why a request has no frame.
 struct SessionFailure {
   std::uint64_t revision = 0;
@@ -68,9 +75,13 @@ class SessionWorker {
   /// Cancels what is going on and ends the thread; nothing that is asked for later is made.
   void stop();
 
-  /// Whether something is being made or waits, and what: "multilevel", empty if nothing.
+  /// Gives up what is being made and what waits, at the next report. It fails for that reason,
+  /// which `take_failure` has, so that a window goes back to what it shows. Nothing if it is idle.
+  void cancel();
+
+  /// Whether something is being made or waits, and what.
   bool busy() const;
-  std::string stage() const;
+  WorkerStep step() const;
 
   /// Waits until nothing is left to do.
   void wait() const;

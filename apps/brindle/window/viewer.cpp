@@ -25,6 +25,7 @@ constexpr double kShortestBusy = 1 / 12.0;  // where the software draws, it need
 constexpr double kPollWorker = 0.004;
 constexpr double kIdle = 1;
 constexpr double kMessageSeconds = 12;
+constexpr double kLongStep = 0.7;  // seconds from which on progress is shown
 
 double seconds_now() {
   using Seconds = std::chrono::duration<double>;
@@ -116,7 +117,8 @@ bool Viewer::turn() {
   changed |= jobs_.update();
   if (gallery_.update()) frames_to_draw_ = std::max(frames_to_draw_, 1);
   const bool writing = !jobs_.being_written().empty();
-  if (writing) frames_to_draw_ = std::max(frames_to_draw_, 1);
+  if (writing || live_.worker().step().seconds >= kLongStep)
+    frames_to_draw_ = std::max(frames_to_draw_, 1);
   if (!writing && std::exchange(quits_later_, false)) window_.ask_to_close();
   take_dropped();
   if (recording_ && live_.frame()) recording_->show(live_.frame());
@@ -153,7 +155,8 @@ void Viewer::draw() {
   draw_question();
   live_.end_drag_at_rest(ImGui::IsAnyMouseDown() || option_panel_.is_held());
   Image copy;
-  window_.end_frame(window_picture_.empty() ? nullptr : &copy);
+  const bool takes_picture = !window_picture_.empty() && --frames_to_picture_ < 0;
+  window_.end_frame(takes_picture ? &copy : nullptr);
   if (copy.width > 0) write_window_picture(std::move(copy));
   log_.end_frame();
   if (frames_to_mark_ > 0 && --frames_to_mark_ == 0) log_.write("mark", {{"number", ++marks_}});
@@ -352,10 +355,10 @@ void Viewer::draw_status() {
     ImGui::SameLine(0, 20);
     ImGui::TextColored({0.9f, 0.25f, 0.2f, 1}, "recording %.1f s (R stops)", recording_->seconds());
   }
-  const std::string stage = live_.worker().stage();
-  if (!stage.empty()) {
+  const std::string step = live_.worker().step().name;
+  if (!step.empty()) {
     ImGui::SameLine(0, 20);
-    ImGui::TextDisabled("%s ...", stage.c_str());
+    ImGui::TextDisabled("%s ...", step.c_str());
   }
   if (!tool_.status().empty()) {
     ImGui::SameLine(0, 20);
@@ -397,10 +400,24 @@ void Viewer::draw_message() {
   ImGui::End();
 }
 
-// What is being written, at the upper right corner of the picture.
+// What the next picture waits for, once that takes long. The first one has none to go back to.
+void Viewer::draw_working() {
+  const WorkerStep step = live_.worker().step();
+  if (step.seconds < kLongStep || step.name.empty()) return;
+  const float text = ImGui::GetFontSize();
+  ImGui::TextUnformatted(step.name.c_str());
+  ImGui::ProgressBar(static_cast<float>(step.fraction), {12 * text, 0});
+  if (!live_.frame()) return;
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel##working")) live_.cancel_work();
+  log_.note_widget("cancel working");
+}
+
+// What is being written and made, at the upper right corner of the picture.
 void Viewer::draw_jobs() {
   const std::vector<BackgroundJobs::Writing> jobs = jobs_.being_written();
-  if (jobs.empty()) return;
+  const bool works = live_.worker().step().seconds >= kLongStep;
+  if (jobs.empty() && !works) return;
   const ImVec2 corner = ImGui::GetWindowPos();
   const float text = ImGui::GetFontSize();
   ImGui::SetNextWindowPos(
@@ -409,6 +426,7 @@ void Viewer::draw_jobs() {
   ImGui::Begin("writing", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  draw_working();
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const BackgroundJobs::Writing& job = jobs[i];
     ImGui::PushID(static_cast<int>(i));

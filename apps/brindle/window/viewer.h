@@ -78,6 +78,7 @@ class Viewer {
   void draw_picture(float left, float right, float height);
   void draw_status();
   void draw_jobs();
+  void draw_working();
   void draw_message();
   void draw_keys();
   void draw_question();
@@ -153,7 +154,8 @@ class Viewer {
   bool may_quit_ = false;     // with what is not saved
   bool quits_later_ = false;  // once files are written
   int frames_to_draw_ = 3;
-  int frames_to_mark_ = 0;  // until a mark is written to the log
+  int frames_to_picture_ = 0;  // of the window, so that dialogues are gone
+  int frames_to_mark_ = 0;     // until a mark is written to the log
   int marks_ = 0;
   double last_drawn_ = 0;
   std::size_t drawn_ = 0;

@@ -174,7 +174,10 @@ void Viewer::ask_save_window() {
                 .name = stem() + "_window.png",
                 .refusal = picture_refusal,
                 .done = [this](const fs::path& path) {
-                  live_.when_at_rest([this, path](const auto&) { window_picture_ = path; });
+                  live_.when_at_rest([this, path](const auto&) {
+                    window_picture_ = path;
+                    frames_to_picture_ = 2;
+                  });
                 }});
 }
 

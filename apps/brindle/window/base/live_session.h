@@ -82,6 +82,8 @@ class LiveSession {
   /// Whether the frame is the document's own, drawn with care.
   bool at_rest() const;
   const SessionWorker& worker() const { return worker_; }
+  /// Gives up what the worker is at: the step that asked for it is taken back.
+  void cancel_work() { worker_.cancel(); }
 
   /// Why there is no first frame; empty while there may be one.
   const std::string& first_failure() const { return first_failure_; }
