@@ -977,6 +977,59 @@ def check_what_takes_long_is_cancelled(start, folder):
     window.quit()
 
 
+def check_surfaces_have_their_styles(start, folder):
+    window = start("shape:torus,resolution=40", "--stripes", "16")
+    window.settled()
+
+    def others(name):
+        values = options_of(window, folder / name).get("with", [])
+        return [values] if isinstance(values, str) else values
+
+    search_option(window, "other surfaces")
+    window.click("other surfaces")
+    since = window.now()
+    window.click("add surface shape")
+    window.settled(since)
+    window.click("surface looks")
+    since = window.now()
+    window.click("surface looks striped")
+    window.settled(since)
+    expect(others("striped.json") == ["shape:sphere@striped"], "the sphere is not striped")
+    since = window.now()
+    window.type_into_slider("surface stripes", "12")
+    window.settled(since)
+    since = window.now()
+    window.drag_slider("surface width", 0.5, 0.25)
+    frame = window.settled(since)
+    expect(frame["final"], "no final picture")
+    since = window.now()
+    window.type_into_slider("surface place z", "1.5")
+    window.settled(since)
+    seen = save_picture(window, folder / "seen.png")
+    (text,) = others("styled.json")
+    expect(text.startswith("shape:sphere@striped@stripes=12@stripe-width=0.") and text.endswith("@0,0,1.5"),
+           f"the style is {text}")
+    subprocess.run([start.tool, "render", "styled.json", "--output", "rendered.png"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
+    window.click("other surfaces")
+    since = window.now()
+    window.click("add surface shape")
+    window.settled(since)
+    expect(others("two.json") == [text, "shape:sphere"], "a second surface changes the first")
+    window.click("other surfaces")
+    window.click("other surface 1")
+    since = window.now()
+    window.click("remove surface")
+    window.settled(since)
+    expect(others("one.json") == ["shape:sphere"], "another one than the chosen is left out")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(others("back.json") == [text, "shape:sphere"], "undo does not bring it back")
+    window.quit()
+
+
 def check_recent_files_can_be_read(start, folder):
     for name in ("good.obj", "gone.obj", "bad.obj"):
         (folder / name).write_text(PLATE)

@@ -165,6 +165,58 @@ TEST_F(StyleTool, TransparentPicturesHaveNoBackground) {
   EXPECT_EQ(picture({"--flat"}).at(0, 0).alpha, 255);
 }
 
+/// How often it becomes dark or light along the middle row of the right half.
+int changes_at_right(const Image& image) {
+  const auto is_dark = [&](int x) { return image.at(x, image.height / 2).red < 100; };
+  int changes = 0;
+  for (int x = image.width / 2 + 1; x < image.width; ++x) {
+    changes += is_dark(x) != is_dark(x - 1) ? 1 : 0;
+  }
+  return changes;
+}
+
+TEST_F(StyleTool, OtherSurfacesHaveStripesOfTheirOwn) {
+  const Arguments flat = {"--flat",   "--colors", "000,fff",     "--up", "z",
+                          "--camera", "0,0",      "--direction", "1,0,0"};
+  const auto with_other = [&](const std::string& style) {
+    Arguments arguments = flat;
+    arguments.insert(arguments.end(),
+                     {"--with", "shape:sphere,resolution=16@striped@3,0,0" + style});
+    return picture(arguments, "shape:sphere,resolution=16");
+  };
+  const Image as_first = with_other("");
+  const Image full = with_other("@stripe-width=1@stripe-color=#ff0000@#00ff00");
+  const Image none = with_other("@stripe-width=0@stripe-color=#ff0000@#00ff00");
+  EXPECT_EQ(full.at(72, 36), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(none.at(72, 36), (Pixel{0, 255, 0, 255}));
+  const int few = changes_at_right(with_other("@stripes=4"));
+  const int many = changes_at_right(with_other("@stripes=16"));
+  EXPECT_GT(many, 2 * few);
+  EXPECT_LT(changes_at_right(with_other("@rotate=90")), changes_at_right(as_first));
+  for (int x = 0; x < 48; ++x) {
+    EXPECT_EQ(full.at(x, 36), as_first.at(x, 36)) << "the first surface keeps its style";
+  }
+  for (const char* refused :
+       {"shape:sphere@stripes=4", "shape:sphere@opaque@stripe-color=red",
+        "shape:sphere@striped@stripes=0", "shape:sphere@striped@wide=2",
+        "shape:sphere@striped@stripe-width=1.5",
+        "shape:sphere@striped@rotate=", "shape:sphere@striped@stripe-color=no"}) {
+    const ToolResult result = run(with({"--with", refused}));
+    EXPECT_EQ(result.exit_code, 2) << refused;
+    EXPECT_NE(result.err.find("--with"), std::string::npos) << result.err;
+  }
+}
+
+// Strokes lie on the first surface, which others are far from.
+TEST_F(StyleTool, StrokesAreOfTheFirstSurfaceAlone) {
+  write_text(folder / "strokes.json",
+             R"({"strokes": [{"radius": 0.2, "points": [[1, 0, 0.3], [1, 0.3, 0.3]]}]})");
+  const Arguments other = {"--with", "shape:sphere,resolution=8@striped@0,0,5"};
+  Arguments drawn = other;
+  drawn.insert(drawn.end(), {"--strokes", (folder / "strokes.json").string()});
+  EXPECT_NE(picture(drawn).pixels, picture(other).pixels);
+}
+
 TEST_F(StyleTool, OtherSurfacesAreOpaqueStripedOrDiscarded) {
   const Arguments flat = {"--flat", "--colors", "000,fff"};
   const auto with_other = [&](const std::string& other) {

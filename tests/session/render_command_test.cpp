@@ -41,6 +41,7 @@ TEST_F(RenderTool, DrawsWhatStripeDraws) {
       {{"color-by", {"height"}}, {"width-by", {"height"}}, {"outline", {"dashed"}}},
       {{"texture", {"arrows"}}, {"field", {"curvature"}}},
       {{"with", {"shape:sphere@striped", "shape:box@#303030"}}, {"between", {"nothing"}}},
+      {{"with", {"shape:sphere@striped@stripes=9@stripe-width=0.2@stripe-color=#ff0000"}}},
       {{"slack", {"0.2"}}, {"view", {"branches"}}, {"direction", {"-1,0.3,0"}}}};
   for (const OptionValues& options : looks) {
     SessionDocument document = small_document();
@@ -361,6 +362,32 @@ TEST_F(RenderTool, PicturesOfWhichASliceLeavesNothingAreNotWritten) {
     worker.wait();
     EXPECT_EQ(worker.latest()->nothing_left, "");
   }
+}
+
+// What other surfaces look like is drawn anew, and solved for only where it must be.
+TEST_F(RenderTool, StylesOfOtherSurfacesAreThoseOfASessionDrawnAfresh) {
+  SessionDocument document = small_document();
+  SessionWorker worker;
+  std::uint64_t revision = 0;
+  std::shared_ptr<const std::vector<OtherSurface>> last;
+  const auto expect_afresh = [&](const std::string& style, bool solved) {
+    document.options["with"] = {"shape:sphere,radius=1.2,resolution=10" + style};
+    worker.request({document, ++revision, PictureQuality::final, Follow::last});
+    worker.wait();
+    write_png(folder / "w.png", worker.latest()->image);
+    EXPECT_EQ(content(folder / "w.png"), rendered(document)) << style;
+    const auto& others = worker.latest()->state->style->patterns.others;
+    EXPECT_EQ(others != last, solved) << style;
+    last = others;
+  };
+  expect_afresh("@striped", true);
+  expect_afresh("@striped@stripe-width=0.2", false);
+  expect_afresh("@discarded@stripe-color=#ff0000", false);
+  expect_afresh("@discarded@stripes=30", true);
+  expect_afresh("@#ff0000", true);
+  document.frequency_by_zoom = 1;
+  document.camera.zoom = 1.5f;
+  expect_afresh("@striped", true);
 }
 
 // Values follow the side that is seen once a plane opens the surface; patterns do not.

@@ -79,30 +79,6 @@ std::optional<bool> parse_hidden(std::string_view name) {
   return std::nullopt;
 }
 
-OtherSurfaceChoice parse_other(const std::string& option, const std::string& text) {
-  std::vector<std::string> parts = split(text, '@');
-  OtherSurfaceChoice choice;
-  choice.mesh = parts.front();
-  const char* expected = "MESH[@opaque|striped|discarded][@untinted][@whole][@#rrggbb][@X,Y,Z]";
-  if (choice.mesh.empty()) wrong_usage(option, expected, text);
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (parts[i] == "striped" || parts[i] == "discarded") {
-      choice.striped = true;
-      if (parts[i] == "discarded") choice.between = BetweenStrokes::discarded;
-    } else if (parts[i] == "untinted") {
-      choice.tinted = false;
-    } else if (parts[i] == "whole") {
-      choice.whole = true;
-    } else if (parts[i].find(',') != std::string::npos) {
-      choice.moved = parse_place(option, parts[i]);
-    } else if (parts[i] != "opaque") {
-      choice.color = parse_color(parts[i]);
-      if (!choice.color) wrong_usage(option, expected, text);
-    }
-  }
-  return choice;
-}
-
 RegionChoice parse_region(const std::string& option, const std::string& from,
                           const std::string& name) {
   const std::vector<std::string> parts = split(name, '@');
@@ -197,7 +173,7 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
          [&options](const std::vector<std::string>& texts) {
            options.others.clear();
            for (const std::string& text : texts) {
-             options.others.push_back(parse_other("--with", text));
+             options.others.push_back(parse_other_surface("--with", text));
            }
          })
       ->expected(1)

@@ -12,20 +12,9 @@
 #include "brindle/styled_picture.h"
 #include "input/used_files.h"
 #include "input/vertex_values.h"
+#include "pictures/other_surface.h"
 
 namespace brindle::tool {
-
-/// Another surface of the picture:
-/// "MESH[@opaque|striped|discarded][@untinted][@whole][@#rrggbb][@X,Y,Z]".
-struct OtherSurfaceChoice {
-  std::string mesh;
-  bool striped = false;
-  BetweenStrokes between = BetweenStrokes::surface;
-  bool tinted = true;  ///< by --depth-cue
-  bool whole = false;  ///< whatever --slice takes away
-  std::optional<Color> color;
-  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
-};
 
 /// Widths at the smallest value and at the largest.
 struct WidthRange {

@@ -15,7 +15,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr Color kOtherColor{0.74f, 0.42f, 0.33f};
 constexpr ValueRange kTones{0.3f, 0.95f};
 constexpr WidthRange kLightWidths{0, 0.8f, WidthUnit::period};
 
@@ -35,8 +34,16 @@ Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& w
   refuse_points(options, "stripe --with");
   if (!choice.striped) return prepare_plain(options, listener);
   WaveOptions own = waves;
-  own.stripes.reset();
-  own.frequency = frequency;  // as dense as those of MESH
+  // Those lie on MESH.
+  own.strokes.clear();
+  own.drawn_strokes.clear();
+  own.stripes = choice.stripes;
+  own.frequency.reset();
+  if (!choice.stripes) {
+    own.frequency = frequency;  // as dense as those of MESH
+    own.frequency_factor = 1;   // which has it already
+  }
+  if (choice.rotate_deg) own.rotate_deg = *choice.rotate_deg;
   return prepare(options, own, listener, viewpoint);
 }
 
@@ -155,10 +162,11 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
   if (other.pattern) {
     // The surface's own colour is that of its strokes where nothing else is left of it.
     const bool alone = choice.between == BetweenStrokes::discarded && choice.color;
+    const Color usual = alone ? *choice.color : render.stripe_color;
     surface.strokes.push_back({.waves = &other.pattern->waves,
                                .z = other.pattern->solution.z,
-                               .color = alone ? *choice.color : render.stripe_color,
-                               .width = render.stripe_width});
+                               .color = choice.stripe_color.value_or(usual),
+                               .width = choice.stripe_width.value_or(render.stripe_width)});
   }
   return surface;
 }

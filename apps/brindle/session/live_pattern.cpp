@@ -564,7 +564,7 @@ class StageUpdate {
   // Returns whether there are other ones now, as all that follow.
   bool make_others() {
     StyleStages& style = stages_.style;
-    const std::string key = stages_.surface.key + others_key(document_, stages_.waves.key);
+    const std::string key = stages_.surface.key + others_key(arguments().style, stages_.waves.key);
     const std::string solving = key + options_key(document_, OptionStage::phases);
     const Preparation& prepared = *stages_.surface.made;
     if (!style.read.holds(key)) {

@@ -96,6 +96,7 @@ bool needs_waves_alone(const LiveState& state, const LiveState* last, const Over
 bool same_others(const LiveState& a, const LiveState& b) {
   const RenderOptions &one = picture_of(a).render, &other = picture_of(b).render;
   return a.style->patterns.others == b.style->patterns.others &&
+         a.parsed->arguments().style.others == b.parsed->arguments().style.others &&
          a.parsed->arguments().style.flat == b.parsed->arguments().style.flat &&
          one.stripe_color == other.stripe_color && one.stripe_width == other.stripe_width;
 }

@@ -130,14 +130,13 @@ std::string pattern_key(const SessionDocument& document) {
          options_key(document, OptionStage::phases);
 }
 
-std::string others_key(const SessionDocument& document, const std::string& waves) {
-  const auto found = document.options.find("with");
-  if (found == document.options.end()) return "";
-  const bool striped = std::ranges::any_of(found->second, [](const std::string& value) {
-    return value.find("@striped") != std::string::npos ||
-           value.find("@discarded") != std::string::npos;
-  });
-  return key_of({*found}) + (striped ? waves : "");
+std::string others_key(const StyleOptions& style, const std::string& waves) {
+  std::string key;
+  for (const OtherSurfaceChoice& other : style.others) {
+    key += text_of(without_looks(other)) + '|' + stamp_of(other.mesh) + '\n';
+  }
+  const bool striped = std::ranges::any_of(style.others, &OtherSurfaceChoice::striped);
+  return key + (striped ? waves : "");
 }
 
 std::string values_key(const SessionDocument& document, const StyleOptions& style,

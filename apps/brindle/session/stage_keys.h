@@ -30,9 +30,9 @@ std::string camera_key(const SessionDocument& document, OptionStage stages);
 /// are the picture's alone.
 std::string ornaments_key(const SessionDocument& document);
 
-/// What other surfaces of a picture are read by. Those with stripes of their own have them by the
-/// document's waves.
-std::string others_key(const SessionDocument& document, const std::string& waves);
+/// What other surfaces of a picture are read by, but not what they look like. Those with stripes of
+/// their own have them by the document's waves.
+std::string others_key(const StyleOptions& style, const std::string& waves);
 
 /// What values of a picture are read by. Those that follow the camera are other ones when it moves,
 /// and where it stands depends on all that is seen.

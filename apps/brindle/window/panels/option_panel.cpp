@@ -40,13 +40,6 @@ std::vector<float> numbers_in(const std::string& text) {
   return {*first, *second};
 }
 
-std::string hex_color(const float* color) {
-  const auto channel = [](float value) {
-    return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
-  };
-  return formatted("#%02x%02x%02x", channel(color[0]), channel(color[1]), channel(color[2]));
-}
-
 void show_tooltip(const std::string& title, const std::string& text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
@@ -60,7 +53,7 @@ void show_tooltip(const std::string& title, const std::string& text) {
 }  // namespace
 
 OptionPanel::OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log)
-    : live_(live), browser_(browser), log_(log) {
+    : live_(live), browser_(browser), log_(log), others_(live, browser, log) {
   for (const Shown shown : kAllShown) {
     catalogs_[static_cast<std::size_t>(shown)] = option_catalog(shown);
   }
@@ -157,7 +150,9 @@ void OptionPanel::draw_option(const CatalogOption& option) {
   const bool given = given_.contains(option.name);
   const float width = ImGui::GetContentRegionAvail().x;
   draw_label(option, given);
-  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kLabelShare * width);
+  const float column = ImGui::GetStyle().WindowPadding.x + kLabelShare * width;
+  ImGui::SameLine(column);
+  if (option.name == "with") return draw_others(option, column);
   ImGui::BeginGroup();
   draw_widget(option);
   ImGui::EndGroup();
@@ -165,6 +160,28 @@ void OptionPanel::draw_option(const CatalogOption& option) {
   if (ImGui::IsItemHovered() && !ImGui::IsAnyItemActive()) {
     show_tooltip("--" + option.name + " " + option.form, option.help);
   }
+}
+
+std::vector<std::string> OptionPanel::values_of(const CatalogOption& option) const {
+  const auto found = given_.find(option.name);
+  return found == given_.end() ? std::vector<std::string>() : found->second;
+}
+
+// A list, and below it what the chosen one looks like.
+void OptionPanel::draw_others(const CatalogOption& option, float column) {
+  const OtherSurfaces::Set change = [this, option](std::vector<std::string> values,
+                                                   ValueChange by) {
+    if (values.empty()) {
+      live_.apply(commands::ClearOption{option.name});
+    } else {
+      set(option, std::move(values), by);
+    }
+  };
+  others_.draw_list(values_of(option), change);
+  log_.note_widget("option " + option.name);
+  note_session();
+  others_.draw_style(values_of(option), change, column, diagonal_);
+  is_held_ |= others_.is_held();
 }
 
 void OptionPanel::draw_label(const CatalogOption& option, bool given) {
@@ -507,8 +524,7 @@ void OptionPanel::draw_colors(const CatalogOption& option) {
     colors[i] = {channels[0], channels[1], channels[2]};
     std::string text;
     for (std::size_t j = 0; j < std::max(given, i + 1); ++j) {
-      const std::array<float, 3> each = {colors[j].red, colors[j].green, colors[j].blue};
-      text += (j > 0 ? "," : "") + hex_color(each.data());
+      text += (j > 0 ? "," : "") + hex_color(colors[j]);
     }
     set(option, {text}, ValueChange::dragged);
   }

@@ -10,6 +10,7 @@
 #include "window/base/live_session.h"
 #include "window/dialogs/file_browser.h"
 #include "window/panels/option_catalog.h"
+#include "window/panels/other_surfaces.h"
 
 namespace brindle::tool {
 
@@ -48,6 +49,8 @@ class OptionPanel {
   void draw_names(const CatalogOption& option, std::size_t index);
   void draw_slice(const CatalogOption& option);
   void draw_colors(const CatalogOption& option);
+  void draw_others(const CatalogOption& option, float column);
+  std::vector<std::string> values_of(const CatalogOption& option) const;
 
   std::string text_of(const CatalogOption& option) const;
   SliderRange range_of(const CatalogOption& option) const;
@@ -66,6 +69,7 @@ class OptionPanel {
   OptionValues given_;                                               // of what is shown
   std::uint64_t noted_revision_ = 0;                                 // of the session
   bool is_held_ = false;
+  OtherSurfaces others_;
   std::string search_;  // what options are looked for by
   std::string edited_;  // option and value that are being typed, such as "field 0"
   std::string edit_;    // what has been typed

@@ -1,0 +1,213 @@
+#include "window/panels/other_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include <imgui.h>
+
+#include "brindle/base/formatted.h"
+#include "brindle/renderer.h"
+#include "session/session_options.h"
+#include "window/base/value_slider.h"
+
+namespace brindle::tool {
+namespace {
+
+/// "2: ball.ply", without folders and style.
+std::string title_of(const std::vector<std::string>& given, std::size_t index) {
+  const std::string mesh = given[index].substr(0, given[index].find('@'));
+  const bool shape = mesh.starts_with("shape:");
+  return std::to_string(index + 1) + ": " +
+         (shape ? mesh.substr(6) : std::filesystem::path(mesh).filename().string());
+}
+
+void label(const char* words, float column, const char* help) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::Indent();
+  ImGui::TextDisabled("%s", words);
+  ImGui::Unindent();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  ImGui::SameLine(column);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+/// A slider of what the first surface says unless it is given.
+ValueChange own_slider(const char* id, std::optional<float>& value, float usual, float lowest,
+                       float highest) {
+  float shown = value.value_or(usual);
+  const std::string format = value ? "%.4g" : "as the first";
+  const ValueChange change = slider_beside_number(id, shown, lowest, highest, format.c_str());
+  if (change != ValueChange::none) value = std::clamp(shown, lowest, highest);
+  return change;
+}
+
+bool swatch(const char* name, Color& color) {
+  std::array<float, 3> channels = {color.red, color.green, color.blue};
+  const bool changed = ImGui::ColorEdit3(
+      name, channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  if (changed) color = {channels[0], channels[1], channels[2]};
+  return changed;
+}
+
+}  // namespace
+
+void OtherSurfaces::draw_list(const std::vector<std::string>& given, const Set& set) {
+  chosen_ = std::min(chosen_, given.empty() ? 0 : given.size() - 1);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const std::string current = given.empty() ? "none" : title_of(given, chosen_);
+  const bool open = ImGui::BeginCombo("##surfaces", current.c_str());
+  log_.note_widget("other surfaces");
+  if (!open) return;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (ImGui::Selectable(title_of(given, i).c_str(), i == chosen_)) chosen_ = i;
+    log_.note_widget("other surface " + std::to_string(i + 1));
+  }
+  const auto add = [this, given, set](const std::string& mesh) {
+    std::vector<std::string> more = given;
+    more.push_back(mesh);
+    chosen_ = given.size();
+    set(std::move(more), ValueChange::typed);
+  };
+  if (ImGui::Selectable("add a file...")) {
+    browser_.ask({.title = "Another surface of the picture",
+                  .done = [add](const std::filesystem::path& path) { add(path.string()); }});
+  }
+  log_.note_widget("add surface file");
+  if (ImGui::Selectable("add a sphere")) add("shape:sphere");
+  log_.note_widget("add surface shape");
+  ImGui::EndCombo();
+}
+
+void OtherSurfaces::draw_style(const std::vector<std::string>& given, const Set& set, float column,
+                               double diagonal) {
+  is_held_ = false;
+  if (given.empty()) return;
+  chosen_ = std::min(chosen_, given.size() - 1);
+  const auto changed = [&](const OtherSurfaceChoice& choice, ValueChange change) {
+    std::vector<std::string> values = given;
+    values[chosen_] = text_of(choice);
+    if (values != given) set(std::move(values), change);
+  };
+  ImGui::PushID(static_cast<int>(chosen_));
+  draw_choice(parse_other_surface("--with", given[chosen_]), changed, column, diagonal);
+  label("", column, "");
+  if (ImGui::Button("leave it out", {-FLT_MIN, 0})) {
+    std::vector<std::string> values = given;
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(chosen_));
+    set(std::move(values), ValueChange::typed);
+  }
+  log_.note_widget("remove surface");
+  ImGui::PopID();
+}
+
+void OtherSurfaces::draw_choice(OtherSurfaceChoice choice, const Changed& changed, float column,
+                                double diagonal) {
+  label("looks", column, "plain, with stripes on it, or left out between its stripes");
+  draw_kind(choice, changed);
+  label("colours", column, "of the surface and of its stripes");
+  draw_colors(choice, changed);
+  if (choice.striped) draw_stripes(choice, changed, column);
+  label("moved by", column, "x, y and z, in the units of the first surface");
+  draw_place(choice, changed, diagonal);
+  draw_boxes(choice, changed);
+}
+
+void OtherSurfaces::draw_kind(OtherSurfaceChoice& choice, const Changed& changed) {
+  static constexpr std::array kKinds = {"plain", "striped", "stripes alone"};
+  const bool alone = choice.between == BetweenStrokes::discarded;
+  const std::size_t current = !choice.striped ? 0 : alone ? 2 : 1;
+  const bool open = ImGui::BeginCombo("##kind", kKinds[current]);
+  log_.note_widget("surface looks");
+  if (!open) return;
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    if (ImGui::Selectable(kKinds[i], i == current)) {
+      if (i == 0) choice = without_stripe_style(std::move(choice));
+      choice.striped = i > 0;
+      choice.between = i == 2 ? BetweenStrokes::discarded : BetweenStrokes::surface;
+      changed(choice, ValueChange::typed);
+    }
+    log_.note_widget(std::string("surface looks ") + kKinds[i]);
+  }
+  ImGui::EndCombo();
+}
+
+void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& changed) {
+  Color surface = choice.color.value_or(kOtherColor);
+  if (swatch("surface", surface)) {
+    choice.color = surface;
+    changed(choice, ValueChange::dragged);
+  }
+  log_.note_widget("surface color");
+  if (choice.striped) {
+    ImGui::SameLine();
+    Color stripes = choice.stripe_color.value_or(RenderOptions().stripe_color);
+    if (live_.frame()) {
+      const auto& first = live_.frame()->state->parsed->arguments().picture;
+      stripes = choice.stripe_color.value_or(first->render.stripe_color);
+    }
+    if (swatch("stripes", stripes)) {
+      choice.stripe_color = stripes;
+      changed(choice, ValueChange::dragged);
+    }
+    log_.note_widget("surface stripe color");
+  }
+  is_held_ |= ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) && ImGui::GetIO().WantTextInput;
+}
+
+void OtherSurfaces::draw_stripes(OtherSurfaceChoice& choice, const Changed& changed, float column) {
+  const auto row = [&](const char* words, const char* help, std::optional<float>& value,
+                       float usual, float lowest, float highest) {
+    label(words, column, help);
+    const std::string id = std::string("##") + words;
+    const ValueChange change = own_slider(id.c_str(), value, usual, lowest, highest);
+    log_.note_widget(std::string("surface ") + words);
+    if (change != ValueChange::none) changed(choice, change);
+  };
+  row("stripes", "along the diagonal of this surface; else as dense as the first's", choice.stripes,
+      40, 2, 200);
+  row("width", "as a share of the period", choice.stripe_width, 0.5f, 0, 1);
+  row("turn", "of the field about the normals, in degrees", choice.rotate_deg, 0, -180, 180);
+}
+
+void OtherSurfaces::draw_place(OtherSurfaceChoice& choice, const Changed& changed,
+                               double diagonal) {
+  static constexpr std::array kAxes = {"##x", "##y", "##z"};
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
+  const auto speed = static_cast<float>(std::max(0.002 * diagonal, 1e-6));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis > 0) ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(width);
+    auto value = static_cast<float>(choice.moved[axis]);
+    const ValueChange change =
+        value_drag(kAxes[static_cast<std::size_t>(axis)], value, speed, "%.3g");
+    log_.note_widget(std::string("surface place ") + static_cast<char>('x' + axis));
+    if (change == ValueChange::none) continue;
+    choice.moved[axis] = static_cast<double>(value);
+    changed(choice, change);
+  }
+}
+
+// What has an effect with other options alone is there with these.
+void OtherSurfaces::draw_boxes(OtherSurfaceChoice& choice, const Changed& changed) {
+  const OptionValues given = shown_options(live_.document());
+  const auto box = [&](const char* words, bool shown, bool on, auto&& turn) {
+    if (!shown && !on) return;
+    ImGui::Indent();
+    if (ImGui::Checkbox(words, &on)) {
+      turn(on);
+      changed(choice, ValueChange::typed);
+    }
+    ImGui::Unindent();
+    log_.note_widget(std::string("surface ") + words);
+  };
+  box("not cut open", given.contains("slice"), choice.whole, [&](bool on) { choice.whole = on; });
+  box("no depth tint", given.contains("depth-cue"), !choice.tinted,
+      [&](bool on) { choice.tinted = !on; });
+}
+
+}  // namespace brindle::tool
