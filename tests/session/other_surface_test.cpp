@@ -31,4 +31,3 @@ TEST(OtherSurface, IsWhatItIsWithoutItsLooks) {
 
 }  // namespace
 }  // namespace brindle::tool
-
