@@ -765,6 +765,101 @@ def check_video_is_recorded_or_refused(start, folder):
     window.quit()
 
 
+def check_video_without_or_with_a_broken_ffmpeg(start, folder):
+    programs = folder / "bin"
+    programs.mkdir()
+    (programs / "xdotool").symlink_to(shutil.which("xdotool"))
+    window = start("shape:trefoil,resolution=30", environment={"PATH": str(programs)})
+    window.settled()
+    since = window.now()
+    window.key("r")
+    message = window.wait_for("message", since, kind="error")["text"]
+    expect("ffmpeg is not installed" in message and "install the package" in message, f"it says: {message}")
+    expect("browser name" not in window.places, "it asks for a file though there is nothing to write it with")
+    (programs / "ffmpeg").write_text("#!/bin/sh\nexit 3\n")
+    (programs / "ffmpeg").chmod(0o755)
+    video = folder / "turn.mp4"
+    window.key("r")
+    since = window.now()
+    window.save_as(video)
+    window.drag([window.point("picture", 0.3 + 0.05 * i) for i in range(6)])
+    message = window.wait_for("message", since, kind="error")["text"]
+    expect("turn.mp4" in message and "ffmpeg" in message, f"it says: {message}")
+    expect(not video.exists(), "a broken video is there")
+    window.quit()
+
+
+def close_by_window_manager(window):
+    """As the button of a window's frame does."""
+    from Xlib import X, display
+    from Xlib.protocol import event
+
+    connection = display.Display(window.display)
+    target = connection.create_resource_object("window", int(window.id))
+    data = [connection.intern_atom("WM_DELETE_WINDOW"), X.CurrentTime, 0, 0, 0]
+    target.send_event(event.ClientMessage(window=target, client_type=connection.intern_atom("WM_PROTOCOLS"),
+                                          data=(32, data)))
+    connection.sync()
+    connection.close()
+
+
+def check_window_manager_closes_it(start, folder):
+    window = start("shape:torus,resolution=40")
+    window.settled()
+    close_by_window_manager(window)
+    expect(window.process.wait(PATIENCE) == 0, "it does not close, or not with 0")
+    window = start("shape:torus,resolution=40")
+    window.settled()
+    since = window.now()
+    window.drag_slider("option stripes", 0.5, 0.7, 3)
+    changed = window.settled(since)
+    close_by_window_manager(window)
+    window.click("quit cancel")
+    expect(window.process.poll() is None, "it closes though it was told not to")
+    since = window.now()
+    window.key("ctrl+z")
+    expect(window.settled(since)["energy"] != changed["energy"], "the window does not go on")
+    window.key("ctrl+shift+z")
+    close_by_window_manager(window)
+    window.place("quit discard")
+    close_by_window_manager(window)  # impatient: the question stays
+    window.last_click("quit discard")
+    expect(window.process.wait(PATIENCE) == 0, "it does not close once that is answered")
+
+
+def check_lost_context_keeps_the_work(start, folder):
+    if shutil.which("cc") is None:
+        return print("without a C compiler no context is lost")
+    source = pathlib.Path(__file__).resolve().parent.parent / "tests" / "window" / "lost_context.c"
+    library = folder / "lost_context.so"
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source], check=True)
+    sign = folder / "sign"
+    for number, name in ((1, "rescued.json"), (2, "rescued-2.json"), (3, None)):
+        window = start("shape:torus,resolution=40",
+                       environment={"LD_PRELOAD": str(library), "LOST_CONTEXT_SIGN": str(sign)})
+        window.settled()
+        since = window.now()
+        if name is not None:
+            window.type_into_slider("option stripes", str(20 + number))
+            window.settled(since)
+        sign.write_text("")
+        expect(window.process.wait(PATIENCE) == 1, "it does not end with 1")
+        window.errors.seek(0)
+        said = window.errors.read()
+        expect("OpenGL was lost" in said and "start brindle view again" in said, f"it says: {said}")
+        sign.unlink()
+        kept = folder / "config" / "brindle"
+        if name is None:
+            expect("not saved" not in said and not (kept / "rescued-3.json").exists(), "nothing is kept")
+            continue
+        expect(str(kept / name) in said, f"it does not say where the work is: {said}")
+        session = json.loads((kept / name).read_text())
+        expect(session["options"]["stripes"] == str(20 + number), f"kept is {session}")
+    window = start(str(kept / "rescued.json"))
+    window.settled()
+    window.quit()
+
+
 def check_quit_while_solving(start, folder):
     window = start("shape:sphere,resolution=400")
     window.wait_for("widgets")
@@ -1086,8 +1181,8 @@ class Starter:
         self.tool, self.display, self.folder = tool, display, folder
         self.windows = []
 
-    def __call__(self, *arguments):
-        window = Window(self.tool, self.display, self.folder, arguments)
+    def __call__(self, *arguments, environment=None):
+        window = Window(self.tool, self.display, self.folder, arguments, environment=environment)
         self.windows.append(window)
         return window
 

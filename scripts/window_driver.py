@@ -56,7 +56,7 @@ class Display:
 class Window:
     """brindle view with its log."""
 
-    def __init__(self, tool, display, folder, arguments, size=(820, 640)):
+    def __init__(self, tool, display, folder, arguments, size=(820, 640), environment=None):
         self.display = display
         self.log_path = folder / "log.jsonl"
         self.lines = []
@@ -66,7 +66,7 @@ class Window:
         self.seen_marks = 0
         self.size = size
         self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
-                                XDG_CACHE_HOME=str(folder / "cache"))
+                                XDG_CACHE_HOME=str(folder / "cache"), **(environment or {}))
         self.log_path.unlink(missing_ok=True)  # of a window before
         self.errors = open(folder / "errors.txt", "w+")
         self.process = subprocess.Popen(

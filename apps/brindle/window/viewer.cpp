@@ -77,15 +77,41 @@ void Viewer::run() {
   if (!options_.output.empty()) {
     live_.when_at_rest([this](const auto&) { window_picture_ = options_.output; });
   }
-  while (!is_to_close()) {
-    if (turn()) draw();
-    if (!live_.first_failure().empty()) throw Error(live_.first_failure());
+  try {
+    run_until_closed();
+  } catch (const Error& error) {
+    throw Error(error.what() + rescued());
   }
   if (recording_) stop_recording();
   remember_settings();
   log_.write(
       "end",
       {{"busy", live_.worker().busy()}, {"drawn", drawn_}, {"thread_seconds", thread_seconds()}});
+}
+
+void Viewer::run_until_closed() {
+  while (!is_to_close()) {
+    if (turn()) draw();
+    if (!live_.first_failure().empty()) throw Error(live_.first_failure());
+  }
+}
+
+// Work that a window takes with it which cannot ask any more: where that is now, in words.
+std::string Viewer::rescued() const {
+  if (options_.settings.empty() || !live_.has_unsaved_work()) return "";
+  const std::filesystem::path folder = options_.settings.parent_path();
+  std::error_code ignored;
+  std::filesystem::path path = folder / "rescued.json";
+  for (int number = 2; std::filesystem::exists(path, ignored); ++number) {
+    path = folder / ("rescued-" + std::to_string(number) + ".json");
+  }
+  try {
+    std::filesystem::create_directories(folder, ignored);
+    write_session(path, live_.document_as_shown());
+    return "; what was not saved is in " + shown(path.native());
+  } catch (const std::exception& error) {
+    return std::string("; what was not saved is lost: ") + error.what();
+  }
 }
 
 // What would be lost is asked about first, and what is being written is written.

@@ -45,7 +45,8 @@ class Viewer {
   ~Viewer();
 
   /// Until the user closes the window. Throws Error if OpenGL is lost, and if the document that it
-  /// was opened with cannot be shown.
+  /// was opened with cannot be shown. Then work that is not saved is kept in a file beside the
+  /// settings, which the message names.
   void run();
 
   /// Lists a mesh or a session among those that were opened.
@@ -64,6 +65,8 @@ class Viewer {
     bool newly_asked = true;
   };
 
+  void run_until_closed();
+  std::string rescued() const;
   bool is_to_close();
   bool turn();
   double shortest_pause() const;
