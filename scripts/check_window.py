@@ -269,6 +269,8 @@ def check_curves_are_exported(start, folder):
     u = json.loads(told.read_text())["u"]
     expect([figures[name] for name in ("curves of u", "closed ones of u", "ends of u")] ==
            [u["curves"], u["closed"], u["ends"]["total"]], f"the panel has {figures}, the report {u}")
+    for name in ("shortest", "longest"):
+        expect(math.isclose(figures[f"  {name} (u)"], u["lengths"][name], rel_tol=1e-6), f"{name}: {figures}, {u}")
     expect(abs(figures["length of u"] - u["length"]) < 1e-3 * u["length"], f"{figures['length of u']} is no length")
     window.wait_until(lambda: "figure ends of u" in window.places, "ends in the panel")
     save_session(window, folder / "session.json")

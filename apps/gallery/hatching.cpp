@@ -20,7 +20,7 @@ GalleryItem hatching_item() {
           {{"pen",
             "strokes as thick as it is dark, crossed in the dark, with an outline",
             "stripe {surface=hare.vtp} --field {field=curvature} --stripes 150 --width-by light "
-            "--width-range 0,0.68 --tones 0.36,1 --cross-hatch 0.45 --outline solid "
+            "--width-range 0,0.62 --tones 0.3,0.95 --cross-hatch 0.3 --outline solid "
             "--line-width 2 --with {part=pupils.vtp}@#1b1b1f --with {part=glints.vtp}@#f7f3ea "
             "--colors #1b1b1f,#f7f3ea,#f7f3ea --up z --camera 35,10,0.98",
             "640x700",

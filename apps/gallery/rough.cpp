@@ -44,7 +44,7 @@ class VoxelFaces {
     std::uint64_t place = 0;
     for (const int along : cell) place = 2048 * place + static_cast<std::uint64_t>(along + 1024);
     // The noise of a scan.
-    return function_(middle) + 0.8 * voxel_ * (random_number(8, place) - 0.5) < 0;
+    return function_(middle) + 0.35 * voxel_ * (random_number(8, place) - 0.5) < 0;
   }
 
   void add_face(const Cell& cell, int axis, int side) {

@@ -140,12 +140,16 @@ struct RenderOptions {
   Color background_edge{0.855f, 0.867f, 0.882f};
   bool transparent = false;  ///< no background: its alpha is 0
   bool shading = true;       ///< false: plain colours without light
-  float mark_radius = 6;     ///< pixels
+  /// Pixels; nothing: as large beside the picture as 6 pixels are in one of 1200x900, at least 4.
+  std::optional<float> mark_radius = {};
   PictureQuality quality = PictureQuality::final;
   int supersampling = 2;  ///< 1 to 4: evaluations along each side of a pixel of a final picture
   int tile_side =
       2560;  ///< parts that a picture is drawn in have this many evaluations squared, at least 64
 };
+
+/// Of marks in a picture with these options, in pixels.
+float mark_radius_of(const RenderOptions& options);
 
 /// The colours that let overlays stand out: a light grey surface with faint stripes.
 RenderOptions with_faint_stripes(RenderOptions options);

@@ -231,6 +231,29 @@ TEST(Renderer, TriangleColorsAndMarksAreSeen) {
   EXPECT_LT(mark.red, 10);
 }
 
+// As large beside the picture in every size, but never too small to be seen.
+TEST(Renderer, MarksGrowWithThePicture) {
+  const Mesh mesh = square(1);
+  const std::vector<Mark> marks{{Vec3(0.5f, 0.5f, 0), {0, 1, 0}}};
+  const auto width_of_mark = [&](const RenderOptions& options) {
+    const Image image = Studio::shared().draw({.mesh = mesh, .marks = marks}, options);
+    int width = 0;
+    for (int x = 0; x < image.width; ++x) width += image.at(x, image.height / 2).green > 128;
+    return width;
+  };
+  const int usual = width_of_mark(plain_options(1200, 900));
+  EXPECT_NEAR(usual, 12, 1.5);
+  EXPECT_NEAR(width_of_mark(plain_options(2400, 1800)), 2 * usual, 1.5);
+  EXPECT_NEAR(width_of_mark(plain_options(2400, 900)), usual, 1.5);
+  EXPECT_NEAR(width_of_mark(plain_options(160, 120)), 8, 1.5);
+  RenderOptions given = plain_options(1200, 900);
+  given.mark_radius = 20;
+  EXPECT_NEAR(width_of_mark(given), 40, 1.5);
+  EXPECT_EQ(mark_radius_of(given), 20);
+  given.mark_radius = 0;
+  EXPECT_THROW(width_of_mark(given), Error);
+}
+
 TEST(Renderer, HiddenMarksStayHidden) {
   Mesh mesh = square(1);
   const std::vector<Mark> marks{{Vec3(0.5f, 0.5f, -0.5f), {1, 1, 1}}};

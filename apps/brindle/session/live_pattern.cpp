@@ -247,16 +247,30 @@ void add_end_figures(const CurveFamily& family,
   add("trimmed", family.curves.trimmed_ends);
 }
 
+/// How much yarn or filament it takes, and in which pieces.
+void add_length_figures(const CurveFamily& family,
+                        std::vector<std::pair<std::string, double>>& figures) {
+  figures.emplace_back("length of " + family.name, total_length(family.curves.lines));
+  if (family.curves.lines.count() > 0) {
+    figures.emplace_back("  shortest (" + family.name + ")", family.lengths.shortest);
+    figures.emplace_back("  longest (" + family.name + ")", family.lengths.longest);
+  }
+  if (family.short_curves > 0) {
+    figures.emplace_back("  shorter, left out (" + family.name + ")", family.short_curves);
+  }
+}
+
 void add_shown_figures(LiveState& state) {
   auto& figures = state.figures.shown;
   if (state.curves) {
     for (const CurveFamily& family : state.curves->families) {
       figures.emplace_back("curves of " + family.name, family.curves.lines.count());
       figures.emplace_back("closed ones of " + family.name, closed_count(family.curves.lines));
-      figures.emplace_back("length of " + family.name, total_length(family.curves.lines));
+      add_length_figures(family, figures);
       add_end_figures(family, figures);
       if (family.coverage) {
         figures.emplace_back("% covered by " + family.name, 100 * *family.coverage);
+        figures.emplace_back("  % twice (" + family.name + ")", 100 * *family.covered_twice);
       }
     }
   }

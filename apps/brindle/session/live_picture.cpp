@@ -111,9 +111,9 @@ bool has_pixel_measures(std::span<const StyledSurface> surfaces) {
 }
 
 RenderOptions reduced(RenderOptions render, float reduction) {
+  render.mark_radius = mark_radius_of(render) / reduction;
   render.width = reduced_side(render.width, reduction);
   render.height = reduced_side(render.height, reduction);
-  render.mark_radius /= reduction;
   return render;
 }
 

@@ -60,9 +60,9 @@ void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& ti
   mark.set("clip_from_view", camera.clip_from_view);
   mark.set("tile", tile);
   mark.set("slice", slice_of(camera));
-  mark.set("mark_size",
-           Eigen::Vector2f(2 * options.mark_radius / static_cast<float>(options.width),
-                           2 * options.mark_radius / static_cast<float>(options.height)));
+  const float radius = mark_radius_of(options);
+  mark.set("mark_size", Eigen::Vector2f(2 * radius / static_cast<float>(options.width),
+                                        2 * radius / static_cast<float>(options.height)));
   visible.bind(mark);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kMarksBinding, marks);
   glEnable(GL_BLEND);
@@ -82,6 +82,13 @@ void Renderer::State::draw_light(const Target& target, const Camera& camera, con
                                                               : VisibleTriangles::Hidden::drawn);
   shading.draw(surface, visible, camera, transform, target, size, options);
   draw_marks(camera, transform, options);
+}
+
+float mark_radius_of(const RenderOptions& options) {
+  constexpr float kUsual = 6, kLeast = 4;
+  const float scale =
+      std::min(static_cast<float>(options.width) / 1200, static_cast<float>(options.height) / 900);
+  return options.mark_radius.value_or(std::max(kUsual * scale, kLeast));
 }
 
 RenderOptions with_faint_stripes(RenderOptions options) {

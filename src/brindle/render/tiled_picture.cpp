@@ -134,7 +134,8 @@ void check_options(const RenderOptions& options) {
       throw Error("a slice needs a finite point and a finite normal that is not zero");
     }
   }
-  if (!(options.mark_radius > 0)) throw Error("the radius of marks must be above 0 pixels");
+  if (options.mark_radius && !(*options.mark_radius > 0))
+    throw Error("the radius of marks must be above 0 pixels");
 }
 
 }  // namespace brindle
