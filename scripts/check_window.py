@@ -163,6 +163,8 @@ def check_singularity_is_steered(start, folder):
     window.key("ctrl+z")
     window.settled(since)
     expect(save_session(window, folder / "after.json") == before, "one undo does not bring it back")
+    window.hand()
+    expect("status of steering" not in window.places, "what is undone is still told")
     since = window.now()
     window.key("ctrl+shift+z")
     window.settled(since)

@@ -386,9 +386,10 @@ void Viewer::draw_status() {
     ImGui::SameLine(0, 20);
     ImGui::TextDisabled("%s ...", step.c_str());
   }
-  if (!tool_.status().empty()) {
+  const std::string steered = tool_.status();
+  if (!steered.empty()) {
     ImGui::SameLine(0, 20);
-    ImGui::TextUnformatted(tool_.status().c_str());
+    ImGui::TextUnformatted(steered.c_str());
     log_.note_widget("status of steering");
   }
   const char* help = "? keys";

@@ -392,6 +392,7 @@ double StrokeTool::steering_reach() const {
 void StrokeTool::say(std::string status) {
   if (!status.empty()) log_.write("steered", {{"text", status}});
   status_ = std::move(status);
+  said_of_ = live_.document().steering;
 }
 
 void StrokeTool::begin_steering(const PicturePlace& place, const Eigen::Vector2d& pixel) {

@@ -47,7 +47,10 @@ class StrokeTool {
   bool erase_chosen();
 
   /// What became of the singularity that was dragged last, or why it stays; for the status line.
-  const std::string& status() const { return status_; }
+  /// Nothing once that is undone.
+  std::string status() const {
+    return live_.document().steering == said_of_ ? status_ : std::string();
+  }
 
   /// Strokes, singularities and the mouse's radius, over the picture.
   void draw_over(ImDrawList& list, const PicturePlace& place, bool hovered);
@@ -121,6 +124,7 @@ class StrokeTool {
   std::optional<Steering> steering_;
   std::optional<Dropped> dropped_;
   std::string status_;
+  std::vector<FieldStroke> said_of_;  // what holds singularities where `status_` is so
   Eigen::Vector2d last_pixel_{0, 0};
   bool refused_ = false;  // until the button is let go
   std::shared_ptr<const StripeJob> noted_;
