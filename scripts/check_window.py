@@ -683,6 +683,9 @@ def expect_word_of_empty_slices(window, folder):
     window.save_as(path)
     window.wait_for("message", since, kind="error", text=frame["nothing_left"])
     expect(not path.exists(), "an empty picture is saved")
+    window.key("ctrl+shift+p")
+    window.place("export problem")
+    window.key("Escape")
     for _ in range(2):
         since = window.now()
         window.key("ctrl+z")

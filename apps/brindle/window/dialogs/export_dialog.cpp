@@ -72,13 +72,15 @@ PictureChanges ExportDialog::changes() const {
 
 // Asked anew only if something has changed: files are looked at.
 const std::string& ExportDialog::refusal() {
-  Asked asked{path(), changes(), live_.session().revision()};
+  const auto& frame = live_.frame();
+  Asked asked{path(), changes(), live_.session().revision(), frame ? frame->nothing_left : ""};
   if (asked == asked_) return refusal_;
   asked_ = std::move(asked);
   refusal_.clear();
   try {
     if (name_.empty()) throw Error("name the file");
     planned_picture(live_.document_as_shown(), asked_.changes, asked_.path);
+    refusal_ = asked_.nothing_left;
   } catch (const std::exception& error) {
     refusal_ = error.what();
     constexpr std::string_view kOutput = "--output: ";  // which is the file above

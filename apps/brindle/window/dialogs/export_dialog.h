@@ -58,6 +58,7 @@ class ExportDialog {
     std::filesystem::path path;
     PictureChanges changes;
     std::uint64_t revision = 0;
+    std::string nothing_left = {};  ///< of the picture that is shown
 
     bool operator==(const Asked&) const = default;
   };
