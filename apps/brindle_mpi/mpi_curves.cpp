@@ -104,7 +104,7 @@ void write_cut_families(Communicator& ranks, const std::string& path, const Mesh
     lines.push_back({family.name, family.curves.lines, border_arrays(family.curves)});
   }
   write_pieces(ranks, path, mesh.origin, announced,
-               [&](std::ostream& out, const std::filesystem::path& piece) {
+               [&](OutputStream& out, const std::filesystem::path& piece) {
                  write_vtp_polylines(out, piece, lines);
                });
 }

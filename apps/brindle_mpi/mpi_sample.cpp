@@ -80,7 +80,7 @@ void write_sample_pieces(Communicator& ranks, const std::string& path, const Mes
   }
   announced.points.push_back({"triangle", NumberType::uint32, 1, {}});
   write_pieces(ranks, path, mesh.origin, announced,
-               [&](std::ostream& out, const std::filesystem::path& piece) {
+               [&](OutputStream& out, const std::filesystem::path& piece) {
                  write_vtp_samples(out, piece, own, mesh.origin, frequency_arrays(own));
                });
 }

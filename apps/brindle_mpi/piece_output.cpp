@@ -1,7 +1,6 @@
 #include "piece_output.h"
 
 #include <optional>
-#include <ostream>
 #include <set>
 #include <span>
 #include <string_view>
@@ -19,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void put_arrays(std::ostream& out, std::string_view element, std::span<const DataArray> arrays) {
+void put_arrays(OutputStream& out, std::string_view element, std::span<const DataArray> arrays) {
   out << '<' << element << ">\n";
   for (const DataArray& array : arrays) {
     out << "<PDataArray type=\"" << vtk_type(array.type) << "\" Name=\"" << xml_text(array.name)
@@ -31,7 +30,7 @@ void put_arrays(std::ostream& out, std::string_view element, std::span<const Dat
 void write_index(const fs::path& pvtp, int ranks, const Eigen::Vector3d& origin,
                  const DataArrays& arrays) {
   check_name_in_xml(pvtp);  // pieces are called like it
-  write_file(pvtp, [&](std::ostream& out) {
+  write_file(pvtp, [&](OutputStream& out) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PPolyData\" version=\"1.0\" "
            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n";
     put_arrays(out, "PPointData", arrays.points);
@@ -89,7 +88,7 @@ void check_pieces(Communicator& ranks, const fs::path& pvtp) {
 
 void write_pieces(Communicator& ranks, const fs::path& pvtp, const Mesh& mesh,
                   const DataArrays& arrays) {
-  write_pieces(ranks, pvtp, mesh.origin, arrays, [&](std::ostream& out, const fs::path& piece) {
+  write_pieces(ranks, pvtp, mesh.origin, arrays, [&](OutputStream& out, const fs::path& piece) {
     check_rows(piece, arrays.points, mesh.vertex_count(), "vertex");
     check_rows(piece, arrays.cells, mesh.triangle_count(), "triangle");
     write_vtp(out, {.points = mesh.positions,
@@ -106,7 +105,7 @@ void write_pieces(Communicator& ranks, const fs::path& pvtp, const Eigen::Vector
   std::optional<UnfinishedFile> piece;
   ranks.together([&] {
     piece.emplace(path);
-    piece->write([&](std::ostream& out) { write(out, path); });
+    piece->write([&](OutputStream& out) { write(out, path); });
   });
   ranks.together([&] { piece->finish(); });
   ranks.together([&] {

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
 #include "brindle/mesh.h"
@@ -32,7 +32,7 @@ void write_pieces(Communicator& ranks, const std::filesystem::path& pvtp, const 
                   const DataArrays& arrays);
 
 /// Writes a piece, a .vtp, into a stream; the path is for messages.
-using PieceWriter = std::function<void(std::ostream&, const std::filesystem::path&)>;
+using PieceWriter = std::function<void(OutputStream&, const std::filesystem::path&)>;
 
 /// The same for any pieces with points about `origin`; `arrays`, which may have no rows, have the
 /// names and types of theirs.

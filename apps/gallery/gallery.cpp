@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <ostream>
 
 #include "brindle/base/output_file.h"
 #include "brindle/files.h"
@@ -107,7 +106,7 @@ void write_gallery_files(const std::string& folder, std::span<const GalleryFile>
       write_mesh(path, file.mesh, file.arrays.points, file.arrays.cells,
                  progress.part(share(i), share(i + 1)));
     } else {
-      write_file(path, [&](std::ostream& out) { out << file.text; });
+      write_file(path, [&](OutputStream& out) { out << file.text; });
     }
   }
 }

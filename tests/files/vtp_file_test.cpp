@@ -1,7 +1,6 @@
 #include "brindle/files/vtk/vtp_file.h"
 
 #include <cstdint>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,10 @@ namespace brindle {
 namespace {
 
 WrittenVtp written(const PolyData& data) {
-  std::ostringstream out;
+  std::string text;
+  OutputStream out(text);
   write_vtp(out, data);
-  return {out.str()};
+  return {text};
 }
 
 const std::vector<Vec3> kPoints = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

@@ -1,7 +1,6 @@
 #include "outputs/outputs.h"
 
 #include <algorithm>
-#include <ostream>
 #include <utility>
 
 #include "brindle/base/file_extension.h"
@@ -138,7 +137,7 @@ void write_report(const std::filesystem::path& path, const CLI::App& command, co
 }
 
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
-  write_file(path, [&](std::ostream& out) { out << json_text(json, 2) << '\n'; });
+  write_file(path, [&](OutputStream& out) { out << json_text(json, 2) << '\n'; });
 }
 
 }  // namespace brindle::tool

@@ -4,7 +4,6 @@
 
 #ifdef BRINDLE_HAS_CAIRO
 #include <memory>
-#include <ostream>
 #include <string>
 
 #include <cairo-pdf.h>
@@ -94,7 +93,7 @@ void write_pdf(const std::filesystem::path& path, int width, int height, std::sp
                const Progress& progress) {
   const std::string bytes = pdf_of(width, height, pens, progress.part(0, 0.5));
   write_file(
-      path, [&](std::ostream& out) { out << bytes; }, progress.part(0.5, 1));
+      path, [&](OutputStream& out) { out << bytes; }, progress.part(0.5, 1));
 }
 
 #endif

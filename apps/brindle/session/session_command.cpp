@@ -1,7 +1,6 @@
 #include "session/session_command.h"
 
 #include <array>
-#include <ostream>
 #include <utility>
 
 #include "brindle/base/input_file.h"
@@ -240,7 +239,7 @@ std::vector<SessionCommand> read_commands(const std::filesystem::path& path) {
 
 void write_commands(const std::filesystem::path& path,
                     const std::vector<SessionCommand>& commands) {
-  write_file(path, [&](std::ostream& out) {
+  write_file(path, [&](OutputStream& out) {
     for (const SessionCommand& command : commands) {
       out << json_text(command_to_json(command)) << '\n';
     }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <ostream>
-#include <sstream>
 
 #include "brindle/base/base64.h"
 #include "brindle/base/elementary.h"
@@ -233,11 +231,12 @@ std::vector<FieldStroke> strokes_in(const JsonReader& reader, const char* key) {
 }
 
 nlohmann::ordered_json phases_to_json(const std::vector<float>& angles) {
-  std::ostringstream text;
-  Base64Writer base64(text);
+  std::string text;
+  OutputStream out(text);
+  Base64Writer base64(out);
   base64.put(angles.data(), angles.size() * sizeof(float));
   base64.finish();
-  return text.str();
+  return text;
 }
 
 std::shared_ptr<const std::vector<float>> phases_in(const JsonReader& reader) {
@@ -352,7 +351,7 @@ void write_session(const std::filesystem::path& path, const SessionDocument& doc
                 ": cannot be written, because a session holds names in UTF-8 alone, and the mesh's "
                 "or another file's is not; rename it");
   }
-  write_file(path, [&](std::ostream& out) { out << text << '\n'; });
+  write_file(path, [&](OutputStream& out) { out << text << '\n'; });
 }
 
 std::string view_text(const CameraView& view) { return camera_to_json(view).dump(); }

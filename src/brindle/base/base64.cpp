@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <ostream>
 
 namespace brindle {
 namespace {
@@ -111,14 +110,14 @@ void Base64Writer::finish() {
   const int letters = filled_ + 1;
   group_ <<= 8 * (3 - filled_);
   put_group(letters);
-  for (int i = letters; i < 4; ++i) out_.put('=');
+  for (int i = letters; i < 4; ++i) out_ << '=';
 }
 
 void Base64Writer::put_group(int letters) {
   constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<char, 4> text{};
   for (int i = 0; i < 4; ++i) text[i] = kLetters[group_ >> (18 - 6 * i) & 63];
-  out_.write(text.data(), letters);
+  out_.write(text.data(), static_cast<std::size_t>(letters));
   group_ = 0;
   filled_ = 0;
 }

@@ -4,11 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "brindle/base/output_stream.h"
 
 namespace brindle {
 
@@ -45,7 +46,7 @@ class Base64Reader {
 /// Base64 of several pieces of memory as if they were one.
 class Base64Writer {
  public:
-  explicit Base64Writer(std::ostream& out) : out_(out) {}
+  explicit Base64Writer(OutputStream& out) : out_(out) {}
 
   void put(const void* data, std::uint64_t size);
   /// Writes what is left over and the padding.
@@ -54,7 +55,7 @@ class Base64Writer {
  private:
   void put_group(int letters);
 
-  std::ostream& out_;
+  OutputStream& out_;
   std::uint32_t group_ = 0;
   int filled_ = 0;
 };

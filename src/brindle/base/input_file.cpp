@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "brindle/base/input_stream.h"
 #include "brindle/base/number_text.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
@@ -72,8 +71,7 @@ bool InputFile::fill() {
   if (read_ > 0 && buffer_.size() < kBufferSize) {
     buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kBufferSize, size_)));
   }
-  stream_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
-  const auto read = static_cast<std::size_t>(stream_.gcount());
+  const std::size_t read = stream_.read(buffer_.data() + end_, buffer_.size() - end_);
   end_ += read;
   if (stream_.bad()) fail_whole("cannot be read: input error");
   report(read);
@@ -122,19 +120,17 @@ const char* InputFile::take(std::size_t count) {
 
 void InputFile::read_at(std::uint64_t place, std::span<std::byte> bytes) {
   if (bytes.size() > size_ || place > size_ - bytes.size()) fail_whole(std::string(kTruncated));
-  const auto here = stream_.tellg();
-  stream_.seekg(static_cast<std::streamoff>(place));
+  const std::uint64_t here = stream_.place();
+  stream_.seek(place);
   while (!bytes.empty()) {
     const std::span<std::byte> piece = bytes.first(std::min(bytes.size(), kReportedSize));
-    stream_.read(reinterpret_cast<char*>(piece.data()), static_cast<std::streamsize>(piece.size()));
+    const std::size_t read = stream_.read(piece.data(), piece.size());
     if (stream_.bad()) fail_whole("cannot be read: input error");
-    if (static_cast<std::size_t>(stream_.gcount()) < piece.size())
-      fail_whole(std::string(kTruncated));
+    if (read < piece.size()) fail_whole(std::string(kTruncated));
     report(piece.size());
     bytes = bytes.subspan(piece.size());
   }
-  stream_.clear();
-  stream_.seekg(here);
+  stream_.seek(here);
 }
 
 void InputFile::fail(const std::string& message) const {

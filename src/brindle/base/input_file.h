@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "brindle/base/input_stream.h"
 #include "brindle/progress.h"
 
 namespace brindle {
@@ -66,7 +66,7 @@ class InputFile {
   Progress progress_;
   std::string stage_;
   std::uint64_t read_ = 0;  ///< bytes
-  std::ifstream stream_;
+  InputStream stream_;
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer has not been handed out
   std::uint64_t size_ = 0;

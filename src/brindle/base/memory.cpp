@@ -4,39 +4,14 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
-#include <optional>
 
 #include "brindle/base/system.h"
 
 namespace brindle {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
-
 std::atomic<double> assumed{-1};  // below 0: nothing is assumed
-
-/// The number that a file begins with, as control groups have them.
-std::optional<double> number_in(const char* path) {
-  std::ifstream in(path);
-  double number = 0;
-  if (in >> number) return number;
-  return std::nullopt;  // also for "max"
-}
-
-/// Of the containers that a process may be in, the one that it sees as the whole.
-double memory_of_group() {
-  constexpr const char* kFiles[][2] = {
-      {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
-      {"/sys/fs/cgroup/memory/memory.limit_in_bytes",
-       "/sys/fs/cgroup/memory/memory.usage_in_bytes"}};
-  for (const auto& [limit_file, usage_file] : kFiles) {
-    const auto limit = number_in(limit_file), usage = number_in(usage_file);
-    if (limit && usage) return std::max(0.0, *limit - *usage);
-  }
-  return kUnknown;
-}
 
 /// Two digits, rounded by `round`.
 template <class Round>
@@ -52,9 +27,9 @@ std::string in_two_digits(double number, const Round& round) {
 
 double available_memory() {
   const double given = assumed;
-  return given >= 0
-             ? given
-             : std::min({system::free_memory(), system::mappable_memory(), memory_of_group()});
+  return given >= 0 ? given
+                    : std::min({system::free_memory(), system::mappable_memory(),
+                                system::memory_of_group()});
 }
 
 double count_that_fits(double bytes_each) { return 0.5 * available_memory() / bytes_each; }

@@ -1,14 +1,10 @@
 #include "brindle/base/output_file.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <ostream>
 #include <random>
-#include <streambuf>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "brindle/base/printable.h"
 #include "brindle/base/system.h"
@@ -77,98 +73,20 @@ void refuse_folder(const fs::path& path) {
   throw Error("cannot write '" + shown(path.string()) + "': it is a folder; name a file in it");
 }
 
-/// What goes into an open file, and reports how much that is. Keeps the system's reason for a
-/// failure, which streams forget. Once cancelled it takes no more.
-class DescriptorBuffer : public std::streambuf {
- public:
-  DescriptorBuffer(system::Descriptor descriptor, const Progress& progress)
-      : descriptor_(descriptor), buffer_(kSize), progress_(progress) {
-    setp(buffer_.data(), buffer_.data() + buffer_.size());
-  }
-
-  /// 0, or the reason for the first failure.
-  int reason() const { return reason_; }
-  bool is_cancelled() const { return cancelled_; }
-
- protected:
-  int_type overflow(int_type letter) override {
-    if (!empty()) return traits_type::eof();
-    if (!traits_type::eq_int_type(letter, traits_type::eof())) sputc(static_cast<char>(letter));
-    return traits_type::not_eof(letter);
-  }
-
-  std::streamsize xsputn(const char* text, std::streamsize count) override {
-    if (count < epptr() - pptr()) {
-      std::memcpy(pptr(), text, static_cast<std::size_t>(count));
-      pbump(static_cast<int>(count));
-      return count;
-    }
-    return empty() && write_all(text, static_cast<std::size_t>(count)) ? count : 0;
-  }
-
-  int sync() override { return empty() ? 0 : -1; }
-
- private:
-  static constexpr std::size_t kSize = std::size_t{1} << 16;
-
-  bool empty() {
-    const bool good = write_all(pbase(), static_cast<std::size_t>(pptr() - pbase()));
-    setp(buffer_.data(), buffer_.data() + buffer_.size());
-    return good;
-  }
-
-  bool write_all(const char* text, std::size_t count) {
-    while (count > 0 && reason_ == 0 && may_go_on()) {
-      const auto written = system::write_some(descriptor_, text, std::min(count, kPart));
-      if (written > 0) {
-        text += written;
-        count -= static_cast<std::size_t>(written);
-        passed_ += static_cast<std::size_t>(written);
-        since_report_ += static_cast<std::size_t>(written);
-      } else if (written == 0 || errno != EINTR) {
-        reason_ = written == 0 ? EIO : errno;
-      }
-    }
-    return reason_ == 0 && !cancelled_;
-  }
-
-  bool may_go_on() {
-    if (cancelled_ || since_report_ < kPart) return !cancelled_;
-    since_report_ = 0;
-    const auto parts = static_cast<double>(passed_) / static_cast<double>(kPart);
-    try {
-      progress_.report(parts / (parts + 4));
-    } catch (const Cancelled&) {
-      cancelled_ = true;
-    }
-    return !cancelled_;
-  }
-
-  static constexpr std::size_t kPart = std::size_t{4} << 20;
-
-  system::Descriptor descriptor_;
-  int reason_ = 0;
-  std::vector<char> buffer_;
-  Progress progress_;
-  std::size_t passed_ = 0, since_report_ = 0;
-  bool cancelled_ = false;
-};
-
 void write_to(system::Descriptor descriptor, const fs::path& path,
-              const std::function<void(std::ostream&)>& write, const Progress& progress) {
-  DescriptorBuffer buffer(descriptor, progress.step("writing " + shown(path.string())));
-  std::ostream out(&buffer);
+              const std::function<void(OutputStream&)>& write, const Progress& progress) {
+  OutputStream out(descriptor, progress.step("writing " + shown(path.string())));
   try {
     write(out);
   } catch (const OutputStopped&) {
     // The stream is bad, as below.
   }
   out.flush();
-  if (buffer.is_cancelled()) throw Cancelled("cancelled");
-  if (!out) fail(path, buffer.reason());
+  if (out.is_cancelled()) throw Cancelled("cancelled");
+  if (out.bad()) fail(path, out.reason());
 }
 
-void write_device(const fs::path& path, const std::function<void(std::ostream&)>& write,
+void write_device(const fs::path& path, const std::function<void(OutputStream&)>& write,
                   const Progress& progress) {
   const system::Descriptor descriptor = system::open_device(path);
   if (descriptor < 0) fail(path, errno);
@@ -209,7 +127,7 @@ UnfinishedFile::~UnfinishedFile() {
   if (!temporary_.empty()) fs::remove(temporary_, ignored);
 }
 
-void UnfinishedFile::write(const std::function<void(std::ostream&)>& write,
+void UnfinishedFile::write(const std::function<void(OutputStream&)>& write,
                            const Progress& progress) {
   write_to(descriptor_, path_, write, progress);
 }
@@ -236,7 +154,7 @@ void UnfinishedFile::finish() {
   temporary_.clear();
 }
 
-void write_file(const fs::path& path, const std::function<void(std::ostream&)>& write,
+void write_file(const fs::path& path, const std::function<void(OutputStream&)>& write,
                 const Progress& progress) {
   refuse_folder(path);
   if (is_device(path)) return write_device(path, write, progress);

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"
 
@@ -20,7 +20,7 @@ namespace brindle {
 /// cannot be written to or is full; passes on what `write` throws. `progress` hears "writing PATH"
 /// after every few megabytes, and Cancelled leaves the path as any failure does; how large the file
 /// will be is not known, so that the fraction nears 1 ever more slowly.
-void write_file(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write,
+void write_file(const std::filesystem::path& path, const std::function<void(OutputStream&)>& write,
                 const Progress& progress = {});
 
 /// The same in two steps, for who cannot write to a stream, and for who has to hear of other files
@@ -36,7 +36,7 @@ class UnfinishedFile {
   int descriptor() const { return descriptor_; }
 
   /// Lets `write` fill the file, as `write_file` does.
-  void write(const std::function<void(std::ostream&)>& write, const Progress& progress = {});
+  void write(const std::function<void(OutputStream&)>& write, const Progress& progress = {});
 
   /// By what other programs can open it, as long as this lives.
   std::filesystem::path place() const;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
 
 #if defined(_WIN32)
@@ -25,6 +25,8 @@
 #if defined(__EMSCRIPTEN__)
 #include <emscripten/heap.h>
 #include <malloc.h>
+#else
+#include <fstream>
 #endif
 
 namespace brindle::system {
@@ -49,8 +51,22 @@ Descriptor open_new(const fs::path& name) {
   return _wopen(name.c_str(), _O_CREAT | _O_EXCL | _O_RDWR | _O_BINARY, _S_IREAD | _S_IWRITE);
 }
 
+Descriptor open_existing(const fs::path& path) {
+  return _wopen(path.c_str(), _O_RDONLY | _O_BINARY);
+}
+
+/// What the system takes at once.
+constexpr std::size_t kMost = std::size_t{1} << 30;
+
+std::ptrdiff_t read_some(Descriptor file, char* bytes, std::size_t count) {
+  return _read(file, bytes, static_cast<unsigned>(std::min(count, kMost)));
+}
+
+bool go_to(Descriptor file, std::uint64_t place) {
+  return _lseeki64(file, static_cast<std::int64_t>(place), SEEK_SET) >= 0;
+}
+
 std::ptrdiff_t write_some(Descriptor file, const char* text, std::size_t count) {
-  constexpr std::size_t kMost = std::size_t{1} << 30;
   return _write(file, text, static_cast<unsigned>(std::min(count, kMost)));
 }
 
@@ -89,6 +105,8 @@ bool can_map(std::size_t bytes) {
   return place != nullptr && VirtualFree(place, 0, MEM_RELEASE) != 0;
 }
 
+double memory_of_group() { return kUnknown; }
+
 void* function_named(const char* name) {
   return reinterpret_cast<void*>(GetProcAddress(GetModuleHandleW(nullptr), name));
 }
@@ -116,6 +134,16 @@ Descriptor open_unnamed([[maybe_unused]] const fs::path& folder) {
 
 Descriptor open_new(const fs::path& name) {
   return open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMode);
+}
+
+Descriptor open_existing(const fs::path& path) { return open(path.c_str(), O_RDONLY | O_CLOEXEC); }
+
+std::ptrdiff_t read_some(Descriptor file, char* bytes, std::size_t count) {
+  return read(file, bytes, count);
+}
+
+bool go_to(Descriptor file, std::uint64_t place) {
+  return lseek(file, static_cast<off_t>(place), SEEK_SET) >= 0;
 }
 
 std::ptrdiff_t write_some(Descriptor file, const char* text, std::size_t count) {
@@ -157,6 +185,7 @@ double free_memory() {
 }
 
 double mappable_memory() { return kUnknown; }
+double memory_of_group() { return kUnknown; }
 
 #else
 
@@ -178,6 +207,27 @@ double mappable_memory() {
   in >> pages;
   const double taken = pages * static_cast<double>(sysconf(_SC_PAGESIZE));
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken);
+}
+
+/// The number that a file begins with, as control groups have them.
+static std::optional<double> number_in(const char* path) {
+  std::ifstream in(path);
+  double number = 0;
+  if (in >> number) return number;
+  return std::nullopt;  // also for "max"
+}
+
+/// Of the containers that a process may be in, the one that it sees as the whole.
+double memory_of_group() {
+  constexpr const char* kFiles[][2] = {
+      {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
+      {"/sys/fs/cgroup/memory/memory.limit_in_bytes",
+       "/sys/fs/cgroup/memory/memory.usage_in_bytes"}};
+  for (const auto& [limit_file, usage_file] : kFiles) {
+    const auto limit = number_in(limit_file), usage = number_in(usage_file);
+    if (limit && usage) return std::max(0.0, *limit - *usage);
+  }
+  return kUnknown;
 }
 
 #endif

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 
 namespace brindle::system {
@@ -15,6 +16,12 @@ Descriptor open_device(const std::filesystem::path& path);
 Descriptor open_unnamed(const std::filesystem::path& folder);
 /// A file under a name that nothing has yet.
 Descriptor open_new(const std::filesystem::path& name);
+/// A file that is there, for reading, as bytes.
+Descriptor open_existing(const std::filesystem::path& path);
+/// How many of the next `count` bytes were read: 0 at the end, or -1, and errno says why.
+std::ptrdiff_t read_some(Descriptor file, char* bytes, std::size_t count);
+/// Whether the next byte will be read there, or errno says why not.
+bool go_to(Descriptor file, std::uint64_t place);
 /// How much of the text was written: at least a byte of it, or -1, and errno says why.
 std::ptrdiff_t write_some(Descriptor file, const char* text, std::size_t count);
 /// Whether all that was written is there, or errno says why not.
@@ -35,6 +42,8 @@ bool may_write(const std::filesystem::path& path);
 double free_memory();
 /// Bytes that the process may still map; infinity if there is no limit.
 double mappable_memory();
+/// Bytes that are left to the container that the process may be in; infinity if there is no limit.
+double memory_of_group();
 /// Whether so many bytes could be mapped now.
 bool can_map(std::size_t bytes);
 

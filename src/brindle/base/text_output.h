@@ -1,12 +1,12 @@
 /// Numbers and words written fast, floats in the shortest form that reads back the same.
 #pragma once
 
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
 #include "brindle/base/number_text.h"
+#include "brindle/base/output_stream.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -17,13 +17,13 @@ class OutputStopped : public Error {
   OutputStopped() : Error("the output takes no more") {}
 };
 
-inline void stop_if_bad(const std::ostream& out) {
+inline void stop_if_bad(const OutputStream& out) {
   if (out.bad()) throw OutputStopped();
 }
 
 class TextOutput {
  public:
-  explicit TextOutput(std::ostream& out) : out_(out) {}
+  explicit TextOutput(OutputStream& out) : out_(out) {}
   TextOutput(const TextOutput&) = delete;
   TextOutput& operator=(const TextOutput&) = delete;
   ~TextOutput() { flush(); }
@@ -52,11 +52,11 @@ class TextOutput {
   }
 
   void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    out_.write(buffer_.data(), buffer_.size());
     buffer_.clear();
   }
 
-  std::ostream& out_;
+  OutputStream& out_;
   std::string buffer_;
 };
 

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cstddef>
-#include <ostream>
 #include <vector>
 
 #include "brindle/base/text_output.h"
@@ -15,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "binary files are litt
 /// Bytes gathered and written in large pieces.
 class BinaryOutput {
  public:
-  explicit BinaryOutput(std::ostream& out) : out_(out) {}
+  explicit BinaryOutput(OutputStream& out) : out_(out) {}
   BinaryOutput(const BinaryOutput&) = delete;
   BinaryOutput& operator=(const BinaryOutput&) = delete;
   ~BinaryOutput() { flush(); }
@@ -35,10 +34,10 @@ class BinaryOutput {
 
  private:
   void flush() {
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    out_.write(buffer_.data(), buffer_.size());
     buffer_.clear();
   }
-  std::ostream& out_;
+  OutputStream& out_;
   std::vector<char> buffer_;
 };
 

@@ -95,7 +95,7 @@ fs::path materials_path(const fs::path& path) { return beside(path, ".mtl"); }
 bool holds_picture(const std::string& kind) { return kind == ".gltf" || kind == ".glb"; }
 
 void write_whole(const fs::path& path, const std::string& content) {
-  write_file(path, [&](std::ostream& out) { out << content; });
+  write_file(path, [&](OutputStream& out) { out << content; });
 }
 
 /// What a mesh file says of its texture; all empty if it has none.
@@ -105,7 +105,7 @@ struct TextureNames {
   std::string png;        ///< the picture itself
 };
 
-void write_as(std::ostream& out, const std::string& kind, const Mesh& mesh,
+void write_as(OutputStream& out, const std::string& kind, const Mesh& mesh,
               const DataArrays& arrays, const TextureNames& texture) {
   if (kind == ".obj") {
     write_obj(out, mesh, arrays.points, texture.materials);
@@ -169,7 +169,7 @@ void write_mesh(const fs::path& path, const Mesh& mesh, std::span<const DataArra
                 std::span<const DataArray> cell_arrays, const Progress& progress) {
   const DataArrays arrays = checked_arrays(path, mesh, point_arrays, cell_arrays);
   write_file(
-      path, [&](std::ostream& out) { write_as(out, lower_extension(path), mesh, arrays, {}); },
+      path, [&](OutputStream& out) { write_as(out, lower_extension(path), mesh, arrays, {}); },
       progress);
 }
 
@@ -189,7 +189,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
   if (kind == ".obj") write_whole(materials, material_library(picture.filename().string()));
   const TextureNames names{picture.filename().string(), materials.filename().string(), png};
   write_file(
-      path, [&](std::ostream& out) { write_as(out, kind, mesh, arrays, names); }, progress);
+      path, [&](OutputStream& out) { write_as(out, kind, mesh, arrays, names); }, progress);
 }
 
 std::vector<fs::path> textured_mesh_files(const fs::path& path) {

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <initializer_list>
 #include <limits>
-#include <ostream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -482,7 +481,7 @@ class PlyReader {
   std::vector<Index> corners_;
 };
 
-void write_header(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
+void write_header(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
                   const std::string& picture) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
   if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
@@ -513,7 +512,7 @@ LoadedPoints read_ply_points(const std::filesystem::path& path) {
 
 bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).has_faces(); }
 
-void write_ply(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
+void write_ply(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture) {
   write_header(out, mesh, arrays, picture);
   BinaryOutput binary(out);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 #include <span>
 #include <string>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/files.h"
 #include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"
@@ -31,7 +31,7 @@ bool ply_has_faces(const std::filesystem::path& path);
 /// faces: "normal" nx, ny, nz; "color" red, green, blue; others with the names of `column_names`;
 /// "uv" texture_u, texture_v (which VTK and MeshLab read) and the same again as s, t (Blender).
 /// `picture` names the file that these refer to, in a comment that MeshLab introduced.
-void write_ply(std::ostream& out, const Mesh& mesh, const DataArrays& arrays,
+void write_ply(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture = "");
 
 }  // namespace brindle

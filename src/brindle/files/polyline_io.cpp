@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstddef>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -79,7 +78,7 @@ LineArrays gathered_arrays(const std::filesystem::path& path, Kinds kinds) {
   return all;
 }
 
-void write_obj_lines(std::ostream& out, Kinds kinds) {
+void write_obj_lines(OutputStream& out, Kinds kinds) {
   TextOutput text(out);
   text << "# written by brindle\n";
   for (const NamedLines& kind : kinds) {
@@ -97,7 +96,7 @@ void write_obj_lines(std::ostream& out, Kinds kinds) {
   });
 }
 
-void write_ply_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
+void write_ply_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
   std::size_t edges = 0;
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
     const Polylines& lines = kinds[kind].lines;
@@ -130,7 +129,7 @@ void write_ply_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
   });
 }
 
-void write_vtp_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
+void write_vtp_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
   std::vector<Vec3> points, normals;
   std::vector<Index> offsets{0}, along;
   std::vector<float> kind_of_line, closed, length;
@@ -161,7 +160,7 @@ void write_vtp_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
                   .origin = origin_of(kinds)});
 }
 
-void write_csv_lines(std::ostream& out, Kinds kinds, const LineArrays& arrays) {
+void write_csv_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
   TextOutput text(out);
   text << "kind,curve,closed,x,y,z,nx,ny,nz";
   for (const DataArray& array : arrays) {
@@ -214,7 +213,7 @@ void write_polylines(const std::filesystem::path& path, std::span<const NamedLin
       kind == ".obj" ? gathered_arrays(path, kinds) : line_columns(path, kinds);
   write_file(
       path,
-      [&](std::ostream& out) {
+      [&](OutputStream& out) {
         if (kind == ".obj") return write_obj_lines(out, kinds);
         if (kind == ".ply") return write_ply_lines(out, kinds, arrays);
         if (kind == ".vtp") return write_vtp_lines(out, kinds, arrays);
@@ -223,7 +222,7 @@ void write_polylines(const std::filesystem::path& path, std::span<const NamedLin
       progress);
 }
 
-void write_vtp_polylines(std::ostream& out, const std::filesystem::path& path,
+void write_vtp_polylines(OutputStream& out, const std::filesystem::path& path,
                          std::span<const NamedLines> kinds) {
   check_point_count(path, kinds);
   write_vtp_lines(out, kinds, line_columns(path, kinds));

@@ -1,6 +1,5 @@
 #include <array>
 #include <numeric>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -48,7 +47,7 @@ std::array<float, kNumbers> numbers_of(const Sample& s) {
           s.barycentric[1], s.barycentric[2]};
 }
 
-void write_csv(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
+void write_csv(OutputStream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
                std::span<const DataArray> arrays) {
   TextOutput text(out);
   for (std::size_t i = 0; i < kNumbers; ++i) text << kColumns[i] << ',';
@@ -74,7 +73,7 @@ void write_csv(std::ostream& out, std::span<const Sample> samples, const Eigen::
   }
 }
 
-void write_ply(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
+void write_ply(OutputStream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
                std::span<const DataArray> arrays) {
   out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
       << samples.size() << '\n'
@@ -106,7 +105,7 @@ DataArray sample_vectors(const char* name, std::span<const Sample> samples, Vec3
   return make_data_array(name, result);
 }
 
-void write_points(std::ostream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
+void write_points(OutputStream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
                   std::span<const DataArray> more) {
   std::vector<Vec3> points;
   for (const Sample& sample : samples) points.push_back(sample.position);
@@ -151,7 +150,7 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
       fitted_columns(path, arrays, samples.size(), own_columns());
   write_file(
       path,
-      [&](std::ostream& out) {
+      [&](OutputStream& out) {
         if (kind == ".csv") return write_csv(out, samples, origin, columns);
         if (kind == ".ply") return write_ply(out, samples, origin, columns);
         write_points(out, samples, origin, columns);
@@ -159,7 +158,7 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
       progress);
 }
 
-void write_vtp_samples(std::ostream& out, const std::filesystem::path& path,
+void write_vtp_samples(OutputStream& out, const std::filesystem::path& path,
                        std::span<const Sample> samples, const Eigen::Vector3d& origin,
                        std::span<const DataArray> arrays) {
   write_points(out, samples, origin, fitted_columns(path, arrays, samples.size(), own_columns()));

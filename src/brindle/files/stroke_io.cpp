@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,7 @@ namespace fs = std::filesystem;
 
 void write_strokes(const fs::path& path, std::span<const FieldStroke> strokes) {
   check_strokes(strokes);
-  write_file(path, [&](std::ostream& stream) {
+  write_file(path, [&](OutputStream& stream) {
     TextOutput out(stream);
     out << "{\"strokes\": [";
     for (std::size_t i = 0; i < strokes.size(); ++i) {

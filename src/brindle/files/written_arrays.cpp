@@ -351,7 +351,7 @@ void put_csv_row(TextOutput& text, const DataArray& array, std::size_t row) {
                   [&](std::size_t, std::size_t, auto number) { text << ',' << number; });
 }
 
-void put_ply_properties(std::ostream& out, const DataArray& array) {
+void put_ply_properties(OutputStream& out, const DataArray& array) {
   constexpr std::array<const char*, 8> kTypes = {"float", "double", "char", "uchar",
                                                  "short", "ushort", "int",  "uint"};
   const char* type = kTypes.at(static_cast<std::size_t>(array.type));

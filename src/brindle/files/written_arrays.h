@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,7 +47,7 @@ std::string csv_name(std::string_view name);
 void put_csv_row(TextOutput& text, const DataArray& array, std::size_t row);
 
 /// The header's lines for one array of fitting names and types.
-void put_ply_properties(std::ostream& out, const DataArray& array);
+void put_ply_properties(OutputStream& out, const DataArray& array);
 
 inline void put_row(BinaryOutput& binary, const DataArray& array, std::size_t row) {
   const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);

@@ -1,8 +1,8 @@
 #include "brindle/geometry/edge_lengths.h"
 
 #include <cmath>
-#include <sstream>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
@@ -27,14 +27,12 @@ void check_edge_lengths(const EdgeLengths& lengths) {
   if (!(lengths.sum > 0)) return;
   const double mean = lengths.sum / static_cast<double>(lengths.count);
   if (mean >= kShortestEdges && mean <= kLongestEdges) return;
-  std::ostringstream text;
-  text.precision(2);
-  text << "surface: neighbours are " << mean << " units apart on average, too "
-       << (mean < 1 ? "near" : "far") << " for numbers of single precision, which need "
-       << kShortestEdges << " to " << kLongestEdges
-       << "; give coordinates in other units, such as multiplied by 1e"
-       << -static_cast<int>(std::floor(std::log10(mean)));
-  throw Error(text.str());
+  throw Error(formatted(
+      "surface: neighbours are %.2g units apart on average, too %s for numbers of single "
+      "precision, "
+      "which need %.2g to %.2g; give coordinates in other units, such as multiplied by 1e%d",
+      mean, mean < 1 ? "near" : "far", kShortestEdges, kLongestEdges,
+      -static_cast<int>(std::floor(std::log10(mean)))));
 }
 
 }  // namespace brindle

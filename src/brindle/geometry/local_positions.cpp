@@ -1,6 +1,6 @@
 #include "brindle/local_positions.h"
 
-#include <sstream>
+#include "brindle/base/formatted.h"
 
 namespace brindle {
 namespace {
@@ -41,11 +41,11 @@ std::vector<Vec3> positions_about(const Eigen::Vector3d& origin,
 
 std::string describe_origin(const Eigen::Vector3d& origin) {
   if (origin.isZero(0)) return "";
-  std::ostringstream text;
-  text.precision(12);
-  text << "coordinates are large against the size: recentred about " << origin.x() << ' '
-       << origin.y() << ' ' << origin.z() << "; files are written where it was\n";
-  return text.str();
+  return formatted(
+      "coordinates are large against the size: recentred about %.12g %.12g %.12g; files are "
+      "written "
+      "where it was\n",
+      origin.x(), origin.y(), origin.z());
 }
 
 }  // namespace brindle

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/formatted.h"
 #include "brindle/geometry/same_corners.h"
 #include "brindle/local_positions.h"
 
@@ -23,12 +23,6 @@ BoundingBox box_around(const std::vector<Vec3>& positions) {
     box.upper = box.upper.cwiseMax(position);
   }
   return box;
-}
-
-std::string number_text(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
 }
 
 void check_positions_table(const ArrayView& positions) {
@@ -54,7 +48,7 @@ std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
     const auto coordinate = static_cast<double>(number);
     if (!(std::abs(coordinate) <= kLargestCoordinate)) {
       throw Error("positions: a coordinate of vertex " + std::to_string(vertex) + " is " +
-                  number_text(coordinate) + "; correct it or leave the vertex out" +
+                  formatted("%g", coordinate) + "; correct it or leave the vertex out" +
                   (std::isfinite(coordinate) ? ", or give all coordinates in larger units" : ""));
     }
     result[vertex][static_cast<Eigen::Index>(axis)] = coordinate;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <cstring>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -182,9 +181,9 @@ std::vector<Index> drop_unreferenced_vertices(Mesh& mesh) {
 }
 
 std::string describe(const MeshRepair& repair) {
-  std::ostringstream text;
+  std::string text;
   const auto line = [&](std::size_t count, const char* what) {
-    if (count > 0) text << count << ' ' << what << '\n';
+    if (count > 0) text += std::to_string(count) + ' ' + what + '\n';
   };
   line(repair.vertices_not_finite,
        "vertices with coordinates that are not finite or beyond 1e18: set aside");
@@ -195,7 +194,7 @@ std::string describe(const MeshRepair& repair) {
        "triangles with corners that are not finite or beyond 1e18: dropped");
   line(repair.triangles_degenerate, "triangles without area: dropped");
   line(repair.triangles_duplicate, "triangles that stand twice: dropped");
-  return text.str();
+  return text;
 }
 
 }  // namespace brindle

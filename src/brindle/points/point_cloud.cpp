@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -93,14 +92,14 @@ LoadedPoints make_placed_point_cloud(std::span<const Eigen::Vector3d> positions,
 }
 
 std::string describe(const PointRepair& repair) {
-  std::ostringstream text;
+  std::string text;
   const auto line = [&](std::size_t count, const char* what) {
-    if (count > 0) text << count << ' ' << what << '\n';
+    if (count > 0) text += std::to_string(count) + ' ' + what + '\n';
   };
   line(repair.not_finite, "points with coordinates that are not finite or beyond 1e18: set aside");
   line(repair.repeated, "points at the place of another: set aside");
   line(repair.without_normal, "points with a normal that is zero or not finite: all are estimated");
-  return text.str();
+  return text;
 }
 
 }  // namespace brindle

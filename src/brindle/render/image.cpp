@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -207,7 +206,7 @@ void write_png(const std::filesystem::path& path, const Image& image, const Prog
   } catch (const Error& error) {
     throw Error("cannot write '" + shown(path.string()) + "': " + error.what());
   }
-  write_file(path, [&](std::ostream& out) { out << file; });
+  write_file(path, [&](OutputStream& out) { out << file; });
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <sstream>
 #include <utility>
 #include <variant>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/number_text.h"
 #include "brindle/base/suggestion.h"
@@ -346,11 +346,8 @@ const Parameter& find_parameter(const Shape& shape, std::string_view name) {
 }
 
 std::string range(const Parameter& parameter) {
-  std::ostringstream text;
-  text.precision(10);
-  text << (parameter.whole ? "a whole number" : "a number") << " from " << parameter.lower << " to "
-       << parameter.upper;
-  return text.str();
+  return formatted("%s from %.10g to %.10g", parameter.whole ? "a whole number" : "a number",
+                   parameter.lower, parameter.upper);
 }
 
 double parse_value(const Shape& shape, const Parameter& parameter, std::string_view text) {
@@ -472,16 +469,15 @@ std::vector<std::string> shape_names() {
 }
 
 std::string shape_help() {
-  std::ostringstream text;
-  text.precision(6);
+  std::string text;
   for (const Shape& shape : catalogue()) {
-    text << shape.name << ": " << shape.help << '\n';
+    text += std::string(shape.name) + ": " + std::string(shape.help) + '\n';
     for (const Parameter& parameter : shape.parameters) {
-      text << "    " << parameter.name << '=' << parameter.standard << "  " << parameter.help
-           << " (" << range(parameter) << ")\n";
+      text += "    " + std::string(parameter.name) + formatted("=%g  ", parameter.standard) +
+              std::string(parameter.help) + " (" + range(parameter) + ")\n";
     }
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace brindle

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 
 #include "brindle/base/bits.h"
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/wave_figures.h"
@@ -82,9 +82,9 @@ void check_fineness(const FinenessTally& tally) {
   // The same waves whose `edges_per_period_median` is no more.
   const bool half = tally.too_fine > tally.measured / 2;
   if (!half && tally.fewest > kFewestEdgesAnywhere) return;
-  std::ostringstream where;
-  where << " at vertex " << tally.vertex << ", whose frequency is " << tally.frequency;
-  refuse_noise(tally.fewest, where.str(), WarningWords().fewer);
+  const std::string where = " at vertex " + std::to_string(tally.vertex) +
+                            formatted(", whose frequency is %g", tally.frequency);
+  refuse_noise(tally.fewest, where, WarningWords().fewer);
 }
 
 void check_fineness(const Adjacency& neighborhood, std::span<const Vec3> positions,
@@ -94,11 +94,8 @@ void check_fineness(const Adjacency& neighborhood, std::span<const Vec3> positio
 }
 
 void refuse_noise(double edges_per_period, const std::string& where, const std::string& fewer) {
-  std::ostringstream text;
-  text.precision(2);
-  text << "a wave passes " << edges_per_period << " edges a period" << where
-       << ": nothing can be told of such stripes; " << fewer;
-  throw Error(text.str());
+  throw Error(formatted("a wave passes %.2g edges a period", edges_per_period) + where +
+              ": nothing can be told of such stripes; " + fewer);
 }
 
 }  // namespace brindle

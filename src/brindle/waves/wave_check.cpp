@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <string>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 
@@ -79,33 +79,25 @@ bool all_positive(std::span<const float> frequencies) {
   return bad == 0;
 }
 
-std::string text_of(const Vec3& v) {
-  std::ostringstream text;
-  text << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
-  return text.str();
-}
+std::string text_of(const Vec3& v) { return formatted("(%g, %g, %g)", v.x(), v.y(), v.z()); }
 
 std::string degrees_text(float sine) {
-  std::ostringstream text;
-  text.precision(3);
-  text << std::asin(std::min(sine, 1.0f)) * 180 / std::numbers::pi_v<float> << " degrees";
-  return text.str();
+  return formatted("%.3g degrees",
+                   std::asin(std::min(sine, 1.0f)) * 180 / std::numbers::pi_v<float>);
 }
 
 [[noreturn]] void refuse(std::size_t vertex, const Vec3& position, const Vec3& direction,
                          float frequency) {
-  std::ostringstream text;
-  text << "waves: vertex " << vertex;
+  const std::string which = "waves: vertex " + std::to_string(vertex);
   if (!position.allFinite()) {
-    text << " is at " << text_of(position) << "; give it a finite position";
-  } else if (!is_unit_or_zero(direction)) {
-    text << " has the direction " << text_of(direction)
-         << "; give it a unit vector, as tangent_directions makes them, or zero for no wave";
-  } else {
-    text << " has the frequency " << frequency
-         << "; give every vertex a finite one above zero, also where there is no wave";
+    throw Error(which + " is at " + text_of(position) + "; give it a finite position");
   }
-  throw Error(text.str());
+  if (!is_unit_or_zero(direction)) {
+    throw Error(which + " has the direction " + text_of(direction) +
+                "; give it a unit vector, as tangent_directions makes them, or zero for no wave");
+  }
+  throw Error(which + formatted(" has the frequency %g", frequency) +
+              "; give every vertex a finite one above zero, also where there is no wave");
 }
 
 }  // namespace
@@ -187,10 +179,9 @@ void check_last_phases(std::span<const Complex> z, std::size_t count) {
         return z[i] == Complex(0) || std::abs(std::norm(z[i]) - 1) <= kSquareTolerance;
       });
   if (bad == count) return;
-  std::ostringstream text;
-  text << "last phases: that of vertex " << bad << " is " << z[bad]
-       << "; give exp(i Phi), of length 1, or 0 where none is known";
-  throw Error(text.str());
+  throw Error("last phases: that of vertex " + std::to_string(bad) +
+              formatted(" is (%g,%g)", z[bad].real(), z[bad].imag()) +
+              "; give exp(i Phi), of length 1, or 0 where none is known");
 }
 
 void check_edge_weights(std::span<const float> weights) {
@@ -198,10 +189,8 @@ void check_edge_weights(std::span<const float> weights) {
       weights.size(), [](std::size_t, std::size_t) { return false; },
       [&](std::size_t edge) { return weights[edge] >= 0 && weights[edge] <= kLargest; });
   if (bad == weights.size()) return;
-  std::ostringstream text;
-  text << "edge weights: that of directed edge " << bad << " is " << weights[bad]
-       << "; give finite weights of 0 or above";
-  throw Error(text.str());
+  throw Error("edge weights: that of directed edge " + std::to_string(bad) +
+              formatted(" is %g", weights[bad]) + "; give finite weights of 0 or above");
 }
 
 void check_coupled_waves(const Adjacency& adjacency, const WaveSet& waves,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "brindle/base/formatted.h"
 #include "brindle/error.h"
@@ -22,12 +21,7 @@ bool is_too_fine(const WaveFigures& figures) {
   return edges > 0 && edges < kFewestEdges;
 }
 
-std::string rounded_text(double number, int digits) {
-  std::ostringstream text;
-  text.precision(digits);
-  text << number;
-  return text.str();
-}
+std::string rounded_text(double number, int digits) { return formatted("%.*g", digits, number); }
 
 std::string of_all(std::size_t count, std::size_t all) {
   return std::to_string(count) + " of " + std::to_string(all);

@@ -66,7 +66,7 @@ void write_settings(const std::filesystem::path& path, const WindowSettings& set
                                        {"show_options", settings.show_options},
                                        {"show_figures", settings.show_figures},
                                        {"folder", settings.folder}};
-  write_file(path, [&](std::ostream& out) {
+  write_file(path, [&](OutputStream& out) {
     out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   });
 }

@@ -9,7 +9,6 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -120,12 +119,12 @@ Json describe(const Mesh& mesh, const std::vector<Block>& blocks, std::uint64_t 
   return json;
 }
 
-void write_word(std::ostream& out, std::uint64_t word) {
+void write_word(OutputStream& out, std::uint64_t word) {
   const auto narrow = static_cast<std::uint32_t>(word);
   out.write(reinterpret_cast<const char*>(&narrow), 4);
 }
 
-void write_text(std::ostream& out, Json json, const std::vector<Block>& blocks) {
+void write_text(OutputStream& out, Json json, const std::vector<Block>& blocks) {
   constexpr std::string_view kMark = "@";
   json["buffers"][0]["uri"] = kMark;
   const std::string text = json.dump();
@@ -137,7 +136,7 @@ void write_text(std::ostream& out, Json json, const std::vector<Block>& blocks) 
   out << text.substr(mark + kMark.size()) << '\n';
 }
 
-void write_binary(std::ostream& out, const Json& json, const std::vector<Block>& blocks,
+void write_binary(OutputStream& out, const Json& json, const std::vector<Block>& blocks,
                   std::uint64_t size) {
   std::string text = json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
@@ -150,13 +149,13 @@ void write_binary(std::ostream& out, const Json& json, const std::vector<Block>&
   write_word(out, size);
   write_word(out, kGltfDataChunk);
   for (const Block& block : blocks) {
-    out.write(static_cast<const char*>(block.data), static_cast<std::streamsize>(block.size));
+    out.write(static_cast<const char*>(block.data), block.size);
   }
 }
 
 }  // namespace
 
-void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
+void write_gltf(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                 GltfKind kind, const std::string& png) {
   if (mesh.triangles.empty()) {
     throw Error("glTF cannot hold a mesh without triangles; choose PLY or OBJ");
@@ -195,7 +194,7 @@ namespace {
 
 }  // namespace
 
-void write_gltf(std::ostream&, const Mesh&, std::span<const DataArray>, GltfKind,
+void write_gltf(OutputStream&, const Mesh&, std::span<const DataArray>, GltfKind,
                 const std::string&) {
   refuse();
 }

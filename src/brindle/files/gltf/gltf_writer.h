@@ -1,10 +1,10 @@
 /// Meshes to glTF 2.0 files, as text or binary (GLB).
 #pragma once
 
-#include <iosfwd>
 #include <span>
 #include <string>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
 
@@ -17,7 +17,7 @@ enum class GltfKind { text, binary };
 /// down).
 /// `png`, a PNG file's content, becomes the mesh's material, repeated beyond its borders. Throws
 /// Error for a mesh without triangles, and for data beyond 4 GB, which the format cannot hold.
-void write_gltf(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
+void write_gltf(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                 GltfKind kind, const std::string& png = "");
 
 }  // namespace brindle

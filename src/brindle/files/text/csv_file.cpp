@@ -148,7 +148,7 @@ CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
 }
 
 bool CsvFile::next_row() {
-  while (std::getline(in_, line_)) {
+  while (in_.next(line_)) {
     row_ = line_;
     if (++number_ == 1 && row_.starts_with(kByteOrderMark)) {
       row_.remove_prefix(kByteOrderMark.size());

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <span>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brindle/base/input_stream.h"
 #include "brindle/data_arrays.h"
 
 namespace brindle {
@@ -63,7 +63,7 @@ class CsvFile {
 
   std::filesystem::path path_;
   CsvKind kind_;
-  std::ifstream in_;
+  InputLines in_;
   std::string line_;
   std::string_view row_;  ///< of `line_`
   std::size_t number_ = 0;

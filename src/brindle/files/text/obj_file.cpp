@@ -1,7 +1,6 @@
 #include "brindle/files/text/obj_file.h"
 
 #include <algorithm>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -224,7 +223,7 @@ LoadedPoints read_obj_points(const std::filesystem::path& path) {
 
 bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
 
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
+void write_obj(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                const std::string& materials) {
   const DataArray* normal = first_of(arrays, is_normal);
   const DataArray* uv = first_of(arrays, is_uv);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 #include <span>
 #include <string>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
@@ -27,7 +27,7 @@ bool obj_has_faces(const std::filesystem::path& path);
 
 /// Normals and texture coordinates are the only arrays that the format has. If `materials`
 /// names a material library, the mesh has its material.
-void write_obj(std::ostream& out, const Mesh& mesh, std::span<const DataArray> arrays,
+void write_obj(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                const std::string& materials = "");
 
 /// A library of the one material that `write_obj` names: a picture file, repeated beyond its

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 #include <string>
 #include <utility>
 
@@ -120,7 +119,7 @@ std::vector<TimedFile> read_file_series(const std::filesystem::path& path) {
 
 void write_pvd(const std::filesystem::path& path, std::span<const TimedFile> files) {
   for (const TimedFile& timed : files) check_name_in_xml(timed.file);
-  write_file(path, [&](std::ostream& stream) {
+  write_file(path, [&](OutputStream& stream) {
     TextOutput out(stream);
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
            "byte_order=\"LittleEndian\">\n<Collection>\n";

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,7 +18,7 @@ namespace {
 /// The arrays of the file: first each is announced in XML with its offset, then all are written.
 class AppendedArrays {
  public:
-  explicit AppendedArrays(std::ostream& xml) : xml_(xml) {}
+  explicit AppendedArrays(OutputStream& xml) : xml_(xml) {}
 
   /// Announces an array of `count` numbers, which `write` will put when its turn comes.
   template <class Number>
@@ -49,7 +48,7 @@ class AppendedArrays {
     std::uint64_t bytes;
     std::function<void(BinaryOutput&)> write;
   };
-  std::ostream& xml_;
+  OutputStream& xml_;
   std::uint64_t offset_ = 0;
   std::vector<Block> blocks_;
 };
@@ -71,7 +70,7 @@ void add_points(AppendedArrays& arrays, const PolyData& data) {
 }
 
 /// The arrays of all points or all cells.
-void add_data(std::ostream& xml, AppendedArrays& appended, std::string_view element,
+void add_data(OutputStream& xml, AppendedArrays& appended, std::string_view element,
               std::span<const DataArray> arrays) {
   xml << '<' << element;
   for (const DataArray& array : arrays) {
@@ -90,7 +89,7 @@ void add_data(std::ostream& xml, AppendedArrays& appended, std::string_view elem
 
 /// The cells of one kind: the points of all, and where those of each end.
 template <class Points, class End>
-void add_cells(std::ostream& xml, AppendedArrays& arrays, std::string_view element,
+void add_cells(OutputStream& xml, AppendedArrays& arrays, std::string_view element,
                std::size_t cells, std::size_t points, const Points& point, const End& end) {
   const auto add = [&](std::string_view name, std::size_t count, auto value) {
     arrays.add<std::int64_t>("Int64", name, 1, count, [count, value](BinaryOutput& out) {
@@ -107,7 +106,7 @@ void add_cells(std::ostream& xml, AppendedArrays& arrays, std::string_view eleme
 
 std::string_view vtk_type(NumberType type) { return kTypeNames.at(static_cast<std::size_t>(type)); }
 
-void write_vtp(std::ostream& out, const PolyData& data) {
+void write_vtp(OutputStream& out, const PolyData& data) {
   const std::size_t lines = data.line_offsets.empty() ? 0 : data.line_offsets.size() - 1;
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
          "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""

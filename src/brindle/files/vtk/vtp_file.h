@@ -1,10 +1,10 @@
 /// VTK's XML PolyData (VTP): points with cells over them, for ParaView and all that VTK reads.
 #pragma once
 
-#include <iosfwd>
 #include <span>
 #include <string_view>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
 
@@ -26,7 +26,7 @@ struct PolyData {
 /// doubles if they have an origin. "normal" becomes the active normals, "uv" the texture
 /// coordinates, "color" the colours. Arrays have a row for every point or cell, and the names and
 /// colours of `fitted_arrays`.
-void write_vtp(std::ostream& out, const PolyData& data);
+void write_vtp(OutputStream& out, const PolyData& data);
 
 /// VTK's name of a type of numbers.
 std::string_view vtk_type(NumberType type);

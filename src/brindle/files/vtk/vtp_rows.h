@@ -2,19 +2,19 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 #include <span>
 
+#include "brindle/base/output_stream.h"
 #include "brindle/files.h"
 
 namespace brindle {
 
 /// As `write_polylines` writes a .vtp. Throws what that throws of arrays, and names `path`.
-void write_vtp_polylines(std::ostream& out, const std::filesystem::path& path,
+void write_vtp_polylines(OutputStream& out, const std::filesystem::path& path,
                          std::span<const NamedLines> kinds);
 
 /// As `write_samples` writes a .vtp. Throws what that throws of arrays, and names `path`.
-void write_vtp_samples(std::ostream& out, const std::filesystem::path& path,
+void write_vtp_samples(OutputStream& out, const std::filesystem::path& path,
                        std::span<const Sample> samples, const Eigen::Vector3d& origin,
                        std::span<const DataArray> arrays);
 

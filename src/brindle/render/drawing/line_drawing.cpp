@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <limits>
 #include <map>
-#include <ostream>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -485,7 +484,7 @@ std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
 
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
                const Progress& progress) {
-  const auto write = [&](std::ostream& out) {
+  const auto write = [&](OutputStream& out) {
     TextOutput text(out);
     text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
