@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#if !defined(BRINDLE_SILENT)
+
 namespace brindle {
 
 struct Progress::State {
@@ -112,3 +114,5 @@ void JobStages::finish() const {
 }
 
 }  // namespace brindle
+
+#endif
