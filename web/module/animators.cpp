@@ -9,12 +9,8 @@ namespace {
 
 std::shared_ptr<AnimatorObject> animator(std::shared_ptr<SurfaceObject> surface, val given) {
   return guarded([&] {
-    AnimatorOptions options;
-    options.lambda = given["lambda"].as<float>();
-    options.cycles = given["cycles"].as<int>();
-    options.slack = given["slack"].as<float>();
-    return std::make_shared<AnimatorObject>(
-        AnimatorObject{surface, StripeAnimator(surface->surface, options), {}, {}});
+    StripeAnimator follower(surface->surface, animator_options(given));
+    return std::make_shared<AnimatorObject>(AnimatorObject{surface, std::move(follower), {}, {}});
   });
 }
 
@@ -44,30 +40,46 @@ void draw_into(AnimatorObject& object, const val& input, const FrameInput& frame
 
 val frame_of(AnimatorObject& object, val input) {
   return guarded([&] {
-    const Mesh& mesh = object.surface->surface.mesh;
-    const std::vector<Vec3> moved = vectors_of(input["positions"]);
-    const std::vector<Vec3> normals = vectors_of(input["normals"]);
-    const std::vector<Vec3> directions = vectors_of(input["directions"]);
-    const std::vector<float> frequencies = floats_of(input["frequencies"]);
-    FrameInput frame;
-    frame.positions = moved.empty() ? std::span<const Vec3>(mesh.positions) : moved;
-    frame.directions = directions;
-    frame.frequencies = frequencies;
-    frame.normals = normals;
+    const GivenFrame given(object.surface->surface.mesh, input);
+    const FrameInput& frame = given.input;
     const FrameResult made = object.animator.frame(frame);
     draw_into(object, input, frame, made);
     val result = val::object();
-    result.set("phases", array_of(made.z));
-    result.set("phaseStep", made.phase_step);
-    result.set("unchanged", made.unchanged);
-    result.set("milliseconds", made.milliseconds.frequency + made.milliseconds.couple +
-                                   made.milliseconds.sum + made.milliseconds.solve);
-    if (!made.frequencies.empty()) result.set("frequencies", array_of(made.frequencies));
+    put(result, "phases", array_of(made.z));
+    put(result, "phaseStep", made.phase_step);
+    put(result, "unchanged", val(made.unchanged));
+    put(result, "milliseconds",
+        made.milliseconds.frequency + made.milliseconds.couple + made.milliseconds.sum +
+            made.milliseconds.solve);
+    if (!made.frequencies.empty()) put(result, "frequencies", array_of(made.frequencies));
     return result;
   });
 }
 
 }  // namespace
+
+AnimatorOptions animator_options(const val& given) {
+  AnimatorOptions options;
+  options.lambda = float_of(given, "lambda");
+  options.cycles = int_of(given, "cycles");
+  options.slack = float_of(given, "slack");
+  return options;
+}
+
+GivenFrame::GivenFrame(const Mesh& mesh, const val& given)
+    : positions_(vectors_of(given["positions"])),
+      normals_(vectors_of(given["normals"])),
+      directions_(vectors_of(given["directions"])),
+      frequencies_(floats_of(given["frequencies"])) {
+  input.positions = positions_.empty() ? std::span<const Vec3>(mesh.positions) : positions_;
+  input.directions = directions_;
+  input.frequencies = frequencies_;
+  input.normals = normals_;
+}
+
+WaveSet GivenFrame::waves() const {
+  return {{input.positions.begin(), input.positions.end()}, directions_, frequencies_};
+}
 
 void bind_animators() {
   using namespace emscripten;

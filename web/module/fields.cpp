@@ -2,20 +2,14 @@
 
 #include <emscripten/bind.h>
 
-#include "brindle/array_field.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/measured_field.h"
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"
 #include "objects.h"
 
 namespace brindle::web {
 namespace {
-
-CurvatureDirection curvature_direction(const std::string& name) {
-  return name == "min" ? CurvatureDirection::minimum : CurvatureDirection::maximum;
-}
 
 /// Points are relative to the surface's origin, as all that JavaScript sees.
 std::vector<FieldStroke> strokes_of(const val& list, const Eigen::Vector3d& origin) {
@@ -35,12 +29,11 @@ std::vector<FieldStroke> strokes_of(const val& list, const Eigen::Vector3d& orig
 val smooth_field(const SurfaceObject& object, val given) {
   return guarded([&] {
     SmoothFieldOptions options;
-    options.symmetry = given["symmetry"].as<int>();
-    options.curvature_anchor = given["curvature"].as<float>();
-    options.curvature_direction =
-        curvature_direction(given["curvatureDirection"].as<std::string>());
-    options.feature_anchor = given["features"].as<float>();
-    options.feature_angle_deg = given["featureAngle"].as<float>();
+    options.symmetry = int_of(given, "symmetry");
+    options.curvature_anchor = float_of(given, "curvature");
+    options.curvature_direction = curvature_direction(text_of(given, "curvatureDirection"));
+    options.feature_anchor = float_of(given, "features");
+    options.feature_angle_deg = float_of(given, "featureAngle");
     const std::vector<FieldStroke> strokes =
         strokes_of(given["strokes"], object.surface.mesh.origin);
     if (!strokes.empty()) options.anchors = stroke_anchors(object.surface, strokes);
@@ -94,37 +87,11 @@ val tangent_field(const SurfaceObject& object, val vectors) {
   });
 }
 
-val array_field(const SurfaceObject& object, std::string name) {
-  return guarded([&] {
-    const DirectionField field =
-        direction_field_of(object.surface, array_at_vertices(object, name));
-    return array_of(std::span<const Vec3>(field));
-  });
-}
-
-val detailed_field(const SurfaceObject& object, val directions, val frequencies, val given) {
-  return guarded([&] {
-    FieldDetailOptions options;
-    options.symmetry = given["symmetry"].as<int>();
-    options.periods = given["periods"].as<float>();
-    options.fill = given["fill"].as<float>();
-    const val singularities = given["singularities"];
-    if (!singularities.isNull() && !singularities.isUndefined()) {
-      options.singularities = singularities.as<std::size_t>();
-    }
-    MeasuredField measured;
-    measured.directions = vectors_of(directions);
-    measured.confidence = floats_of(given["confidence"]);
-    FieldDetail detail(object.surface, options);
-    const DetailedField field = detail.frame(measured, floats_of(frequencies));
-    val result = val::object();
-    result.set("directions", array_of(std::span<const Vec3>(field.directions)));
-    result.set("agreement", array_of(std::span<const float>(field.agreement)));
-    return result;
-  });
-}
-
 }  // namespace
+
+CurvatureDirection curvature_direction(const std::string& name) {
+  return name == "min" ? CurvatureDirection::minimum : CurvatureDirection::maximum;
+}
 
 void bind_fields() {
   using namespace emscripten;
@@ -133,8 +100,6 @@ void bind_fields() {
   function("curvatureField", &curvature_field);
   function("rotatedField", &rotated_field);
   function("tangentField", &tangent_field);
-  function("arrayField", &array_field);
-  function("detailedField", &detailed_field);
 }
 
 }  // namespace brindle::web

@@ -1,57 +1,109 @@
 #include "brindle/files.h"
 
-#include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
 
 #include <emscripten/bind.h>
 
+#include "brindle/array_field.h"
+#include "brindle/base/output_file.h"
 #include "brindle/error.h"
-#include "brindle/line_drawing.h"
+#include "brindle/mesh_data.h"
 #include "objects.h"
 
 namespace brindle::web {
 namespace {
 
-/// What `write` puts into a file of this name.
-template <class Write>
-val written(const std::string& name, const Write& write) {
-  const std::filesystem::path path = "written-" + name;
-  write(path);
-  std::ifstream in(path, std::ios::binary);
-  const std::vector<char> content{std::istreambuf_iterator<char>(in), {}};
-  in.close();
-  std::filesystem::remove(path);
-  return array_of(std::span<const std::uint8_t>(
-      reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
-}
+/// A file that is there as long as this lives, under its own name, which messages name.
+class TemporaryFile {
+ public:
+  TemporaryFile(const val& bytes, const std::string& name) : path_(plain(name)) {
+    std::vector<char> content(bytes["length"].as<std::size_t>());
+    val(emscripten::typed_memory_view(content.size(),
+                                      reinterpret_cast<std::uint8_t*>(content.data())))
+        .call<void>("set", bytes);
+    write_file(path_, [&](OutputStream& out) { out.write(content.data(), content.size()); });
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  const std::filesystem::path& path() const { return path_; }
 
-val curves_file(const PatternObject& object, std::string name, bool join, float trim) {
+ private:
+  static std::filesystem::path plain(const std::string& name) {
+    const std::size_t slash = name.find_last_of("/\\");
+    const std::string file = slash == std::string::npos ? name : name.substr(slash + 1);
+    if (file.empty() || file == "." || file == "..") {
+      throw Error("'" + name + "' is no name of a file");
+    }
+    return file;
+  }
+
+  std::filesystem::path path_;
+};
+
+std::shared_ptr<SurfaceObject> surface_from_file(val bytes, std::string name) {
   return guarded([&] {
-    CurveOptions options;
-    options.join = join;
-    options.trim = trim;
-    const StripeCurves curves = stripe_curves(object.surface->surface, object.pattern, options);
-    const std::array<NamedLines, 1> kinds{NamedLines{"stripes", curves.lines, {}}};
-    return written(name, [&](const std::filesystem::path& path) { write_polylines(path, kinds); });
+    const TemporaryFile file(bytes, name);
+    LoadedMesh loaded = read_mesh(file.path());
+    std::vector<std::string> notes;
+    add_lines(notes, describe(loaded.repair));
+    add_lines(notes, loaded.left_out);
+    auto object = surface_object(std::move(loaded.mesh), std::move(notes));
+    object->vertex_of_row = std::move(loaded.vertex_of_row);
+    object->arrays = std::move(loaded.arrays);
+    return object;
   });
 }
 
-val drawing(const PatternObject& object, val rotation, float zoom, int width, int height) {
+/// The array of that name, a row per vertex: of triangles, their mean around it. Throws Error for a
+/// name that is none, saying which there are.
+DataArray array_at_vertices(const SurfaceObject& object, const std::string& name) {
+  if (const DataArray* array = find_array(object.arrays.points, name)) return *array;
+  if (const DataArray* array = find_array(object.arrays.cells, name)) {
+    return cells_to_points(object.surface.mesh, *array);
+  }
+  std::string names;
+  for (const auto* arrays : {&object.arrays.points, &object.arrays.cells}) {
+    for (const DataArray& array : *arrays) names += (names.empty() ? "" : ", ") + array.name;
+  }
+  throw Error("there is no array '" + name + "'; there " +
+              (names.empty() ? "are none" : "are " + names));
+}
+
+val arrays_of(const SurfaceObject& object) {
+  val list = val::array();
+  const auto add = [&](const std::vector<DataArray>& arrays, const char* of) {
+    for (const DataArray& array : arrays) {
+      val entry = val::object();
+      put(entry, "name", val(array.name));
+      put(entry, "of", val(std::string(of)));
+      put(entry, "components", array.components);
+      list.call<void>("push", entry);
+    }
+  };
+  add(object.arrays.points, "points");
+  add(object.arrays.cells, "cells");
+  return list;
+}
+
+val array_values(const SurfaceObject& object, std::string name) {
   return guarded([&] {
-    const Surface& surface = object.surface->surface;
-    CameraView view;
-    view.zoom = zoom;
-    view.rotation = Eigen::Quaternionf(rotation[3].as<float>(), rotation[0].as<float>(),
-                                       rotation[1].as<float>(), rotation[2].as<float>());
-    const StripeCurves curves = stripe_curves(surface, object.pattern);
-    const std::array<PenLines, 1> lines{PenLines{"stripes", Color{}, curves.lines}};
-    const std::vector<Pen> pens =
-        line_drawing(surface.mesh, surface.normals, lines, view, width, height);
-    return written("drawing.svg", [&](const std::filesystem::path& path) {
-      write_svg(path, width, height, pens);
-    });
+    DataArray array = array_at_vertices(object, name);
+    array.components = 1;  // number by number, as they lie there
+    const std::vector<float> numbers = numbers_of(array.view(), "array '" + name + "'");
+    return array_of(std::span<const float>(numbers));
+  });
+}
+
+val array_field(const SurfaceObject& object, std::string name) {
+  return guarded([&] {
+    const DirectionField field =
+        direction_field_of(object.surface, array_at_vertices(object, name));
+    return array_of(std::span<const Vec3>(field));
   });
 }
 
@@ -59,8 +111,10 @@ val drawing(const PatternObject& object, val rotation, float zoom, int width, in
 
 void bind_files() {
   using namespace emscripten;
-  function("curvesFile", &curves_file);
-  function("drawing", &drawing);
+  function("surfaceFromFile", &surface_from_file);
+  function("arrays", &arrays_of);
+  function("array", &array_values);
+  function("arrayField", &array_field);
 }
 
 }  // namespace brindle::web

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/data_arrays.h"
+#include "brindle/direction_field.h"
 #include "brindle/pattern_frames.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
@@ -23,10 +24,6 @@ struct SurfaceObject {
   DataArrays arrays;  ///< of the file that it was read from
 };
 
-/// The array of that name, a row per vertex: of triangles, their mean around it. Throws Error for a
-/// name that is none, saying which there are.
-DataArray array_at_vertices(const SurfaceObject& object, const std::string& name);
-
 using SurfacePointer = std::shared_ptr<const SurfaceObject>;
 
 struct PatternObject {
@@ -35,8 +32,9 @@ struct PatternObject {
 };
 
 struct TextureObject {
-  SurfacePointer surface;
+  std::shared_ptr<SurfaceObject> surface;  ///< that it is drawn on
   TexturePattern pattern;
+  bool crosses = false;  ///< U's figures are those of both waves
 };
 
 struct AnimatorObject {
@@ -46,11 +44,43 @@ struct AnimatorObject {
   std::vector<PatternVertex> vertices;  ///< of the last frame that somebody drew
 };
 
-/// Each says what its functions are called, and to whom they belong.
+/// A surface with what is to be said of it; `notes` may have more.
+std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, std::vector<std::string> notes);
+
+/// Appends what stands on the lines, without empty ones.
+void add_lines(std::vector<std::string>& notes, const std::string& lines);
+
+/// A frame's input, and what it points to.
+class GivenFrame {
+ public:
+  GivenFrame(const Mesh& mesh, const val& given);
+  GivenFrame(const GivenFrame&) = delete;
+  GivenFrame& operator=(const GivenFrame&) = delete;
+
+  FrameInput input;
+  WaveSet waves() const;  ///< that it is of
+
+ private:
+  std::vector<Vec3> positions_, normals_, directions_;
+  std::vector<float> frequencies_;
+};
+
+AnimatorOptions animator_options(const val& given);
+StripeOptions stripe_options(const val& given);
+CurvatureDirection curvature_direction(const std::string& name);
+val kinds_of(std::span<const CornerPhases> corners);
+
+/// Each says what its functions are called, and to whom they belong. The first four are what
+/// stripes in real time need.
 void bind_surfaces();
 void bind_fields();
 void bind_patterns();
 void bind_animators();
+void bind_shapes();
 void bind_files();
+void bind_measured_fields();
+void bind_lines();
+void bind_cameras();
+void bind_textures();
 
 }  // namespace brindle::web

@@ -67,6 +67,13 @@ Table::Table(const val& array, std::size_t columns) {
   }
 }
 
+float float_of(const val& object, const char* name) { return object[name].as<float>(); }
+int int_of(const val& object, const char* name) { return object[name].as<int>(); }
+std::string text_of(const val& object, const char* name) { return object[name].as<std::string>(); }
+
+void put(val& object, const char* name, const val& value) { object.set(name, value); }
+void put(val& object, const char* name, double number) { object.set(name, number); }
+
 std::vector<float> floats_of(const val& array) { return numbers_of<float>(array); }
 
 std::vector<Vec3> vectors_of(const val& array) {

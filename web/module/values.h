@@ -46,6 +46,14 @@ class Table {
   ArrayView view_;
 };
 
+/// What an object says under a name; the layer in JavaScript has made sure of the type.
+float float_of(const val& object, const char* name);
+int int_of(const val& object, const char* name);
+std::string text_of(const val& object, const char* name);
+
+void put(val& object, const char* name, const val& value);
+void put(val& object, const char* name, double number);
+
 /// Copies of typed arrays; undefined and null are empty.
 std::vector<float> floats_of(const val& array);
 std::vector<Vec3> vectors_of(const val& array);

@@ -49,10 +49,12 @@ export class StripeDrawing {
   setKinds(kinds: Uint8Array): void;
   /**
    * A texture instead of stripes, until a pattern is set: `Texture.waves()`, `brindle.tile(name)` and
-   * `Texture.brokenTiles(name)`, without which figures are cut.
+   * `Texture.brokenTiles(name)`, without which figures are cut; or a frame's `waves` and `broken`, with the positions and
+   * normals that moved.
    */
   setTexture(waves: { u: Float32Array; v: Float32Array }, tile: { side: number; distances: Float32Array },
-             broken?: { words: Uint32Array; layout: number; split: boolean }): void;
+             broken?: { words: Uint32Array; layout: number; split: boolean },
+             moved?: { positions?: Float32Array; normals?: Float32Array }): void;
   draw(view: StripeView): void;
   dispose(): void;
 }

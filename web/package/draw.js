@@ -154,9 +154,13 @@ export class StripeDrawing {
     this.tile = null;
   }
 
-  /** A texture instead of stripes, until a pattern is set: `Texture.waves()`, `brindle.tile(name)`, `Texture.brokenTiles(name)`. */
-  setTexture({ u, v }, tile, { words = new Uint32Array(0), layout = 0, split = false } = {}) {
-    const { positions, normals, triangles } = this.surface, count = positions.length / 3;
+  /**
+   * A texture instead of stripes, until a pattern is set: `Texture.waves()`, `brindle.tile(name)`, `Texture.brokenTiles(name)`, or a frame's
+   * `waves` and `broken`, with the positions and normals that moved.
+   */
+  setTexture({ u, v }, tile, broken, { positions = this.surface.positions, normals = this.surface.normals } = {}) {
+    const { words = new Uint32Array(0), layout = 0, split = false } = broken ?? {};
+    const { triangles } = this.surface, count = this.surface.positions.length / 3;
     for (const [name, numbers] of [['u', u], ['v', v]]) {
       if (numbers.length !== 6 * triangles.length) {
         throw new BrindleError(`${name} must have ${6 * triangles.length} numbers for ${triangles.length / 3} triangles, not ${numbers.length}`);

@@ -132,10 +132,15 @@ export class Surface extends Owned {
   stripes(field: DirectionField, options?: StripeOptions): Pattern;
   /** Texture coordinates: two patterns, the second across the first. */
   texture(field: DirectionField, options?: TextureOptions): Texture;
+  /** The same along both directions of crosses, as `smoothField({ symmetry: 4 })` has them: for tiles that look the same turned by 90
+   * degrees. It is drawn on `Texture.surface()`, on which triangles around which a cross turns are split. */
+  crosses(field: DirectionField, options?: Omit<StripeOptions, 'lastPhases'>): Texture;
   /** Where pictures of the tool are taken from, by its --camera: the whole surface, or with `zoom` its middle. */
   camera(options?: CameraOptions): CameraView;
   /** Stripes that follow changing input, frame by frame. */
   animator(options?: AnimatorOptions): Animator;
+  /** Textures that do. */
+  textureAnimator(options?: TextureAnimatorOptions): TextureAnimator;
 }
 
 export interface CameraOptions {
@@ -248,9 +253,11 @@ export interface BrokenTiles {
 }
 
 export class Texture extends Owned {
-  /** Branches of U and V, and the mean of their energies. */
+  /** Branches of U and V, and the mean of their energies; of crosses those of both waves together. */
   readonly branches: number;
   readonly energy: number;
+  /** What it is drawn on: a surface of its own to be disposed of; of crosses, with triangles split. */
+  surface(): Surface;
   /** For `StripeDrawing.setTexture`, with `brindle.tile(name)` and `brokenTiles(name)`. */
   waves(): TextureWaves;
   /** Of tiles that the tool draws whole: arrows, dots, signs and bricks. */
@@ -303,6 +310,36 @@ export interface Frame {
 export class Animator extends Owned {
   frame(input: FrameInput): Frame;
   energy(): number;
+  restart(): void;
+}
+
+export interface TextureAnimatorOptions extends AnimatorOptions {
+  /** Whether directions have a sense, along which the texture points. */
+  oriented?: boolean;
+  /** The tile whose figures are to stay whole: frames then have `broken`. */
+  tile?: string;
+}
+
+/** As that of stripes; positions that moved come with normals, about which V is turned. */
+export type TextureFrameInput = Omit<FrameInput, 'vertices' | 'corners'>;
+
+/** What `StripeDrawing.setTexture` and `setKinds` take, and figures as those of a Texture. */
+export interface TextureFrame {
+  waves: TextureWaves;
+  triangleKinds: Uint8Array;
+  broken: BrokenTiles;
+  branches: number;
+  energy: number;
+  unchanged: boolean;
+  milliseconds: number;
+}
+
+export class TextureAnimator extends Owned {
+  frame(input: TextureFrameInput): TextureFrame;
+  /** The next frame, of vertices where the surface has them, as a texture that stays. */
+  texture(input: Omit<TextureFrameInput, 'positions' | 'normals'>): Texture;
+  /** The next frame goes on from this texture of the surface. */
+  follow(texture: Texture): void;
   restart(): void;
 }
 

@@ -8,11 +8,12 @@ const methods = {
   Brindle: ['shapes', 'tiles', 'tile', 'shape', 'surface', 'readSurface'],
   Surface: ['positions', 'normals', 'triangles', 'vertexOfRow', 'smoothField', 'curvatureField',
             'projectedField', 'tangentField', 'array', 'arrayField', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
-            'texture', 'camera', 'animator', 'dispose'],
+            'texture', 'crosses', 'textureAnimator', 'camera', 'animator', 'dispose'],
   Pattern: ['phases', 'directions', 'frequencies', 'triangleKinds', 'curves', 'curvesFile', 'samplesWith',
             'svg', 'dispose'],
-  Texture: ['waves', 'triangleKinds', 'brokenTiles', 'cornerUVs', 'mesh', 'glb', 'dispose'],
+  Texture: ['surface', 'waves', 'triangleKinds', 'brokenTiles', 'cornerUVs', 'mesh', 'glb', 'dispose'],
   Animator: ['frame', 'energy', 'restart', 'dispose'],
+  TextureAnimator: ['frame', 'texture', 'follow', 'restart', 'dispose'],
 };
 
 /** `worker`: one that runs ./worker-host.js, or a port of one; without it a new one is started. */

@@ -43,10 +43,10 @@ export class LivePattern {
       const [positions, normals, triangles] =
         [await surface.positions(), await surface.normals(), await surface.triangles()];
       while (this.busy) await new Promise((done) => setTimeout(done, 10));
-      const old = [this.pattern, this.texture, this.animator, this.surface];
+      const old = [this.pattern, this.texture, this.animator, this.followed?.animator, this.surface];
       this.surface = surface;
       this.shape = { positions, normals, triangles };
-      this.pattern = this.texture = this.animator = this.field = this.fieldKey = this.last = null;
+      this.pattern = this.texture = this.animator = this.followed = this.field = this.fieldKey = this.last = null;
       this.strokes = [];
       await Promise.all(old.map((object) => object?.dispose()));
       return surface;
@@ -87,7 +87,7 @@ export class LivePattern {
     const begin = performance.now();
     const directions = await this.fieldFor(settings);
     const { stripes } = settings, slack = settings.slack / 100;
-    if (settings.tile !== 'stripes') return this.followTexture(settings, directions, begin);
+    if (settings.tile !== 'stripes') return this.followTexture(settings, directions, draft, begin);
     if (draft && slack === 0) {
       this.animator ??= await this.surface.animator();
       const { phases, vertices } = await this.animator.frame({ directions, stripes, vertices: true });
@@ -103,11 +103,39 @@ export class LivePattern {
     this.call.shown({ directions, frequencies, phases, kinds, pattern, milliseconds: performance.now() - begin });
   }
 
-  async followTexture({ field, stripes, slack, tile }, directions, begin) {
+  /** An animator that goes on from the texture that is shown, if that is of the same kind. */
+  async textureAnimator({ tile, slack }, oriented) {
+    const key = JSON.stringify([tile, slack, oriented]);
+    if (!this.texture || this.followed?.key !== key) {
+      await this.followed?.animator.dispose();
+      this.followed = null;
+      if (!this.texture || this.texture.oriented !== oriented) return null;
+      const animator = await this.surface.textureAnimator({ tile, oriented, slack: slack / 100 });
+      await animator.follow(this.texture);
+      this.followed = { key, animator };
+    }
+    return this.followed.animator;
+  }
+
+  async followTexture(settings, directions, draft, begin) {
+    const { field, stripes, slack, tile } = settings;
     // Vectors have a sense, along which arrows point.
     const oriented = (isData(field) || 'xyz'.includes(field)) && this.strokes.length === 0;
-    const texture = await this.surface.texture(directions, { stripes, slack: slack / 100, oriented });
     this.tiles[tile] ??= await this.brindle.tile(tile);
+    const key = JSON.stringify([this.fieldKey, stripes, slack, oriented]);
+    let texture = this.texture;
+    // Another tile is another figure on the same waves.
+    if (texture?.key !== key) {
+      const animator = await this.textureAnimator(settings, oriented);
+      if (draft && animator) {
+        const { waves, broken, triangleKinds } = await animator.frame({ directions, stripes });
+        this.call.shown({ waves, broken, kinds: triangleKinds, tile: this.tiles[tile], milliseconds: performance.now() - begin });
+        return;
+      }
+      texture = animator ? await animator.texture({ directions, stripes })
+        : await this.surface.texture(directions, { stripes, slack: slack / 100, oriented });
+      Object.assign(texture, { key, oriented });
+    }
     const [waves, kinds, broken] = [await texture.waves(), await texture.triangleKinds(), await texture.brokenTiles(tile)];
     await this.keep({ texture });
     this.last = null;
@@ -119,6 +147,6 @@ export class LivePattern {
     const old = [this.pattern, this.texture];
     this.pattern = pattern;
     this.texture = texture;
-    await Promise.all(old.map((object) => object?.dispose()));
+    await Promise.all(old.filter((object) => object !== pattern && object !== texture).map((object) => object?.dispose()));
   }
 }

@@ -238,6 +238,78 @@ test('textures have what shaders draw, and figures that branches cut', () => {
   refused(() => texture.brokenTiles('stars'), /no tile 'stars'/);
 });
 
+test('textures follow a field that turns, and stay as a frame has them', () => {
+  const torus = brindle.shape('torus'), field = torus.smoothField();
+  const solved = torus.texture(field, { stripes: 24 });
+  const animator = torus.textureAnimator({ tile: 'dots' });
+  animator.follow(solved);
+  const first = animator.frame({ directions: field, stripes: 24 });
+  // The mean angle between phases at corners that run the same way in both.
+  const apart = (a, b) => {
+    let sum = 0, count = 0;
+    for (let i = 0; i < a.length; i += 6) {
+      if (a[i] * b[i] + a[i + 1] * b[i + 1] + a[i + 2] * b[i + 2] < 0.5) continue;
+      sum += Math.acos(Math.max(-1, Math.min(1, a[i + 4] * b[i + 4] + a[i + 5] * b[i + 5])));
+      ++count;
+    }
+    return [sum / count, 6 * count / a.length];
+  };
+  const [step, alike] = apart(first.waves.u, solved.waves().u);
+  assert.ok(step < 0.2 && alike > 0.4, `${step} of ${alike}`);
+  assert.equal(animator.frame({ directions: field, stripes: 24 }).unchanged, true);
+  const directions = torus.rotatedField(field, 2);
+  const turned = animator.frame({ directions, stripes: 24 });
+  assert.equal(turned.unchanged, false);
+  const [moved, kept] = apart(turned.waves.u, first.waves.u);
+  assert.ok(moved < 0.5 && kept > 0.99, `${moved} of ${kept}: triangles go on running as they ran`);
+  const texture = animator.texture({ directions, stripes: 24 });
+  assert.deepEqual(texture.waves(), turned.waves);
+  assert.deepEqual(texture.triangleKinds(), turned.triangleKinds);
+  assert.deepEqual(texture.brokenTiles('dots'), turned.broken);
+  assert.deepEqual([texture.branches, texture.energy], [turned.branches, turned.energy]);
+  assert.equal(texture.cornerUVs().length, 6 * torus.triangleCount);
+  animator.restart();
+  const afresh = animator.frame({ directions: field, stripes: 24 });
+  assert.ok(Math.abs(afresh.energy - solved.energy) < 0.1 * solved.energy, `${afresh.energy} for ${solved.energy}`);
+  refused(() => animator.frame({ directions, stripes: 24, positions: torus.positions() }), /need 'normals'/);
+  refused(() => animator.frame({ directions, vertices: true }), /no option 'vertices'/);
+  refused(() => torus.textureAnimator({ tile: 'stars' }), /no tile 'stars'/);
+  refused(() => torus.textureAnimator({ lambda: -1 }), /lambda/);
+  refused(() => animator.follow(brindle.shape('torus,resolution=16').texture(brindle.shape('torus,resolution=16').smoothField())), /phases/);
+});
+
+test('textures point along vectors, frame by frame, where vertices move', () => {
+  const plane = brindle.shape('plane'), along = plane.projectedField([1, 0, 0]);
+  const animator = plane.textureAnimator({ oriented: true });
+  const normals = plane.normals(), rest = plane.positions();
+  for (const [sense, step] of [[1, 0], [1, 1], [-1, 1]]) {
+    const positions = rest.map((c) => c * (1 + 0.02 * step));
+    const { waves, branches, broken } = animator.frame({ directions: along.map((c) => sense * c), positions, normals, stripes: 12 });
+    assert.equal(branches, 0);
+    assert.equal(broken.words.length, 0);
+    for (let i = 0; i < waves.u.length; i += 6) assert.ok(Math.abs(waves.u[i] - sense) < 1e-5, 'U is that of the vectors');
+  }
+});
+
+test('crosses: turned by a quarter they are the same, and their texture is drawn on a surface that fits', () => {
+  const sphere = brindle.shape('sphere,resolution=30'), field = sphere.smoothField({ symmetry: 4 });
+  const crosses = sphere.crosses(field, { stripes: 16 });
+  const mixed = field.slice(), quarter = sphere.rotatedField(field, 90);
+  for (let i = 0; i < mixed.length; ++i) if (Math.floor(i / 3) % 3 === 1) mixed[i] = quarter[i];
+  const same = sphere.crosses(mixed, { stripes: 16 });
+  assert.ok(Math.abs(same.energy - crosses.energy) < 1e-3, `${same.energy} for ${crosses.energy}`);
+  const drawn = crosses.surface();
+  // Eight singularities of a cross field on a sphere at least, a triangle each in the place of which there are three.
+  assert.ok(drawn.triangleCount >= sphere.triangleCount + 16 && (drawn.triangleCount - sphere.triangleCount) % 2 === 0);
+  assert.equal(crosses.waves().u.length, 18 * drawn.triangleCount);
+  assert.equal(crosses.triangleKinds().length, drawn.triangleCount);
+  assert.ok(crosses.brokenTiles('plus').words.length > 0 && crosses.branches > 0);
+  assert.ok(crosses.mesh().positions.length >= 3 * drawn.vertexCount);
+  refused(() => sphere.crosses(field, { oriented: true }), /no option 'oriented'/);
+  const torus = brindle.shape('torus'), along = torus.projectedField([0, 0, 1]);
+  assert.equal(torus.texture(along).surface().triangleCount, torus.triangleCount);
+});
+
 test("a camera is the tool's", () => {
   const sphere = brindle.shape('sphere,resolution=16');
   const { viewFromWorld, clipFromView, up, width, height } = sphere.camera({ azimuth: 90, elevation: 0, up: 'z', width: 300, height: 200 });

@@ -48,6 +48,12 @@ for (const [source, make] of inputs) {
         ours.dispose();
       }
     }
+    const cross = surface.smoothField({ symmetry: 4 }), crosses = join(scratch, 'crosses.csv');
+    writeFileSync(crosses, Array.from({ length: surface.vertexCount }, (_, i) => `${[...cross.subarray(3 * i, 3 * i + 3)]}\n`).join(''));
+    const theirs = reported(source, '--cross', '--field', crosses, '--stripes', '40');
+    const ours = surface.crosses(surface.tangentField(cross), { stripes: 40 });
+    assert.ok(Math.abs(ours.energy - theirs.energy) <= 1e-5, `crosses: energy ${ours.energy} for ${theirs.energy}`);
+    assert.equal(ours.branches, theirs.branches.count ?? theirs.branches, 'crosses');
     return undefined;
   });
 }

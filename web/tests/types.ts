@@ -1,6 +1,7 @@
 // Compiled, never run: the declarations say what callers need.
 import createBrindle, { BrindleError, type Curves, type Surface } from 'brindle';
 import { createBrindle as createSlim } from 'brindle/slim';
+import createStripes, { type Surface as StripedSurface } from 'brindle/stripes';
 import { createBrindle as createInWorker } from 'brindle/worker';
 import { StripeDrawing, colorOf } from 'brindle/draw';
 import { patternFragment } from 'brindle/shaders';
@@ -22,6 +23,11 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   surface.stripes(measured.directions).dispose();
   const texture = surface.texture(field, { stripes: 20, oriented: true });
   drawing.setTexture(texture.waves(), brindle.tile('dots'), texture.brokenTiles('dots'));
+  const follower = surface.textureAnimator({ oriented: true, tile: 'dots', slack: 0.1 });
+  follower.follow(texture);
+  const { waves, broken, triangleKinds } = follower.frame({ directions: field, positions: surface.positions(), normals: surface.normals() });
+  drawing.setTexture(waves, brindle.tile('dots'), broken, { positions: surface.positions(), normals: surface.normals() });
+  drawing.setKinds(triangleKinds);
   // @ts-expect-error an option that is unknown
   surface.stripes(field, { strips: 20 });
   // @ts-expect-error a number, not a text
@@ -42,6 +48,17 @@ async function inThree(): Promise<Mesh> {
   return new Mesh(stripes.geometry, stripes.paint(new MeshStandardMaterial()));
 }
 
+async function inRealTime(whole: Surface): Promise<Float32Array> {
+  const brindle = await createStripes({ wasm: 'stripes.wasm' });
+  // What takes a surface of the small module takes one of the whole.
+  const surfaces: StripedSurface[] = [brindle.surface({ positions: [0, 0, 0], triangles: [0, 0, 0] }, { repair: true }), whole];
+  // @ts-expect-error curves are the whole module's
+  surfaces[0].stripes(surfaces[0].smoothField()).curves();
+  // @ts-expect-error textures are the whole module's
+  surfaces[0].texture(surfaces[0].smoothField());
+  return surfaces[0].animator().frame({ directions: surfaces[0].projectedField([0, 0, 1]), stripes: 20 }).phases;
+}
+
 async function elsewhere(): Promise<number> {
   const brindle = await createInWorker();
   const surface = await brindle.shape('torus');
@@ -52,4 +69,4 @@ async function elsewhere(): Promise<number> {
   return pattern.energy + positions.length + patternFragment.length;
 }
 
-export { here, inThree, elsewhere, createSlim, BrindleError };
+export { here, inThree, inRealTime, elsewhere, createSlim, BrindleError };

@@ -1,0 +1,111 @@
+#include <array>
+#include <filesystem>
+
+#include <emscripten/bind.h>
+
+#include "brindle/base/input_stream.h"
+#include "brindle/files.h"
+#include "brindle/line_drawing.h"
+#include "brindle/polylines.h"
+#include "brindle/samples.h"
+#include "objects.h"
+
+namespace brindle::web {
+namespace {
+
+val lines_of(const Polylines& lines) {
+  val result = val::object();
+  put(result, "points", array_of(std::span<const Vec3>(lines.points)));
+  put(result, "normals", array_of(std::span<const Vec3>(lines.normals)));
+  put(result, "offsets", array_of(std::span<const std::uint32_t>(lines.offsets)));
+  put(result, "closed", array_of(std::span<const std::uint8_t>(lines.closed)));
+  return result;
+}
+
+val curves_of(const PatternObject& object, bool join, float trim) {
+  return guarded([&] {
+    CurveOptions options;
+    options.join = join;
+    options.trim = trim;
+    const StripeCurves curves = stripe_curves(object.surface->surface, object.pattern, options);
+    val result = lines_of(curves.lines);
+    std::vector<std::uint8_t> ends;
+    for (const auto& both : curves.ends) {
+      for (const CurveEnd end : both) ends.push_back(static_cast<std::uint8_t>(end));
+    }
+    put(result, "ends", array_of(std::span<const std::uint8_t>(ends)));
+    return result;
+  });
+}
+
+val samples_of(const PatternObject& u, const PatternObject& v) {
+  return guarded([&] {
+    const std::vector<Sample> samples = stripe_samples(u.surface->surface, u.pattern, v.pattern);
+    std::vector<Vec3> positions, normals;
+    std::vector<std::uint32_t> triangles;
+    std::vector<Vec3> barycentric;
+    for (const Sample& sample : samples) {
+      positions.push_back(sample.position);
+      normals.push_back(sample.normal);
+      triangles.push_back(sample.triangle);
+      barycentric.push_back(sample.barycentric);
+    }
+    val result = val::object();
+    put(result, "positions", array_of(std::span<const Vec3>(positions)));
+    put(result, "normals", array_of(std::span<const Vec3>(normals)));
+    put(result, "triangles", array_of(std::span<const std::uint32_t>(triangles)));
+    put(result, "barycentric", array_of(std::span<const Vec3>(barycentric)));
+    return result;
+  });
+}
+
+/// What `write` puts into a file of this name.
+template <class Write>
+val written(const std::string& name, const Write& write) {
+  const std::filesystem::path path = "written-" + name;
+  write(path);
+  const std::string content = whole_input(path, "a file");
+  std::filesystem::remove(path);
+  return array_of(std::span<const std::uint8_t>(
+      reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
+}
+
+val curves_file(const PatternObject& object, std::string name, bool join, float trim) {
+  return guarded([&] {
+    CurveOptions options;
+    options.join = join;
+    options.trim = trim;
+    const StripeCurves curves = stripe_curves(object.surface->surface, object.pattern, options);
+    const std::array<NamedLines, 1> kinds{NamedLines{"stripes", curves.lines, {}}};
+    return written(name, [&](const std::filesystem::path& path) { write_polylines(path, kinds); });
+  });
+}
+
+val drawing(const PatternObject& object, val rotation, float zoom, int width, int height) {
+  return guarded([&] {
+    const Surface& surface = object.surface->surface;
+    CameraView view;
+    view.zoom = zoom;
+    view.rotation = Eigen::Quaternionf(rotation[3].as<float>(), rotation[0].as<float>(),
+                                       rotation[1].as<float>(), rotation[2].as<float>());
+    const StripeCurves curves = stripe_curves(surface, object.pattern);
+    const std::array<PenLines, 1> lines{PenLines{"stripes", Color{}, curves.lines}};
+    const std::vector<Pen> pens =
+        line_drawing(surface.mesh, surface.normals, lines, view, width, height);
+    return written("drawing.svg", [&](const std::filesystem::path& path) {
+      write_svg(path, width, height, pens);
+    });
+  });
+}
+
+}  // namespace
+
+void bind_lines() {
+  using namespace emscripten;
+  function("curves", &curves_of);
+  function("samples", &samples_of);
+  function("curvesFile", &curves_file);
+  function("drawing", &drawing);
+}
+
+}  // namespace brindle::web

@@ -1,0 +1,245 @@
+#include <emscripten/bind.h>
+
+#include "brindle/broken_tiles.h"
+#include "brindle/corner_phases.h"
+#include "brindle/cross_texture.h"
+#include "brindle/error.h"
+#include "brindle/pattern_of.h"
+#include "brindle/render/parsed_words.h"
+#include "brindle/renderer.h"
+#include "brindle/texture_animator.h"
+#include "brindle/texture_coordinates.h"
+#include "objects.h"
+
+namespace brindle::web {
+namespace {
+
+BuiltInTile tile_named(const std::string& name) {
+  const auto tile = parse_built_in_tile(name);
+  if (tile) return *tile;
+  throw Error("there is no tile '" + name + "'; there are " + std::string(built_in_tile_names()));
+}
+
+/// Direction, frequency and phase at all corners, as shaders of textures read them.
+val packed(const std::vector<CornerWaves>& triangles) {
+  std::vector<float> numbers;
+  numbers.reserve(18 * triangles.size());
+  for (const CornerWaves& corners : triangles) {
+    for (const auto& [wave, z] : corners) {
+      numbers.insert(numbers.end(), wave.direction.begin(), wave.direction.end());
+      numbers.insert(numbers.end(), {wave.frequency, z.real(), z.imag()});
+    }
+  }
+  return array_of(std::span<const float>(numbers));
+}
+
+val value_of(const TextureWaves& waves) {
+  val result = val::object();
+  put(result, "u", packed(waves.u));
+  put(result, "v", packed(waves.v));
+  return result;
+}
+
+/// What is in a triangle of U, or if that is regular, of V.
+val kinds_shown(std::span<const CornerPhases> u, std::span<const CornerPhases> v) {
+  std::vector<CornerPhases> shown(u.begin(), u.end());
+  for (std::size_t t = 0; t < shown.size(); ++t) {
+    if (shown[t].kind == TriangleKind::regular) shown[t].kind = v[t].kind;
+  }
+  return kinds_of(shown);
+}
+
+val value_of(const BrokenTiles& broken) {
+  val result = val::object();
+  put(result, "words", array_of(std::span<const std::uint32_t>(broken.words)));
+  put(result, "layout", static_cast<int>(broken.layout));
+  put(result, "split", val(broken.split));
+  return result;
+}
+
+std::shared_ptr<TextureObject> texture(std::shared_ptr<SurfaceObject> surface, val directions,
+                                       float frequency, bool oriented, val given) {
+  return guarded([&] {
+    TextureOptions options;
+    options.oriented = oriented;
+    options.stripes = stripe_options(given);
+    TexturePattern pattern =
+        texture_pattern(surface->surface, vectors_of(directions), frequency, options);
+    return std::make_shared<TextureObject>(TextureObject{surface, std::move(pattern)});
+  });
+}
+
+std::shared_ptr<TextureObject> crosses(std::shared_ptr<SurfaceObject> surface, val directions,
+                                       val frequencies, val given) {
+  return guarded([&] {
+    const WaveSet waves{surface->surface.mesh.positions, vectors_of(directions),
+                        floats_of(frequencies)};
+    const CrossPattern cross = cross_pattern(surface->surface, waves, stripe_options(given));
+    CrossTexture texture = cross_texture(surface->surface, cross);
+    texture.pattern.u.quality = cross.quality;
+    texture.pattern.u.solution.energy = texture.pattern.v.solution.energy =
+        cross.pattern.solution.energy;
+    auto split = std::make_shared<SurfaceObject>();
+    split->surface = std::move(texture.surface);
+    return std::make_shared<TextureObject>(
+        TextureObject{std::move(split), std::move(texture.pattern), true});
+  });
+}
+
+val textured_mesh_of(const TextureObject& object) {
+  return guarded([&] {
+    const TexturedMesh textured = texture_coordinates(object.surface->surface, object.pattern);
+    const std::vector<Triangle>& triangles = textured.mesh.triangles;
+    val result = val::object();
+    put(result, "positions", array_of(std::span<const Vec3>(textured.mesh.positions)));
+    put(result, "triangles",
+        array_of(std::span<const std::uint32_t>(triangles.data()->data(), 3 * triangles.size())));
+    const auto* const numbers = reinterpret_cast<const float*>(textured.coordinates.data());
+    const Surface& surface = object.surface->surface;
+    const auto* const normal = reinterpret_cast<const float*>(surface.normals.data());
+    const std::vector<float> normals =
+        carried_values(textured, std::span<const float>(normal, 3 * surface.normals.size()), 3);
+    put(result, "normals", array_of(std::span<const float>(normals)));
+    put(result, "uvs", array_of(std::span<const float>(numbers, 2 * textured.coordinates.size())));
+    return result;
+  });
+}
+
+val texture_figures_of(const TextureObject& object) {
+  const StripePattern &u = object.pattern.u, &v = object.pattern.v;
+  val figures = val::object();
+  put(figures, "branches", u.quality.branches + (object.crosses ? 0 : v.quality.branches));
+  put(figures, "energy", (u.solution.energy + v.solution.energy) / 2);
+  return figures;
+}
+
+/// The figures of a tile that branches, seams and borders cut, where the tile is to have none.
+val broken_tiles_of(const TextureObject& object, std::string name) {
+  return guarded([&] {
+    const TextureTile tile = tile_named(name);
+    BrokenTiles broken;
+    if (has_own_shape(tile)) {
+      broken = broken_tiles(object.surface->surface.mesh.triangles, object.pattern.waves,
+                            tile_figures(tile));
+    }
+    return value_of(broken);
+  });
+}
+
+/// Distances from the middles of side x side texels to the figure, row by row from V = 0.
+val tile_distances(std::string name, int side) {
+  return guarded([&] {
+    const BuiltInTile tile = tile_named(name);
+    const auto sides = static_cast<float>(side);
+    std::vector<float> distances;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        distances.push_back(tile_distance(tile, (static_cast<float>(x) + 0.5f) / sides,
+                                          (static_cast<float>(y) + 0.5f) / sides));
+      }
+    }
+    return array_of(std::span<const float>(distances));
+  });
+}
+
+val corner_uvs_of(const TextureObject& object) {
+  return guarded([&] {
+    const std::vector<float> uvs =
+        corner_texture_coordinates(object.pattern.waves, object.pattern.phase_shift);
+    return array_of(std::span<const float>(uvs));
+  });
+}
+
+/// What follows a field that changes. JavaScript's arrays are copies, so that spans may end.
+struct TextureAnimatorObject {
+  std::shared_ptr<SurfaceObject> surface;
+  TextureAnimator animator;
+};
+
+std::shared_ptr<TextureAnimatorObject> texture_animator(std::shared_ptr<SurfaceObject> surface,
+                                                        val given) {
+  return guarded([&] {
+    TextureAnimatorOptions options;
+    options.stripes = animator_options(given);
+    options.oriented = given["oriented"].as<bool>();
+    const std::string tile = text_of(given, "tile");
+    if (!tile.empty()) {
+      const TextureTile figures = tile_named(tile);
+      if (has_own_shape(figures)) options.whole_tiles = tile_figures(figures);
+    }
+    return std::make_shared<TextureAnimatorObject>(
+        TextureAnimatorObject{surface, TextureAnimator(surface->surface, options)});
+  });
+}
+
+val texture_frame(TextureAnimatorObject& object, val input) {
+  return guarded([&] {
+    const GivenFrame given(object.surface->surface.mesh, input);
+    const TextureFrameInput frame{given.input, {}, given.input.normals};
+    const TextureFrameResult made = object.animator.frame(frame);
+    const TextureFrameMilliseconds& t = made.milliseconds;
+    val result = val::object();
+    put(result, "waves", value_of(made.waves));
+    put(result, "triangleKinds", kinds_shown(made.u.corners, made.v.corners));
+    put(result, "broken", value_of(made.broken ? *made.broken : BrokenTiles{}));
+    put(result, "branches", made.u.quality.branches + made.v.quality.branches);
+    put(result, "energy", (object.animator.energy_u() + object.animator.energy_v()) / 2);
+    put(result, "unchanged", val(made.u.stripes.unchanged && made.v.stripes.unchanged));
+    put(result, "milliseconds", t.solve + t.orient + t.measure + t.tiles);
+    return result;
+  });
+}
+
+/// The next frame, on the surface as it is, as a texture that stays.
+std::shared_ptr<TextureObject> frame_as_texture(TextureAnimatorObject& object, val input) {
+  return guarded([&] {
+    const Surface& surface = object.surface->surface;
+    const GivenFrame given(surface.mesh, input);
+    const TextureFrameResult made = object.animator.frame({given.input, {}, {}});
+    return std::make_shared<TextureObject>(
+        TextureObject{object.surface, pattern_of_frame(made, object.animator, given.waves(), {},
+                                                       surface.normals, PhaseShiftKind::aligned)});
+  });
+}
+
+}  // namespace
+
+void bind_textures() {
+  using namespace emscripten;
+  class_<TextureObject>("TextureObject")
+      .smart_ptr<std::shared_ptr<TextureObject>>("TexturePointer")
+      .function("cornerUVs", &corner_uvs_of)
+      .function("waves", optional_override([](const TextureObject& t) {
+                  return guarded([&] { return value_of(t.pattern.waves); });
+                }))
+      .function("kinds", optional_override([](const TextureObject& t) {
+                  return kinds_shown(t.pattern.u.corners, t.pattern.v.corners);
+                }))
+      .function("figures", &texture_figures_of)
+      .function("brokenTiles", &broken_tiles_of)
+      .function("surface", optional_override([](const TextureObject& t) { return t.surface; }))
+      .function("mesh", &textured_mesh_of);
+  class_<TextureAnimatorObject>("TextureAnimatorObject")
+      .smart_ptr<std::shared_ptr<TextureAnimatorObject>>("TextureAnimatorPointer")
+      .function("frame", &texture_frame)
+      .function("texture", &frame_as_texture)
+      .function("follow", optional_override([](TextureAnimatorObject& a, const TextureObject& t) {
+                  guarded([&] {
+                    a.animator.set_last_phases(t.pattern.u.solution.z, t.pattern.v.solution.z);
+                    return 0;
+                  });
+                }))
+      .function("restart", optional_override([](TextureAnimatorObject& a) {
+                  guarded([&] {
+                    a.animator.restart();
+                    return 0;
+                  });
+                }));
+  function("texture", &texture);
+  function("crosses", &crosses);
+  function("textureAnimator", &texture_animator);
+  function("tileDistances", &tile_distances);
+  function("tileNames", optional_override([] { return std::string(built_in_tile_names()); }));
+}
+
+}  // namespace brindle::web

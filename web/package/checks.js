@@ -1,0 +1,64 @@
+// What is handed in: options that are known, arrays of the right type and length.
+import { BrindleError } from './error.js';
+
+export const fail = (message) => {
+  throw new BrindleError(message);
+};
+
+// Of options with their defaults those that were given. A default says what type is meant.
+export function options(given, known, what) {
+  const result = { ...known };
+  for (const [name, value] of Object.entries(given ?? {})) {
+    if (!(name in known)) {
+      fail(`${what} knows no option '${name}'; it knows ${Object.keys(known).join(', ')}`);
+    }
+    if (value === undefined) continue;
+    if (typeof known[name] === 'number' && !(typeof value === 'number' && Number.isFinite(value))) {
+      fail(`${what}: '${name}' must be a finite number, not ${String(value)}`);
+    }
+    if (typeof known[name] === 'boolean' && typeof value !== 'boolean') {
+      fail(`${what}: '${name}' must be true or false`);
+    }
+    result[name] = value;
+  }
+  return result;
+}
+
+export function choice(value, names, what) {
+  return names.includes(value) ? value : fail(`${what} must be ${names.join(' or ')}, not '${value}'`);
+}
+
+const tables = [Float32Array, Float64Array, Int32Array, Uint32Array];
+
+// Numbers of any kind as one of the arrays that the module takes, 64-bit whole numbers excepted.
+export function table(numbers, what) {
+  if (tables.some((type) => numbers instanceof type)) return numbers;
+  if (numbers instanceof Uint16Array || numbers instanceof Uint8Array) return Uint32Array.from(numbers);
+  if (numbers instanceof Int16Array || numbers instanceof Int8Array) return Int32Array.from(numbers);
+  if (Array.isArray(numbers) && numbers.every((n) => typeof n === 'number')) {
+    return Float64Array.from(numbers);
+  }
+  return fail(`${what} must be a typed array or an array of numbers`);
+}
+
+// The same of numbers of vertices: a plain array's are whole where they can be.
+export function corners(numbers) {
+  const whole = Array.isArray(numbers) && numbers.every((n) => Number.isInteger(n) && Math.abs(n) < 2 ** 31);
+  return whole ? Int32Array.from(numbers) : table(numbers, 'triangles');
+}
+
+export function floats(numbers, count, what) {
+  const array = numbers instanceof Float32Array ? numbers : Float32Array.from(table(numbers, what));
+  if (array.length !== count) fail(`${what} must have ${count} numbers, not ${array.length}`);
+  return array;
+}
+
+// An array to be filled: the one that was given, or a new one where that is asked for.
+export function filled(wanted, count, what) {
+  if (wanted === undefined || wanted === false) return undefined;
+  if (wanted === true) return new Float32Array(count);
+  if (!(wanted instanceof Float32Array) || wanted.length !== count) {
+    fail(`${what} must be true or a Float32Array of ${count} numbers`);
+  }
+  return wanted;
+}

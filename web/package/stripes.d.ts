@@ -1,0 +1,22 @@
+import type * as whole from './index.js';
+export { BrindleError } from './index.js';
+export type { DirectionField, FieldStroke, Frame, FrameInput, Numbers, SmoothFieldOptions, StripeOptions, SurfaceInput } from './index.js';
+
+export type Animator = whole.Animator;
+export type Pattern = Omit<whole.Pattern, 'curves' | 'curvesFile' | 'samplesWith' | 'svg'>;
+export interface Surface extends Omit<whole.Surface, 'arrays' | 'array' | 'arrayField' | 'measuredField' | 'stripes' | 'texture' | 'crosses' |
+                                                     'textureAnimator' | 'camera'> {
+  stripes(field: whole.DirectionField, options?: whole.StripeOptions): Pattern;
+}
+
+/** Stripes in real time alone: the same functions as in 'brindle', with the same results. */
+export interface Brindle {
+  readonly version: string;
+  surface(input: whole.SurfaceInput, options?: { repair?: boolean }): Surface;
+}
+
+/** `wasm`: where stripes.wasm is, its bytes, or a compiled module; left out: what is in the program. */
+export function createBrindle(options?: {
+  wasm?: string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
+}): Promise<Brindle>;
+export default createBrindle;

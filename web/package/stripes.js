@@ -1,0 +1,17 @@
+// Stripes in real time alone, with their WebAssembly inside: a third of the library.
+import createModule from './stripes_module.js';
+import { BrindleError } from './error.js';
+import { inflated, moduleOf } from './loading.js';
+import { Brindle } from './realtime.js';
+import { compressed } from './stripes_inlined.js';
+
+export { BrindleError };
+export { Animator, Pattern, Surface } from './realtime.js';
+
+/** `wasm`: where stripes.wasm is, its bytes, or a compiled WebAssembly.Module; left out: what is in here. */
+export async function createBrindle({ wasm } = {}) {
+  const how = wasm === undefined ? { wasmBinary: await inflated(compressed) } : await moduleOf(wasm);
+  return new Brindle(await createModule({ ...how, BrindleError }));
+}
+
+export default createBrindle;

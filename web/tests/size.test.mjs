@@ -1,0 +1,24 @@
+// How much travels: what the modules and the page may weigh, gzipped. BRINDLE_PACKAGE and BRINDLE_PAGE are their folders.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+
+const weight = (folder, name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length;
+
+// A bound is no aim: what makes a part heavier says so, and what for.
+for (const [name, most] of [['stripes.wasm', 150_000], ['brindle.wasm', 385_000]]) {
+  test(`${name} is at most ${most / 1000} kB gzipped`, () => {
+    const bytes = weight(process.env.BRINDLE_PACKAGE, name);
+    assert.ok(bytes > 50_000 && bytes <= most, `${bytes} bytes`);
+  });
+}
+
+test('the page is at most 450 kB gzipped', () => {
+  const files = readdirSync(process.env.BRINDLE_PAGE, { recursive: true, withFileTypes: true }).filter((file) => file.isFile())
+    .map((file) => join(file.parentPath ?? file.path, file.name));
+  assert.ok(files.length > 10);
+  const bytes = files.reduce((sum, file) => sum + weight('', file), 0);
+  assert.ok(bytes <= 450_000, `${bytes} bytes`);
+});
