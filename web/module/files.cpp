@@ -99,6 +99,18 @@ val array_values(const SurfaceObject& object, std::string name) {
   });
 }
 
+/// What JavaScript has read of the surface's vertices, a row for each.
+void add_array(SurfaceObject& object, std::string name, int components, val numbers) {
+  guarded([&] {
+    DataArray array = make_data_array(std::move(name), components, floats_of(numbers));
+    if (array.rows() != object.surface.mesh.vertex_count()) {
+      throw Error("array '" + array.name + "' has not a row for each vertex");
+    }
+    object.arrays.points.push_back(std::move(array));
+    return 0;
+  });
+}
+
 val array_field(const SurfaceObject& object, std::string name) {
   return guarded([&] {
     const DirectionField field =
@@ -114,6 +126,7 @@ void bind_files() {
   function("surfaceFromFile", &surface_from_file);
   function("arrays", &arrays_of);
   function("array", &array_values);
+  function("addArray", &add_array);
   function("arrayField", &array_field);
 }
 

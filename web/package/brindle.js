@@ -154,7 +154,11 @@ class Brindle extends RealtimeBrindle {
   readSurface(bytes, name) {
     const content = bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes;
     if (!(content instanceof Uint8Array)) fail('a file must be an ArrayBuffer or a Uint8Array');
-    if (/\.gl(b|tf)$/i.test(name)) return this.surface(readGLB(content, name), { repair: true });
+    if (/\.gl(b|tf)$/i.test(name)) {
+      const { positions, triangles, arrays } = readGLB(content, name), raw = this.rawSurface(positions, triangles, true);
+      for (const { name: of, components, numbers } of arrays) this.module.addArray(raw, of, components, numbers);
+      return this.surfaceOf(raw);
+    }
     return this.surfaceOf(this.module.surfaceFromFile(content, name));
   }
 }

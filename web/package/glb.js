@@ -1,10 +1,10 @@
 // Binary glTF 2.0: triangles of all meshes where the scene's nodes put them, and one mesh with texture
-// coordinates. JavaScript reads JSON as it is; the module would need another 60 kB to.
+// coordinates. Attributes are arrays, as the library's own reader has them. JavaScript reads JSON as it is; the module would need another 60 kB to.
 import { BrindleError } from './error.js';
 
 const kinds = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint16Array,
                 5125: Uint32Array, 5126: Float32Array };
-const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -27,6 +27,39 @@ function matrixOf(node) {
           sy * 2 * (x * y - z * w), sy * (1 - 2 * (x * x + z * z)), sy * 2 * (y * z + x * w), 0,
           sz * 2 * (x * z + y * w), sz * 2 * (y * z - x * w), sz * (1 - 2 * (x * x + y * y)), 0,
           tx, ty, tz, 1];
+}
+
+// Of the upper left nine numbers of a matrix.
+function determinant(m) {
+  return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) + m[8] * (m[1] * m[6] - m[5] * m[2]);
+}
+
+// What turns normals: the inverse's transpose, less a factor.
+function cofactors(m) {
+  const minor = (r, c) => {
+    const [i, j] = [0, 1, 2].filter((k) => k !== r), [k, l] = [0, 1, 2].filter((n) => n !== c);
+    return (m[i + 4 * k] * m[j + 4 * l] - m[i + 4 * l] * m[j + 4 * k]) * ((r + c) % 2 ? -1 : 1);
+  };
+  const sign = Math.sign(determinant(m)) || 1;
+  return [0, 1, 2].map((row) => [0, 1, 2].map((column) => sign * minor(row, column)));
+}
+
+// The first three numbers of every `width`, turned by rows of three and of length 1.
+function turn(numbers, width, rows) {
+  for (let i = 0; i < numbers.length; i += width) {
+    const turned = rows.map((row) => row[0] * numbers[i] + row[1] * numbers[i + 1] + row[2] * numbers[i + 2]);
+    const length = Math.hypot(...turned) || 1;
+    turned.forEach((value, axis) => { numbers[i + axis] = value / length; });
+  }
+}
+
+// "normal", "uv", "uv_1" or, of "_SPEED", "speed": capitals are what the format suggests.
+function arrayName(semantic) {
+  for (const [prefix, name] of [['TEXCOORD_', 'uv'], ['COLOR_', 'color']]) {
+    if (semantic.startsWith(prefix)) return semantic === `${prefix}0` ? name : `${name}_${semantic.slice(prefix.length)}`;
+  }
+  const name = semantic.replace(/^_/, '');
+  return /[a-z]/.test(semantic) ? name : name.toLowerCase();
 }
 
 class Reader {
@@ -58,8 +91,8 @@ class Reader {
     return this.json[list]?.[number] ?? this.fail(`names ${what} ${number}, which it has not; export it again`);
   }
 
-  // Numbers of an accessor one after the other, normalised ones as fractions.
-  numbers(number) {
+  // Numbers of an accessor one after the other, normalised ones as fractions, or `most` as 1.
+  numbers(number, most) {
     const accessor = this.entry('accessors', number, 'accessor');
     const type = kinds[accessor.componentType], width = widths[accessor.type];
     if (!type || !width || accessor.sparse || accessor.bufferView === undefined) {
@@ -76,7 +109,7 @@ class Reader {
     }
     const view = new DataView(this.binary.buffer, this.binary.byteOffset);
     const read = `get${type.name.replace('Array', '')}`;
-    const most = accessor.normalized ? 2 ** (8 * size - (type.name.startsWith('U') ? 0 : 1)) - 1 : 1;
+    most ??= accessor.normalized ? this.largest(accessor) : 1;
     const result = new Float64Array(count * width);
     for (let i = 0; i < count; ++i) {
       for (let c = 0; c < width; ++c) {
@@ -85,6 +118,45 @@ class Reader {
       }
     }
     return result;
+  }
+
+  largest({ componentType }) {
+    const { name, BYTES_PER_ELEMENT } = kinds[componentType];
+    return name.startsWith('F') ? 1 : 2 ** (8 * BYTES_PER_ELEMENT - (name.startsWith('U') ? 0 : 1)) - 1;
+  }
+
+  // What a primitive says of its vertices; positions are none of it, and bones move them.
+  arraysOf(attributes, count, matrix) {
+    const arrays = new Map();
+    for (const [semantic, number] of Object.entries(attributes)) {
+      if (/^(POSITION$|JOINTS_|WEIGHTS_)/.test(semantic)) continue;
+      const accessor = this.entry('accessors', number, 'accessor'), width = widths[accessor.type];
+      if (!width || !kinds[accessor.componentType] || accessor.sparse) continue;
+      // Columns of smaller numbers are padded; nobody stores data like that.
+      if (accessor.bufferView === undefined || (accessor.type.startsWith('MAT') && accessor.componentType !== 5126)) continue;
+      const isDirection = semantic === 'NORMAL' || semantic === 'TANGENT', isPlace = semantic.startsWith('TEXCOORD_');
+      const isAny = isPlace && (this.json.extensionsUsed ?? []).includes('KHR_mesh_quantization');
+      const most = isAny ? undefined : isDirection || isPlace ? this.largest(accessor) : 1;
+      const numbers = Float32Array.from(this.numbers(number, most), (value, i) => (isPlace && i % width === 1 ? 1 - value : value));
+      if (numbers.length !== width * count) this.fail(`has not a ${semantic} for each vertex; export it again`);
+      const columns = [0, 1, 2].map((row) => [0, 4, 8].map((column) => matrix[row + column]));
+      if (isDirection && matrix !== identity) turn(numbers, width, semantic === 'NORMAL' ? cofactors(matrix) : columns);
+      arrays.set(arrayName(semantic), { components: width, numbers: [numbers] });
+    }
+    return arrays;
+  }
+
+  // Those that every primitive has, with as many components.
+  addArrays(arrays, result) {
+    if (!result.arrays) {
+      result.arrays = arrays;
+      return;
+    }
+    for (const [name, array] of result.arrays) {
+      const more = arrays.get(name);
+      if (more?.components === array.components) array.numbers.push(...more.numbers);
+      else result.arrays.delete(name);
+    }
   }
 
   addPrimitive(primitive, matrix, result) {
@@ -98,10 +170,12 @@ class Reader {
           matrix[axis + 8] * places[i + 2] + matrix[axis + 12]);
       }
     }
+    this.addArrays(this.arraysOf(primitive.attributes, places.length / 3, matrix), result);
+    const mirrored = determinant(matrix) < 0;
     const corners = primitive.indices === undefined ? Array.from({ length: places.length / 3 }, (_, i) => i)
       : this.numbers(primitive.indices);
     for (let i = 0; i + 2 < corners.length; i += mode === 4 ? 3 : 1) {
-      const a = mode === 6 ? 0 : i, swap = mode === 5 && i % 2 === 1;
+      const a = mode === 6 ? 0 : i, swap = (mode === 5 && i % 2 === 1) !== mirrored;
       result.triangles.push(first + corners[a], first + corners[swap ? i + 2 : i + 1],
                             first + corners[swap ? i + 1 : i + 2]);
     }
@@ -120,7 +194,7 @@ class Reader {
   }
 }
 
-/** Positions and triangles of a .glb's scene. */
+/** Positions and triangles of a .glb's scene, and arrays of what it says of its vertices. */
 export function readGLB(bytes, name = 'the file') {
   const reader = new Reader(bytes, name), { json } = reader;
   const result = { positions: [], triangles: [] };
@@ -129,7 +203,12 @@ export function readGLB(bytes, name = 'the file') {
   const roots = scene?.nodes ?? (json.nodes ?? []).map((_, i) => i).filter((i) => !children.has(i));
   for (const root of roots) reader.addNode(root, identity, result, []);
   if (result.triangles.length === 0) reader.fail('has no triangles');
-  return { positions: Float64Array.from(result.positions), triangles: Uint32Array.from(result.triangles) };
+  const arrays = [...result.arrays].map(([of, { components, numbers }]) => {
+    const all = new Float32Array(numbers.reduce((sum, part) => sum + part.length, 0));
+    numbers.reduce((at, part) => (all.set(part, at), at + part.length), 0);
+    return { name: of, components, numbers: all };
+  });
+  return { positions: Float64Array.from(result.positions), triangles: Uint32Array.from(result.triangles), arrays };
 }
 
 /** A mesh with texture coordinates (V upwards) as a .glb. */

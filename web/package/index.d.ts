@@ -102,7 +102,7 @@ export class Surface extends Owned {
   readonly origin: [number, number, number];
   /** What was repaired, joined or left out, and what is probably not meant. */
   readonly notes: string[];
-  /** What the file that it was read from says of its points and cells; not of glTF. */
+  /** What the file that it was read from says of its points and cells. */
   readonly arrays: readonly { name: string; of: 'points' | 'cells'; components: number }[];
   /** Three numbers a vertex, relative to `origin`. */
   positions(): Float32Array;

@@ -186,7 +186,10 @@ export class Brindle {
 
   surface({ positions, triangles }, given) {
     const o = options(given, { repair: false }, 'surface');
-    return this.surfaceOf(this.module.surfaceFromArrays(table(positions, 'positions'), corners(triangles), o.repair));
+    return this.surfaceOf(this.rawSurface(positions, triangles, o.repair));
+  }
+  rawSurface(positions, triangles, repair) {
+    return this.module.surfaceFromArrays(table(positions, 'positions'), corners(triangles), repair);
   }
   surfaceOf(raw) {
     return new Surface(this.module, raw);

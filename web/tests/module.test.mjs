@@ -322,6 +322,63 @@ test("a camera is the tool's", () => {
   refused(() => sphere.camera({ width: 0 }), /above 0/);
 });
 
+// A .glb of parts: each has attributes [array, type, componentType], corners, and its node's transform.
+function glbOf(parts) {
+  const json = { asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: parts.map((_, i) => i) }], nodes: [], meshes: [], accessors: [], bufferViews: [] };
+  const blocks = [];
+  let size = 0;
+  const put = ([array, type, componentType, normalized = false]) => {
+    const width = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 }[type];
+    json.bufferViews.push({ buffer: 0, byteOffset: size, byteLength: array.byteLength });
+    json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType, normalized, count: array.length / width, type,
+                          ...(type === 'VEC3' ? { min: [0, 0, 0], max: [1, 1, 1] } : {}) });
+    blocks.push([size, array]);
+    size += Math.ceil(array.byteLength / 4) * 4;
+    return json.accessors.length - 1;
+  };
+  for (const { attributes, corners, node = {} } of parts) {
+    json.nodes.push({ mesh: json.meshes.length, ...node });
+    json.meshes.push({ primitives: [{ attributes: Object.fromEntries(Object.entries(attributes).map(([name, a]) => [name, put(a)])),
+                                      indices: put([corners, 'SCALAR', 5125]) }] });
+  }
+  json.buffers = [{ byteLength: size }];
+  const text = JSON.stringify(json), words = new TextEncoder().encode(text.padEnd(Math.ceil(text.length / 4) * 4));
+  const bytes = new Uint8Array(28 + words.length + size), view = new DataView(bytes.buffer);
+  [0x46546c67, 2, bytes.length, words.length, 0x4e4f534a].forEach((n, i) => view.setUint32(4 * i, n, true));
+  bytes.set(words, 20);
+  view.setUint32(20 + words.length, size, true);
+  view.setUint32(24 + words.length, 0x004e4942, true);
+  for (const [at, array] of blocks) bytes.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength), 28 + words.length + at);
+  return bytes;
+}
+
+test('attributes of glTF are arrays, as the library reads them', () => {
+  const f = (...numbers) => Float32Array.of(...numbers), corners = Uint32Array.of(0, 1, 2);
+  const positions = [f(0, 0, 0, 1, 0, 0, 0, 1, 0), 'VEC3', 5126];
+  const part = (more, node) => ({ attributes: { POSITION: positions, ...more }, corners, node });
+  const first = { _FLOW: [f(1, 2, 3, 4, 5, 6, 7, 8, 9), 'VEC3', 5126], _Load: [Uint8Array.of(1, 2, 255), 'SCALAR', 5121, true],
+                  TEXCOORD_0: [f(0, 0, 0.25, 1, 1, 0.75), 'VEC2', 5126], COLOR_0: [new Uint8Array(12).fill(7), 'VEC4', 5121, true],
+                  NORMAL: [f(0, 0, 1, 0, 0, 1, 0.6, 0, 0.8), 'VEC3', 5126], JOINTS_0: [new Uint8Array(12), 'VEC4', 5121] };
+  const one = brindle.readSurface(glbOf([part(first)]), 'one.glb');
+  const names = (surface) => surface.arrays.map(({ name, of, components }) => `${name} ${of} ${components}`).sort();
+  assert.deepEqual(names(one), ['Load points 1', 'color points 4', 'flow points 3', 'normal points 3', 'uv points 2']);
+  assert.deepEqual([...one.array('flow')], [1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  assert.deepEqual([...one.array('Load')], [1, 2, 255]);
+  assert.deepEqual([...one.array('uv')], [0, 1, 0.25, 0, 1, 0.25]);
+  assert.equal(one.array('color')[11], 7);
+  assert.deepEqual(one.arrayField('flow'), one.tangentField([1, 2, 3, 4, 5, 6, 7, 8, 9]));
+  // Of several parts what all have; mirrored parts keep their outside.
+  const second = { _FLOW: [f(9, 8, 7, 6, 5, 4, 3, 2, 1), 'VEC3', 5126], NORMAL: first.NORMAL };
+  const both = brindle.readSurface(glbOf([part(first), part(second, { translation: [5, 0, 0], scale: [-2, 1, 1] })]), 'both.glb');
+  assert.deepEqual(names(both), ['flow points 3', 'normal points 3']);
+  assert.deepEqual([...both.array('flow').subarray(9)], [9, 8, 7, 6, 5, 4, 3, 2, 1]);
+  assert.ok(both.normals().every((c, i) => Math.abs(c - (i % 3 === 2 ? 1 : 0)) < 1e-6), 'both face up');
+  const [x, , z] = both.array('normal').subarray(15);
+  assert.ok(Math.abs(x / z + 0.3 / 0.8) < 1e-5 && Math.abs(Math.hypot(x, z) - 1) < 1e-6, 'a normal leans less where x is wider');
+  const short = part({ _FLOW: [f(1, 2, 3), 'VEC3', 5126] });
+  refused(() => brindle.readSurface(glbOf([short]), 'short.glb'), /^short\.glb: has not a _FLOW for each vertex/);
+});
+
 test('damaged glTF is refused', () => {
   const sphere = brindle.shape('sphere,resolution=8');
   const glb = sphere.texture(sphere.smoothField(), { stripes: 5 }).glb();

@@ -27,6 +27,19 @@ for (const name of ['spot.obj', 'horse.ply']) {
   inputs.push([path, () => (existsSync(path) ? brindle.readSurface(readFileSync(path), name) : null)]);
 }
 
+test('attributes of glTF are those that the tool reads', (t) => {
+  if (!tool) return t.skip('BRINDLE_TOOL names no tool');
+  const file = join(scratch, 'knot.glb');
+  execFileSync(tool, ['stripe', 'shape:trefoil', '--field', 'curvature', '--stripes', '30', '--output', file], { stdio: 'pipe' });
+  const surface = brindle.readSurface(readFileSync(file), 'knot.glb');
+  assert.ok(['direction', 'phase'].every((name) => surface.arrays.some((array) => array.name === name)));
+  const ours = surface.stripes(surface.arrayField('direction'), { stripes: 30 });
+  const theirs = reported(file, '--field', 'array:direction', '--stripes', '30');
+  assert.ok(Math.abs(ours.energy - theirs.energy) <= 1e-5, `${ours.energy} for ${theirs.energy}`);
+  assert.equal(ours.branches, theirs.branches.count ?? theirs.branches);
+  return undefined;
+});
+
 for (const [source, make] of inputs) {
   test(`${source.split('/').pop()}: the tool's energies and branches`, (t) => {
     if (!tool) return t.skip('BRINDLE_TOOL names no tool');
