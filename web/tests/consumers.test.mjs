@@ -99,3 +99,26 @@ for (const name of ['vite', 'webpack']) {
     assert.ok(programs.some((text) => text.includes('onmessage')), 'the worker is missing');
   });
 }
+
+const inRealTime = `
+import createBrindle, { BrindleError } from 'brindle/stripes';
+const brindle = await createBrindle();
+const surface = brindle.surface({ positions: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], triangles: [0, 1, 2, 0, 2, 3] });
+const pattern = surface.stripes(surface.projectedField([1, 0, 0]), { frequency: 0.3 });
+let refused = false;
+try { brindle.surface({ positions: [0, 0], triangles: [] }); } catch (error) { refused = error instanceof BrindleError; }
+console.log(JSON.stringify({ energy: pattern.energy, refused }));
+`;
+
+test('stripes in real time are bundled without the rest of the library', async () => {
+  writeFileSync(join(scratch, 'realtime.js'), inRealTime);
+  const installed = run('realtime.js');
+  assert.ok(installed.refused && installed.energy < 0.1);
+  const sizes = {};
+  for (const [name, program] of [['whole', 'program.js'], ['realtime', 'realtime.js']]) {
+    await bundlers.esbuild(join(scratch, program), join(scratch, name));
+    sizes[name] = readFileSync(join(scratch, name, 'program.mjs')).length;
+  }
+  assert.deepEqual(run('realtime/program.mjs'), installed);
+  assert.ok(sizes.realtime < 0.5 * sizes.whole, JSON.stringify(sizes));
+});
