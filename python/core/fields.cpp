@@ -243,8 +243,7 @@ void bind_fields(py::module_& module) {
   module.def("smooth_field", smooth_field, py::arg("surface"), py::arg("symmetry"),
              py::arg("curvature_anchor"), py::arg("curvature"), py::arg("feature_anchor"),
              py::arg("feature_angle"), py::arg("feature_radius"), py::arg("normal_radius"),
-             py::arg("strokes"),
-             py::arg("last").none(true));
+             py::arg("strokes"), py::arg("last").none(true));
   module.def("stroke_anchors", anchors_of_strokes, py::arg("surface"), py::arg("strokes"));
   module.def("read_strokes", strokes_in, py::arg("path"));
   module.def(
