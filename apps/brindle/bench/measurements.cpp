@@ -153,7 +153,9 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
   const ChangingInput input = changing_input(surface, subject.fields[0]);
   SurroundingFigures figures;
   figures.threads = ThreadLimit::current();
-  TextureAnimator animator(surface);
+  TextureAnimatorOptions options;
+  options.whole_tiles = dots();
+  TextureAnimator animator(surface, options);
   animator.frame({input.frame(0), {}, {}});
   // Frames with and without whole tiles in turns: these are found while others are measured.
   int number = 0;
