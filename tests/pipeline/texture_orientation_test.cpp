@@ -41,7 +41,8 @@ TextureSeams seams_after_orientation(const Surface& surface, const DirectionFiel
 }
 
 TEST(TextureOrientation, FindsTheOrientationOfAFieldThatHasOne) {
-  for (const char* shape : {"torus,resolution=100", "torus,resolution=500", "cylinder,resolution=80", "plane"}) {
+  for (const char* shape :
+       {"torus,resolution=100", "torus,resolution=500", "cylinder,resolution=80", "plane"}) {
     const Surface surface = make_surface(make_shape(shape));
     // No zero on these shapes.
     const Vec3 axis = shape[0] == 't' ? Vec3(0, 0, 1) : Vec3(0.2f, 0.1f, 0.9f);

@@ -108,29 +108,15 @@ TEST(OptionCatalogTest, ChoicesHaveNamesAndStandardsAreAmongThem) {
 }
 
 // Sliders of what is off, or follows from something else, unless it is given.
-const std::set<std::string> kWithoutStandard = {"anchor-boundary",
-                                                "creases",
-                                                "cross-hatch",
-                                                "cycles",
-                                                "feature-radius",
-                                                "field-singularities",
-                                                "frequency",
-                                                "frequency-v",
-                                                "global-iterations",
-                                                "line-width",
-                                                "merge-branches",
-                                                "min-length",
-                                                "normal-radius",
-                                                "pixel-width",
-                                                "resample",
-                                                "simplify",
-                                                "stripes-v",
-                                                "stroke-spacing",
-                                                "subdivide",
-                                                "sweeps",
-                                                "threshold",
-                                                "tube-radius",
-                                                "wales"};
+const std::set<std::string> kWithoutStandard = {
+    "anchor-boundary", "creases",        "cross-hatch",
+    "cycles",          "feature-radius", "field-singularities",
+    "frequency",       "frequency-v",    "global-iterations",
+    "line-width",      "merge-branches", "min-length",
+    "normal-radius",   "pixel-width",    "resample",
+    "simplify",        "stripes-v",      "stroke-spacing",
+    "subdivide",       "sweeps",         "threshold",
+    "tube-radius",     "wales"};
 
 TEST(OptionCatalogTest, SlidersReachTheirStandards) {
   std::set<std::string> without;
