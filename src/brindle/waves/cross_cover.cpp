@@ -10,6 +10,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/waves/direction_graph.h"
 
 namespace brindle {
 namespace {
@@ -81,9 +82,6 @@ Index matching_wave(const WaveSet& crosses, Index i, Index j) {
   };
   const float d00 = alignment(0, 0), d01 = alignment(0, 1);
   const float d10 = alignment(1, 0), d11 = alignment(1, 1);
-  // What is more than 135 degrees is no bend: normals point to opposite sides, as they do somewhere
-  // on an unorientable surface.
-  constexpr float kOppositeSides = -0.7f;
   const float of_normals = d00 * d11 - d01 * d10;
   const float sense = of_normals < kOppositeSides ? -1.0f : 1.0f;
   // Moved in parallel from i to j, the cross is turned by an angle t against that of j; these are

@@ -37,9 +37,8 @@ constexpr std::array<ToolName, kToolCount> kTools = {
      {"Move", "drag strokes; the sliders change the one that is chosen (M)"},
      {"Erase", "click strokes, or drag over them (E)"},
      {"Steer",
-      "drag singularities; dropped onto one of the other colour, both are gone. The line below "
-      "says "
-      "what became of it (G)"}}};
+      "drag singularities; dropped onto one of the other colour, both are gone. The line "
+      "below says what became of it (G)"}}};
 
 constexpr ImU32 kStrokeColor = IM_COL32(255, 176, 32, 255);
 constexpr ImU32 kChosenColor = IM_COL32(255, 235, 120, 255);

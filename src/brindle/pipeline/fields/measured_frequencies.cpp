@@ -44,9 +44,7 @@ class Logarithms {
   Logarithms(const Surface& surface, std::span<const float> frequencies, const Progress& progress)
       : surface_(surface), data_(frequencies) {
     const std::vector<float> stiffness = edge_stiffness(surface, progress);
-    graph_.adjacency = surface.neighborhood;
-    graph_.coupling.assign(stiffness.begin(), stiffness.end());
-    graph_.reflecting.assign(stiffness.size(), 0);
+    graph_ = stiffness_graph(surface, stiffness);
     degrees_ = stiffness_sums(*surface.neighborhood, stiffness);
     areas_ = areas_of_vertices(surface, areas_of_triangles(surface.mesh));
     double sum = 0, weight = 0;

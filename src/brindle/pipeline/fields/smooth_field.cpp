@@ -110,7 +110,7 @@ void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, Direc
     for (std::size_t i = begin; i < end; ++i) {
       if (field[i].isZero(0) || from[i] == to[i]) continue;
       // Where the surface is folded so finely that its normal is the other side's, it is mirrored.
-      const bool folded = from[i].dot(to[i]) < -0.7f;
+      const bool folded = from[i].dot(to[i]) < kOppositeSides;
       field[i] =
           tangent_direction(transported(field[i], from[i], folded ? Vec3(-to[i]) : to[i]), to[i]);
     }
@@ -131,25 +131,6 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
                  options.symmetry, field);
   return field;
 }
-
-}  // namespace
-
-void check_smoothing(const SmoothFieldOptions& options) {
-  const auto require = [](bool holds, const char* message) {
-    if (!holds) throw Error(std::string("smooth field: ") + message);
-  };
-  const auto strength = [](float anchor) { return std::isfinite(anchor) && anchor >= 0; };
-  require(options.symmetry >= 1, "the symmetry N must be 1 or above");
-  require(strength(options.curvature_anchor) && strength(options.feature_anchor),
-          "anchors must be finite numbers of 0 or above");
-  require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
-  require(strength(options.feature_radius), "the feature radius must be finite and 0 or above");
-  require(strength(options.normal_radius), "the normal radius must be finite and 0 or above");
-  require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
-          "edges have no sign; feature anchors need an even symmetry");
-}
-
-namespace {
 
 /// The field of a surface that is seen as `seen` has it: with other normals, maybe.
 DirectionField field_of(const Surface& surface, const Surface& seen,
@@ -178,6 +159,21 @@ DirectionField field_of(const Surface& surface, const Surface& seen,
 }
 
 }  // namespace
+
+void check_smoothing(const SmoothFieldOptions& options) {
+  const auto require = [](bool holds, const char* message) {
+    if (!holds) throw Error(std::string("smooth field: ") + message);
+  };
+  const auto strength = [](float anchor) { return std::isfinite(anchor) && anchor >= 0; };
+  require(options.symmetry >= 1, "the symmetry N must be 1 or above");
+  require(strength(options.curvature_anchor) && strength(options.feature_anchor),
+          "anchors must be finite numbers of 0 or above");
+  require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
+  require(strength(options.feature_radius), "the feature radius must be finite and 0 or above");
+  require(strength(options.normal_radius), "the normal radius must be finite and 0 or above");
+  require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
+          "edges have no sign; feature anchors need an even symmetry");
+}
 
 DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldOptions& options,
                                       const Progress& progress) {

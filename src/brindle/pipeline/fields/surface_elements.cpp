@@ -69,6 +69,14 @@ std::vector<float> stiffness_sums(const Adjacency& adjacency, std::span<const fl
   return sums;
 }
 
+PhaseGraph stiffness_graph(const Surface& surface, std::span<const float> stiffness) {
+  PhaseGraph graph;
+  graph.adjacency = surface.neighborhood;
+  graph.coupling.assign(stiffness.begin(), stiffness.end());
+  graph.reflecting.assign(stiffness.size(), 0);
+  return graph;
+}
+
 std::vector<float> areas_of_triangles(const Mesh& mesh) {
   std::vector<float> areas(mesh.triangle_count());
   parallel_for(areas.size(), [&](std::size_t begin, std::size_t end) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/adjacency.h"
+#include "brindle/phase_graph.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 
@@ -17,6 +18,10 @@ std::vector<float> edge_stiffness(const Surface& surface, const Progress& progre
 
 /// One per vertex: the sum over its edges.
 std::vector<float> stiffness_sums(const Adjacency& adjacency, std::span<const float> stiffness);
+
+/// Numbers at vertices, coupled by the stiffness of their edges: a graph that turns nothing. Its
+/// anchors are still to be set.
+PhaseGraph stiffness_graph(const Surface& surface, std::span<const float> stiffness);
 
 std::vector<float> areas_of_triangles(const Mesh& mesh);
 
