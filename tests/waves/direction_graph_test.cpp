@@ -1,6 +1,8 @@
 #include "brindle/waves/direction_graph.h"
 
+#include <memory>
 #include <random>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -83,6 +85,28 @@ TEST(DirectionGraph, IsSymmetricAlsoAcrossNormalsOnOppositeSides) {
     }
   }
   EXPECT_GT(reflecting, 0u);
+}
+
+TEST(DirectionGraph, TakesABendBeyondARightAngleForABend) {
+  // Two neighbours on either side of a fold along x.
+  const auto adjacency = std::make_shared<const Adjacency>(Adjacency{{0, 1, 2}, {1, 0}});
+  for (const float degrees : {60.0f, 89.0f, 91.0f, 110.0f, 120.0f, 150.0f}) {
+    const Eigen::AngleAxisf fold(degrees * 3.14159265f / 180, Vec3::UnitX());
+    const std::vector<Vec3> normals = {Vec3::UnitZ(), fold * Vec3::UnitZ()};
+    const bool bends = degrees < 114;
+    const PhaseGraph graph = build_direction_graph(adjacency, normals, 1);
+    const PhaseGraph weighted =
+        build_weighted_direction_graph(adjacency, normals, 1, std::vector<float>(2, 1.0f));
+    EXPECT_EQ(graph.reflecting[0], bends ? 0 : 1) << degrees;
+    EXPECT_EQ(weighted.reflecting, graph.reflecting) << degrees;
+    // A direction askew runs on round the fold, or, on the other side, is seen in a mirror.
+    const Vec3 direction = Vec3(0.6f, 0.8f, 0);
+    const Vec3 across = fold * Vec3::UnitY();
+    const Vec3 onwards = 0.6f * Vec3::UnitX() + (bends ? 0.8f : -0.8f) * across;
+    const std::vector<Complex> u = {representation(direction, normals[0], 1),
+                                    representation(onwards, normals[1], 1)};
+    EXPECT_LT(energy(graph, u), 1e-10) << degrees;
+  }
 }
 
 TEST(DirectionGraph, TurningNormalsRoundLeavesTheEnergyOfAField) {

@@ -23,7 +23,7 @@ struct Transport {
 };
 
 Transport transport(const Vec3& n_j, const Vec3& n_i) {
-  const bool reflecting = n_j.dot(n_i) < 0;
+  const bool reflecting = n_j.dot(n_i) < kOppositeSides;
   const Vec3 x = transported(tangent_basis(n_j).x, n_j, reflecting ? Vec3(-n_i) : n_i);
   return {angle_of(x, tangent_basis(n_i)), reflecting};
 }
@@ -93,7 +93,7 @@ PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjac
     for (Index i = static_cast<Index>(begin); i < end; ++i) {
       for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
         const Index j = adjacency->neighbors[edge];
-        const bool reflecting = normals[j].dot(normals[i]) < 0;
+        const bool reflecting = normals[j].dot(normals[i]) < kOppositeSides;
         const Vec3 x =
             transported(bases[j].x, normals[j], reflecting ? Vec3(-normals[i]) : normals[i]);
         const Complex turn(x.dot(bases[i].x), x.dot(bases[i].y));

@@ -17,10 +17,9 @@ struct TangentBasis {
 };
 TangentBasis tangent_basis(const Vec3& normal);
 
-/// Normals whose product is less point to opposite sides, as somewhere on an unorientable surface;
-/// what is up to 135 degrees may be a bend. (Reflecting edges of the graph below are all those of
-/// more than 90.)
-inline constexpr float kOppositeSides = -0.7f;
+/// Normals whose product is less, of more than 114 degrees, point to opposite sides, as somewhere
+/// on an unorientable surface; all others are those of a bend.
+inline constexpr float kOppositeSides = -0.4f;
 
 /// `vector` turned by the smallest rotation that takes the unit normal `from` to `to`; what is
 /// tangent at one is tangent at the other. Not a number where they are opposite.
