@@ -4,11 +4,12 @@
     scripts/fuzz.py build/fuzz/fuzz [TARGET|all] [SECONDS]
 
 SECONDS (60) are shared among the targets, as many of which run at once as there are processors. What was
-learned stays in build/fuzz/corpus, where the next run goes on; what was found is kept in build/fuzz/finds.
-Prints a table. Exits with 0 if all promises were kept, 1 if one was broken, 2 on wrong usage, 130 where
+learned stays in build/fuzz/corpus, where the next run goes on, how often each target ran in executions.json beside
+it; what was found is kept in build/fuzz/finds. Prints a table. Exits with 0 if all promises were kept, 1 if one was broken, 2 on wrong usage, 130 where
 Ctrl-C ended it.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -23,6 +24,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # A pattern takes milliseconds under the sanitizers, a file far less; ten seconds are a hang.
 LIMITS = ("-timeout=10", "-rss_limit_mb=3000", "-malloc_limit_mb=1024", "-max_len=8192",
           "-print_final_stats=1")
+# What libFuzzer ends with where it is interrupted; it says what it did until then.
+INTERRUPTED = 72
 running = set()
 stopped = threading.Event()
 
@@ -63,7 +66,7 @@ def run(binaries, target, seconds):
              f"-artifact_prefix={finds}/", f"-dict={dictionary(binaries, target)}", *LIMITS]
     began = time.monotonic()
     code, said = output_of(words, target)
-    return {"target": target, "code": code, "said": said,
+    return {"target": target, "code": 0 if code == INTERRUPTED else code, "said": said,
             "executions": last(r"number_of_executed_units: (\d+)", said),
             "seconds": time.monotonic() - began,
             "covered": last(r"cov: (\d+)", said), "inputs": last(r"corp: (\d+)", said),
@@ -77,6 +80,8 @@ def output_of(words, target):
                    "ASAN_OPTIONS": "allocator_may_return_null=1:detect_leaks=1",
                    "LSAN_OPTIONS": f"suppressions={ROOT}/tests/lsan.supp:print_suppressions=0",
                    "UBSAN_OPTIONS": "print_stacktrace=1"}
+    if stopped.is_set():
+        return INTERRUPTED, ""
     process = subprocess.Popen([str(word) for word in words], env=environment, text=True,
                                errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                start_new_session=True)
@@ -109,9 +114,19 @@ def dictionary(binaries, target):
     return path
 
 
-def show(row):
+def with_earlier(binaries, row):
+    """How often the target ran in all runs that went on from one another."""
+    path = binaries.parent / "executions.json"
+    counts = json.loads(path.read_text()) if path.is_file() else {}
+    counts[row["target"]] = counts.get(row["target"], 0) + row["executions"]
+    path.write_text(json.dumps(counts, indent=1) + "\n")
+    return counts[row["target"]]
+
+
+def show(binaries, row):
     rate = row["executions"] / max(row["seconds"], 1e-9)
-    print(f"| {row['target']:<10} | {row['executions']:>11} | {rate:>8.0f} | {row['covered']:>7} | "
+    print(f"| {row['target']:<10} | {row['executions']:>11} | {rate:>8.0f} | "
+          f"{with_earlier(binaries, row):>11} | {row['covered']:>7} | "
           f"{row['inputs']:>6} | {'kept' if row['code'] == 0 else 'BROKEN':<8} |", flush=True)
 
 
@@ -129,7 +144,7 @@ def explain(binaries, row):
 def stop(*_):
     stopped.set()
     for process in list(running):
-        os.killpg(process.pid, signal.SIGKILL)
+        os.killpg(process.pid, signal.SIGINT)
 
 
 def arguments():
@@ -155,16 +170,15 @@ def main():
     signal.signal(signal.SIGINT, stop)
     signal.signal(signal.SIGTERM, stop)
     workers = min(os.cpu_count() or 1, len(targets))
-    print("| target     |  executions | a second | covered | inputs | promises |")
-    print("|---|---|---|---|---|---|", flush=True)
+    print("| target     |  executions | a second |      in all | covered | inputs | promises |")
+    print("|---|---|---|---|---|---|---|", flush=True)
     rows = []
     with ThreadPoolExecutor(workers) as pool:
         for row in pool.map(lambda target: None if stopped.is_set() else
                             fuzz(binaries, target, seconds * workers / len(targets)), targets):
-            if stopped.is_set():
-                break
-            show(row)
-            rows.append(row)
+            if row is not None:
+                show(binaries, row)
+                rows.append(row)
     if stopped.is_set():
         print("fuzz: cancelled", file=sys.stderr)
         return 130
