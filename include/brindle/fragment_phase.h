@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "brindle/corner_phases.h"
 #include "brindle/export.h"
@@ -38,5 +39,12 @@ FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3
 /// triangle's heights, the first. Where corners run alike they all have that sense.
 FragmentWave split_fragment_phase(const std::array<CornerWave, 3>& corners,
                                   const Vec3& barycentric);
+
+/// Both at several points of a triangle, for less than one by one: the first of `waves` become
+/// those at `barycentric`.
+void fragment_phases(const std::array<CornerWave, 3>& corners, std::span<const Vec3> barycentric,
+                     std::span<FragmentWave> waves);
+void split_fragment_phases(const std::array<CornerWave, 3>& corners,
+                           std::span<const Vec3> barycentric, std::span<FragmentWave> waves);
 
 }  // namespace brindle

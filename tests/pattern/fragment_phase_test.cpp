@@ -86,6 +86,27 @@ TEST(FragmentPhase, FlippingAnyCornersKeepsTheSine) {
   EXPECT_LT(split, 180);
 }
 
+TEST(FragmentPhase, AtSeveralPointsIsWhatItIsAtEach) {
+  Dice dice;
+  for (int n = 0; n < 100; ++n) {
+    Corners corners = dice.corners();
+    if (n % 10 == 0) corners[n % 3].wave.direction.setZero();
+    const std::array<Vec3, 3> points{dice.barycentric(), dice.barycentric(), dice.barycentric()};
+    std::array<FragmentWave, 3> waves, split;
+    waves.fill({Vec3::Ones(), 1, 1});
+    split.fill({Vec3::Ones(), 1, 1});
+    fragment_phases(corners, points, waves);
+    split_fragment_phases(corners, points, split);
+    const auto are_same = [](const FragmentWave& a, const FragmentWave& b) {
+      return a.direction == b.direction && a.frequency == b.frequency && a.z == b.z;
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_TRUE(are_same(waves[i], fragment_phase(corners, points[i])));
+      EXPECT_TRUE(are_same(split[i], split_fragment_phase(corners, points[i])));
+    }
+  }
+}
+
 TEST(FragmentPhase, CornerHasItsOwnPhase) {
   Dice dice;
   for (int n = 0; n < 200; ++n) {

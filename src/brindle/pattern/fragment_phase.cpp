@@ -221,6 +221,27 @@ FragmentWave wave_in(const Round& round, const Vec3& barycentric) {
                                : blended_wave(round, barycentric, point);
 }
 
+FragmentWave split_wave_in(const Round& round, const Vec3& barycentric) {
+  FragmentWave fragment = wave_in(round, barycentric);
+  if (round.turned_round[nearest_edge(barycentric)]) {
+    fragment.direction = -fragment.direction;
+    fragment.z = -std::conj(fragment.z);
+  }
+  return fragment;
+}
+
+void at_each(const std::array<CornerWave, 3>& corners, std::span<const Vec3> barycentric,
+             std::span<FragmentWave> waves,
+             FragmentWave (*wave_at)(const Round& round, const Vec3& barycentric)) {
+  if (!all_have_waves(corners)) {
+    std::fill_n(waves.begin(), barycentric.size(), FragmentWave());
+    return;
+  }
+  const Round round = passed_round(corners);
+  std::transform(barycentric.begin(), barycentric.end(), waves.begin(),
+                 [&](const Vec3& b) { return wave_at(round, b); });
+}
+
 }  // namespace
 
 std::optional<std::array<float, 3>> common_orientation(const std::array<Vec3, 3>& directions) {
@@ -238,13 +259,17 @@ FragmentWave fragment_phase(const std::array<CornerWave, 3>& corners, const Vec3
 FragmentWave split_fragment_phase(const std::array<CornerWave, 3>& corners,
                                   const Vec3& barycentric) {
   if (!all_have_waves(corners)) return {};
-  const Round round = passed_round(corners);
-  FragmentWave fragment = wave_in(round, barycentric);
-  if (round.turned_round[nearest_edge(barycentric)]) {
-    fragment.direction = -fragment.direction;
-    fragment.z = -std::conj(fragment.z);
-  }
-  return fragment;
+  return split_wave_in(passed_round(corners), barycentric);
+}
+
+void fragment_phases(const std::array<CornerWave, 3>& corners, std::span<const Vec3> barycentric,
+                     std::span<FragmentWave> waves) {
+  at_each(corners, barycentric, waves, wave_in);
+}
+
+void split_fragment_phases(const std::array<CornerWave, 3>& corners,
+                           std::span<const Vec3> barycentric, std::span<FragmentWave> waves) {
+  at_each(corners, barycentric, waves, split_wave_in);
 }
 
 }  // namespace brindle

@@ -27,10 +27,10 @@ float turns_of(Complex z) {
 
 /// How many turns the phase makes in a pixel, where it rises fastest.
 float turns_per_pixel(const Corners& corners, const SeenPoint& point) {
+  std::array<FragmentWave, 4> waves;
+  fragment_phases(corners, point.beside, waves);
   std::array<float, 4> turns;
-  for (std::size_t i = 0; i < 4; ++i) {
-    turns[i] = turns_of(fragment_phase(corners, point.beside[i]).z);
-  }
+  for (std::size_t i = 0; i < 4; ++i) turns[i] = turns_of(waves[i].z);
   const auto gain = [&](float from, float to) {
     const float difference = to - from;
     return (difference - std::floor(difference + 0.5f)) / point.step;

@@ -18,15 +18,28 @@ using Point = Eigen::Vector2f;
 constexpr float kSmallestSize = 1e-3f;
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
-/// Texture coordinates at a point, less the shift of all tiles; nothing without waves.
-std::optional<Point> coordinates_at(const RegionTexture& texture, std::size_t triangle,
-                                    const Vec3& barycentric) {
-  const TextureFragment f =
-      texture_fragment(texture.waves->u[triangle], texture.waves->v[triangle], barycentric);
-  for (const FragmentWave* wave : {&f.u, &f.v}) {
-    if (wave->direction.isZero(0) || wave->z == Complex(0)) return std::nullopt;
+/// Of a point of a triangle, and of those a step to its right, left, below and above.
+using Stencil = std::array<std::optional<Point>, 5>;
+
+/// Texture coordinates, less the shift of all tiles; nothing without waves. Those beside the point
+/// are found where they are asked for.
+Stencil coordinates_at(const SeenPoint& point, bool beside) {
+  const RegionTexture& texture = *point.surface->texture;
+  std::array<Vec3, 5> places{point.barycentric};
+  std::copy(point.beside.begin(), point.beside.end(), places.begin() + 1);
+  const std::span<const Vec3> seen(places.data(), beside ? places.size() : 1);
+  std::array<FragmentWave, 5> u, v;
+  split_fragment_phases(texture.waves->u[point.triangle], seen, u);
+  split_fragment_phases(texture.waves->v[point.triangle], seen, v);
+  const auto is_wave = [](const FragmentWave& wave) {
+    return !wave.direction.isZero(0) && wave.z != Complex(0);
+  };
+  Stencil uv;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!is_wave(u[i]) || !is_wave(v[i])) continue;
+    uv[i] = Point(texture_coordinate(u[i].z), texture_coordinate(v[i].z)) - texture.shift;
   }
-  return Point(texture_coordinate(f.u.z), texture_coordinate(f.v.z)) - texture.shift;
+  return uv;
 }
 
 /// From one point to another nearby.
@@ -38,16 +51,14 @@ Point gain(const Point& from, const Point& to) {
 
 /// Where on the screen the middle of the tile is, from the point, in pixels to the right and down;
 /// zero where tiles cannot be told apart.
-Point pixels_to_middle(const SeenPoint& point, const RegionTexture& texture, const Point& uv) {
-  std::array<Point, 4> beside;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto there = coordinates_at(texture, point.triangle, point.beside[i]);
+Point pixels_to_middle(const SeenPoint& point, const Stencil& stencil) {
+  for (const auto& there : stencil) {
     if (!there) return Point::Zero();
-    beside[i] = *there;
   }
+  const Point uv = *stencil[0];
   Eigen::Matrix2f per_pixel;
-  per_pixel.col(0) = gain(beside[1], beside[0]) / point.step;
-  per_pixel.col(1) = gain(beside[3], beside[2]) / point.step;
+  per_pixel.col(0) = gain(*stencil[2], *stencil[1]) / point.step;
+  per_pixel.col(1) = gain(*stencil[4], *stencil[3]) / point.step;
   if (std::abs(per_pixel.determinant()) < 1e-12f) return Point::Zero();
   const Point to_middle(std::floor(uv.x()) + 0.5f - uv.x(), std::floor(uv.y()) + 0.5f - uv.y());
   return per_pixel.inverse() * to_middle;
@@ -100,10 +111,10 @@ bool follows_values(const RegionTexture& texture) {
 
 std::optional<std::size_t> tile_at(const SeenPoint& point) {
   const RegionTexture& texture = *point.surface->texture;
-  const auto uv = coordinates_at(texture, point.triangle, point.barycentric);
+  const Stencil stencil = coordinates_at(point, follows_values(texture));
+  const auto& uv = stencil[0];
   if (!uv) return std::nullopt;
-  Point pixels = Point::Zero();
-  if (follows_values(texture)) pixels = pixels_to_middle(point, texture, *uv);
+  const Point pixels = pixels_to_middle(point, stencil);
   std::size_t region = 0;
   if (!texture.values.empty()) {
     const float value = value_of_tile(point, texture.values, pixels);
