@@ -266,6 +266,22 @@ TEST(SmoothField, HasNoSingularitiesOfBumpsThatItsNormalsAreAveragedOver) {
   EXPECT_EQ(count(0.5f), 8u);
 }
 
+TEST(SmoothField, KeepsSingularitiesThatAShapeDoesNotNeedAway) {
+  std::size_t own = 0, averaged = 0;
+  for (const char* shape : {"molecule", "vessels"}) {
+    const Surface surface = make_surface(make_shape(shape));
+    const float radius = 0.01f * bounding_box(surface.mesh).diagonal();
+    const auto count = [&](float normal_radius) {
+      const auto field =
+          smooth_direction_field(surface, {.symmetry = 4, .normal_radius = normal_radius});
+      return count_singularities(surface.mesh, field, 4);
+    };
+    own += count(0);
+    averaged += count(radius);
+  }
+  EXPECT_LT(3 * averaged, 2 * own);
+}
+
 TEST(SmoothField, AveragesNormalsOverTheSamePlacesAtEveryScale) {
   const Surface sphere = bumpy_sphere(), large = bumpy_sphere(8);
   const auto field = smooth_direction_field(sphere, {.normal_radius = 0.3f});

@@ -1,7 +1,9 @@
 #include "brindle/smooth_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -27,6 +29,10 @@
 
 namespace brindle {
 namespace {
+
+/// A field of averaged normals begins with those of normals that are averaged over so many times
+/// the distance.
+constexpr std::array<float, 2> kFarther = {4, 2};
 
 void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldOptions& options,
                    const Progress& progress) {
@@ -132,8 +138,62 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
   return field;
 }
 
-/// The field of a surface that is seen as `seen` has it: with other normals, maybe.
-DirectionField field_of(const Surface& surface, const Surface& seen,
+/// A field that is tangent to some normals of a surface.
+struct SeenField {
+  std::vector<Vec3> normals;
+  DirectionField directions;
+};
+
+/// Its values in the direction graph of other normals.
+std::vector<Complex> values_at(SeenField field, std::span<const Vec3> normals, int symmetry) {
+  turn_to_normals(field.normals, normals, field.directions);
+  std::vector<Complex> u(normals.size());
+  parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      u[i] = representation(field.directions[i], normals[i], symmetry);
+    }
+  });
+  return u;
+}
+
+/// `from`: the field that this one begins with, if any.
+LowestPhases solved(const Surface& seen, const PhaseGraph& graph, std::optional<SeenField> from,
+                    const SmoothFieldOptions& options, const Progress& progress) {
+  if (!from) {
+    return solve_from(starts_of_field(graph, !seen.mesh.triangles.empty()), graph, options.sweeps,
+                      options.cycles, progress);
+  }
+  std::vector<Complex> start = values_at(*std::move(from), seen.normals, options.symmetry);
+  return {values_from(graph, std::move(start), options, progress)};
+}
+
+/// What a field of averaged normals begins with, if not with the last one. Normals averaged over
+/// longer distances have fewer singularities, and those that the shape does not need stay away; a
+/// field from scratch is caught in them.
+std::optional<SeenField> field_from_afar(const Surface& surface, const SmoothFieldOptions& options,
+                                         const Progress& progress) {
+  if (!options.last.directions.empty()) return std::nullopt;
+  Surface seen = surface;
+  std::optional<SeenField> field;
+  for (std::size_t i = 0; i < kFarther.size(); ++i) {
+    constexpr double kShare = 1.0 / kFarther.size();
+    const auto done = static_cast<double>(i);
+    JobStages stages(progress.part(done * kShare, (done + 1) * kShare), stages_of(options));
+    seen.normals =
+        averaged_normals(surface, kFarther[i] * options.normal_radius, stages.begin("normals"));
+    PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
+                                             stages.begin("transport"));
+    add_all_anchors(graph, seen, options, stages);
+    const LowestPhases u = solved(seen, graph, std::move(field), options, stages.begin("solve"));
+    field = {seen.normals,
+             directions_of(u.z, seen.normals, options.symmetry, stages.begin("directions"))};
+  }
+  return field;
+}
+
+/// The field of a surface that is seen as `seen` has it: with other normals, maybe. `from` is what
+/// it begins with, if any.
+DirectionField field_of(const Surface& surface, const Surface& seen, std::optional<SeenField> from,
                         const SmoothFieldOptions& options, JobStages& stages) {
   PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
                                            stages.begin("transport"));
@@ -144,13 +204,11 @@ DirectionField field_of(const Surface& surface, const Surface& seen,
     turn_to_normals(seen.normals, surface.normals, field);
     return field;
   }
-  const bool has_triangles = !surface.mesh.triangles.empty();
-  const LowestPhases u = solve_from(starts_of_field(graph, has_triangles), graph, options.sweeps,
-                                    options.cycles, stages.begin("solve"));
+  const LowestPhases u = solved(seen, graph, std::move(from), options, stages.begin("solve"));
   DirectionField field =
       directions_of(u.z, seen.normals, options.symmetry, stages.begin("directions"));
   turn_to_normals(seen.normals, surface.normals, field);
-  if (has_triangles && turns_freely(graph, options.symmetry)) {
+  if (!surface.mesh.triangles.empty() && turns_freely(graph, options.symmetry)) {
     const CurlSums sums = curl_sums(surface.mesh, field, surface.normals);
     turn_to_least_curl(sums, u.is_lower, surface.normals, field);
   }
@@ -181,14 +239,17 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   check_positions(surface.mesh.positions);
   if (surface.mesh.vertex_count() == 0) return {};
   check_known(options.last, surface.mesh.vertex_count(), "the last field");
-  JobStages stages(progress, stages_of(options));
+  std::vector<JobStage> in_order = stages_of(options);
+  if (options.normal_radius > 0) in_order.insert(in_order.begin(), {"from afar", 50});
+  JobStages stages(progress, std::move(in_order));
   DirectionField field;
   if (options.normal_radius > 0) {
+    std::optional<SeenField> from = field_from_afar(surface, options, stages.begin("from afar"));
     Surface seen = surface;
     seen.normals = averaged_normals(surface, options.normal_radius, stages.begin("normals"));
-    field = field_of(surface, seen, options, stages);
+    field = field_of(surface, seen, std::move(from), options, stages);
   } else {
-    field = field_of(surface, surface, options, stages);
+    field = field_of(surface, surface, std::nullopt, options, stages);
   }
   stages.finish();
   return field;
