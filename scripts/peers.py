@@ -320,6 +320,8 @@ def plan(drivers):
         add("crosses", "Instant Meshes, `-i`", of_instant_meshes("--intrinsic", "yes"))
     add("crosses", "Brindle, `--cross`", striped("--cross"))
     add("crosses", "Brindle, `--cross --slack 0.3`", striped("--cross", "--slack", 0.3))
+    add("crosses", "Brindle, `--cross --normal-radius 1%`",
+        striped("--cross", "--normal-radius", "1%"))
     if "libigl" in drivers:
         add("stripes, curvature", "libigl, then Brindle", of_libigl)
     add("stripes, curvature", "Brindle, `raw-curvature`", striped("--field", "raw-curvature"))

@@ -30,9 +30,9 @@
 namespace brindle {
 namespace {
 
-/// A field of averaged normals begins with those of normals that are averaged over so many times
-/// the distance.
-constexpr std::array<float, 2> kFarther = {4, 2};
+/// A field of averaged normals goes through those of normals that are averaged over so many times
+/// the distance, from the last to the first.
+constexpr std::array<float, 3> kFarther = {1, 2, 4};
 
 void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldOptions& options,
                    const Progress& progress) {
@@ -67,7 +67,6 @@ void add_feature_anchors(PhaseGraph& graph, const Surface& surface,
 
 std::vector<JobStage> stages_of(const SmoothFieldOptions& options) {
   std::vector<JobStage> stages = {{"transport", 4}};
-  if (options.normal_radius > 0) stages.insert(stages.begin(), {"normals", 8});
   if (options.curvature_anchor > 0) stages.push_back({"curvature", 4});
   if (options.feature_anchor > 0) stages.push_back({"features", 4});
   stages.insert(stages.end(), {{"solve", 10}, {"directions", 1}, {"orient", 2}});
@@ -138,6 +137,13 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
   return field;
 }
 
+/// One that goes on from the last begins with that.
+std::vector<float> radii_of(const SmoothFieldOptions& options) {
+  std::vector<float> radii(options.last.directions.empty() ? kFarther.size() : 1);
+  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = kFarther[i] * options.normal_radius;
+  return radii;
+}
+
 /// A field that is tangent to some normals of a surface.
 struct SeenField {
   std::vector<Vec3> normals;
@@ -167,26 +173,24 @@ LowestPhases solved(const Surface& seen, const PhaseGraph& graph, std::optional<
   return {values_from(graph, std::move(start), options, progress)};
 }
 
-/// What a field of averaged normals begins with, if not with the last one. Normals averaged over
-/// longer distances have fewer singularities, and those that the shape does not need stay away; a
-/// field from scratch is caught in them.
-std::optional<SeenField> field_from_afar(const Surface& surface, const SmoothFieldOptions& options,
+/// What the first of `normals` begins with: the field of the last, handed on through those between.
+/// Normals averaged over longer distances have fewer singularities, and those that the shape does
+/// not need stay away; a field from scratch is caught in them.
+std::optional<SeenField> field_from_afar(Surface surface, std::vector<std::vector<Vec3>> normals,
+                                         const SmoothFieldOptions& options,
                                          const Progress& progress) {
-  if (!options.last.directions.empty()) return std::nullopt;
-  Surface seen = surface;
   std::optional<SeenField> field;
-  for (std::size_t i = 0; i < kFarther.size(); ++i) {
-    constexpr double kShare = 1.0 / kFarther.size();
-    const auto done = static_cast<double>(i);
-    JobStages stages(progress.part(done * kShare, (done + 1) * kShare), stages_of(options));
-    seen.normals =
-        averaged_normals(surface, kFarther[i] * options.normal_radius, stages.begin("normals"));
-    PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
-                                             stages.begin("transport"));
-    add_all_anchors(graph, seen, options, stages);
-    const LowestPhases u = solved(seen, graph, std::move(field), options, stages.begin("solve"));
-    field = {seen.normals,
-             directions_of(u.z, seen.normals, options.symmetry, stages.begin("directions"))};
+  const double each = 1.0 / static_cast<double>(normals.size());
+  for (double done = 0; normals.size() > 1; done += each) {
+    surface.normals = std::move(normals.back());
+    normals.pop_back();
+    JobStages stages(progress.part(done, done + each), stages_of(options));
+    PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals,
+                                             options.symmetry, stages.begin("transport"));
+    add_all_anchors(graph, surface, options, stages);
+    const LowestPhases u = solved(surface, graph, std::move(field), options, stages.begin("solve"));
+    field = {surface.normals,
+             directions_of(u.z, surface.normals, options.symmetry, stages.begin("directions"))};
   }
   return field;
 }
@@ -240,13 +244,18 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   if (surface.mesh.vertex_count() == 0) return {};
   check_known(options.last, surface.mesh.vertex_count(), "the last field");
   std::vector<JobStage> in_order = stages_of(options);
-  if (options.normal_radius > 0) in_order.insert(in_order.begin(), {"from afar", 50});
+  if (options.normal_radius > 0) {
+    in_order.insert(in_order.begin(), {{"normals", 25}, {"from afar", 35}});
+  }
   JobStages stages(progress, std::move(in_order));
   DirectionField field;
   if (options.normal_radius > 0) {
-    std::optional<SeenField> from = field_from_afar(surface, options, stages.begin("from afar"));
+    std::vector<std::vector<Vec3>> normals =
+        averaged_normals(surface, radii_of(options), stages.begin("normals"));
     Surface seen = surface;
-    seen.normals = averaged_normals(surface, options.normal_radius, stages.begin("normals"));
+    seen.normals = normals.front();
+    std::optional<SeenField> from =
+        field_from_afar(surface, std::move(normals), options, stages.begin("from afar"));
     field = field_of(surface, seen, std::move(from), options, stages);
   } else {
     field = field_of(surface, surface, std::nullopt, options, stages);
