@@ -141,4 +141,11 @@ void translate(Mesh& mesh, const Vec3& way);
 /// triangles than brindle can number. Throws Cancelled if `progress` asks for it.
 Mesh subdivide(Mesh mesh, int times = 1, const Progress& progress = {});
 
+/// Where the midpoints of edges lie: straight between their ends, or on a curve at right angles to
+/// the surface's normals there (the edges of curved point-normal triangles, Vlachos et al. 2001),
+/// so that a coarse mesh of something round becomes round. Old vertices stay. Straight all the same
+/// are edges where the surface bends by more than 40 degrees, and those of three triangles or more.
+enum class Midpoints { straight, rounded };
+Mesh subdivide(Mesh mesh, int times, Midpoints midpoints, const Progress& progress = {});
+
 }  // namespace brindle

@@ -17,5 +17,7 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells);
 /// (`blended`), and the four triangles of a triangle have its row. Throws Error as that does, and,
 /// naming the array, for one without a row per vertex or triangle; then nothing was changed.
 void subdivide(Mesh& mesh, DataArrays& arrays, int times = 1, const Progress& progress = {});
+void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
+               const Progress& progress = {});
 
 }  // namespace brindle

@@ -220,9 +220,12 @@ class Surface:
 
     # --- others made of it --------------------------------------------------------------------
 
-    def subdivided(self, times: int = 1) -> "Surface":
-        """Every triangle split in four, ``times`` times; arrays are interpolated."""
-        return Surface._of(self._core.subdivided(whole_number(times, "times")))
+    def subdivided(self, times: int = 1, *, rounded: bool = False) -> "Surface":
+        """Every triangle split in four, ``times`` times; arrays are interpolated. ``rounded``:
+        triangles bend as the normals at their corners do, so that a coarse mesh of something round
+        becomes round; edges where the surface bends by more than 40 degrees stay."""
+        return Surface._of(self._core.subdivided(whole_number(times, "times"),
+                                                 _rounded(rounded, times)))
 
     def moved(self, vertices: "ArrayLike") -> "Surface":
         """The same triangles with (n, 3) vertices elsewhere."""
@@ -438,11 +441,12 @@ def as_surface(mesh: Any) -> Surface:
 
 
 def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdivide: int = 0,
-         progress: Optional[Progress] = None) -> Surface:
+         rounded: bool = False, progress: Optional[Progress] = None) -> Surface:
     """Reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf, .glb, or points of .csv and others.
 
     ``points``: take the vertices alone, as points, each joined to its ``neighbors`` nearest; None:
-    if the file has no faces. ``subdivide``: split every triangle in four, so many times.
+    if the file has no faces. ``subdivide``: split every triangle in four, so many times;
+    ``rounded``: as ``Surface.subdivided`` has it.
     ``progress(stage, fraction)`` may return False to cancel.
 
     ``s.point_data`` and ``s.cell_data`` are the file's arrays. Raises brindle.Error naming the file,
@@ -451,10 +455,10 @@ def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdiv
     if points is not None:
         points = flag(points, "points")
     return Surface._of(_core.read(path_of(path), points, whole_number(neighbors, "neighbors"),
-                                  _times(subdivide), progress))
+                                  _times(subdivide), _rounded(rounded, subdivide), progress))
 
 
-def shape(name: str, *, subdivide: int = 0, **parameters: float) -> Surface:
+def shape(name: str, *, subdivide: int = 0, rounded: bool = False, **parameters: float) -> Surface:
     """A built-in shape: ``shape("torus")``, ``shape("torus", resolution=64, noise=0.2)`` or
     ``shape("torus,resolution=64")``. ``shape_names()`` and ``shape_help()`` list them."""
     spec = word(name, "name")
@@ -462,7 +466,7 @@ def shape(name: str, *, subdivide: int = 0, **parameters: float) -> Surface:
         if isinstance(value, (bool, str)) or not hasattr(value, "__float__"):
             raise TypeError(f"{key}: expected a number, got {value!r}")
         spec += f",{key}={value}"
-    return Surface._of(_core.shape(spec, _times(subdivide)))
+    return Surface._of(_core.shape(spec, _times(subdivide), _rounded(rounded, subdivide)))
 
 
 def points(positions: "ArrayLike", normals: "Optional[ArrayLike]" = None, *, neighbors: int = 8,
@@ -490,3 +494,9 @@ def _times(subdivide: Any) -> int:
     if not 0 <= times <= 10:
         raise Error(f"subdivide: {times} is not in 0 .. 10")
     return times
+
+
+def _rounded(rounded: Any, subdivide: int) -> bool:
+    if flag(rounded, "rounded") and subdivide == 0:
+        raise Error("rounded: bends triangles that are split, and none is; try subdivide=2")
+    return bool(rounded)

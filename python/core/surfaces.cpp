@@ -155,12 +155,25 @@ SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neig
   });
 }
 
-SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, int times,
+/// How often triangles are split, and how.
+struct Splitting {
+  int times;
+  Midpoints midpoints;
+};
+
+Splitting splitting(int times, bool rounded) {
+  return {times, rounded ? Midpoints::rounded : Midpoints::straight};
+}
+
+SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, const Splitting& split,
                               const Progress& progress) {
   Stopwatch watch;
   LoadedMesh loaded = file.mesh(progress.part(0, kReading));
   const std::size_t own = loaded.mesh.vertex_count();
-  if (times > 0) subdivide(loaded.mesh, loaded.arrays, times, progress.part(kReading, kSplit));
+  if (split.times > 0) {
+    subdivide(loaded.mesh, loaded.arrays, split.times, split.midpoints,
+              progress.part(kReading, kSplit));
+  }
   data.repair = loaded.repair;
   data.vertices_joined = loaded.repair.vertices_joined;
   data.arrays = std::move(loaded.arrays);
@@ -175,21 +188,22 @@ SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, int times,
       made->original_ids[loaded.vertex_of_row[row]] = static_cast<std::int64_t>(row);
     }
   }
-  if (times == 0) made->vertex_of_row = std::move(loaded.vertex_of_row);
+  if (split.times == 0) made->vertex_of_row = std::move(loaded.vertex_of_row);
   return made;
 }
 
 SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> points,
-                         int neighbors, int times, const py::object& callback) {
+                         int neighbors, const Splitting& split, const py::object& callback) {
   SurfaceData data;
   data.name = path.string();
   check_neighbors(neighbors);
   return Job(callback).run([&](const Progress& progress) {
     SurfaceFile file(path);
     if (!(points ? *points : !file.has_faces(progress))) {
-      return from_mesh_file(file, std::move(data), times, progress);
+      return from_mesh_file(file, std::move(data), split, progress);
     }
-    if (times > 0) throw Error(shown(path.native()) + ": points have no triangles to subdivide");
+    if (split.times > 0)
+      throw Error(shown(path.native()) + ": points have no triangles to subdivide");
     Stopwatch watch;
     LoadedPoints loaded = file.points(progress);
     data.load_milliseconds = watch.lap();
@@ -197,7 +211,7 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
   });
 }
 
-SurfacePointer from_shape(const std::string& spec, int times) {
+SurfacePointer from_shape(const std::string& spec, int times, bool rounded) {
   SurfaceData data;
   data.name = std::string(kShapePrefix) + spec;
   data.stands_on_z = true;
@@ -205,7 +219,10 @@ SurfacePointer from_shape(const std::string& spec, int times) {
     Stopwatch watch;
     Mesh mesh = make_shape(spec);
     const std::size_t own = mesh.vertex_count();
-    if (times > 0) mesh = subdivide(std::move(mesh), times, progress.part(0, kSplit));
+    if (times > 0) {
+      mesh = subdivide(std::move(mesh), times, splitting(times, rounded).midpoints,
+                       progress.part(0, kSplit));
+    }
     data.load_milliseconds = watch.lap();
     const SurfacePointer made =
         finished(std::move(data), std::move(mesh), progress.part(kSplit, 1));
@@ -226,13 +243,14 @@ SurfaceData data_along_with(const SurfaceData& from) {
   return data;
 }
 
-SurfacePointer subdivided(const SurfaceData& from, int times) {
+SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
   if (from.is_points()) throw Error("points have no triangles to subdivide");
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
     Stopwatch watch;
     Mesh mesh = from.surface.mesh;
-    subdivide(mesh, data.arrays, times, progress.part(0, kSplit));
+    subdivide(mesh, data.arrays, times, splitting(times, rounded).midpoints,
+              progress.part(0, kSplit));
     data.load_milliseconds = watch.lap();
     data.original_ids.resize(mesh.vertex_count(), -1);
     return finished(std::move(data), std::move(mesh), progress.part(kSplit, 1));
@@ -506,7 +524,7 @@ void bind_surfaces(py::module_& module) {
   py::class_<SurfaceData, SurfacePointer> type(module, "Surface");
   bind_properties(type);
   bind_arrays(type);
-  type.def("subdivided", subdivided, py::arg("times"))
+  type.def("subdivided", subdivided, py::arg("times"), py::arg("rounded"))
       .def("moved", moved, py::arg("vertices"))
       .def("curvature", curvature_of)
       .def("nearest", nearest_places, py::arg("points"), py::arg("max_distance"))
@@ -521,14 +539,14 @@ void bind_surfaces(py::module_& module) {
   module.def(
       "read",
       [](const std::string& path, std::optional<bool> points, int neighbors, int times,
-         const py::object& progress) {
-        return from_file(path, points, neighbors, times, progress);
+         bool rounded, const py::object& progress) {
+        return from_file(path, points, neighbors, splitting(times, rounded), progress);
       },
       py::arg("path"), py::arg("points"), py::arg("neighbors"), py::arg("subdivide"),
-      py::arg("progress"));
+      py::arg("rounded"), py::arg("progress"));
   module.def("triangles_of_polygons", triangles_of_polygons, py::arg("vertices"),
              py::arg("offsets"), py::arg("corners"));
-  module.def("shape", from_shape, py::arg("spec"), py::arg("subdivide"));
+  module.def("shape", from_shape, py::arg("spec"), py::arg("subdivide"), py::arg("rounded"));
   module.def("shape_names", shape_names);
   module.def("shape_help", shape_help);
 }

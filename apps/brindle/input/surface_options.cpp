@@ -62,6 +62,7 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
         return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");
       });
   app.add_option("--subdivide", options.subdivide);
+  app.add_flag("--rounded", options.rounded);
 }
 
 void add_point_options(CLI::App& app, SurfaceOptions& options) {
@@ -116,6 +117,10 @@ LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress)
                                "a mesh's vertices are joined by its edges; add --points to take "
                                "them as points");
   }
+  if (options.rounded && options.subdivide == 0) {
+    throw CLI::ValidationError("--rounded",
+                               "bends triangles that are split, and none is; try --subdivide 2");
+  }
   check_exists(options);
   JobStages stages(progress, {{"reading", 3}, {"subdividing", 2}});
   const Progress reading = stages.begin("reading");
@@ -128,7 +133,9 @@ LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress)
   if (!options.moved.isZero(0)) translate(loaded.mesh, options.moved);
   loaded.own_vertices = loaded.mesh.vertex_count();
   if (options.subdivide > 0) {
-    subdivide(loaded.mesh, loaded.arrays, options.subdivide, stages.begin("subdividing"));
+    subdivide(loaded.mesh, loaded.arrays, options.subdivide,
+              options.rounded ? Midpoints::rounded : Midpoints::straight,
+              stages.begin("subdividing"));
   }
   stages.finish();
   return loaded;

@@ -17,6 +17,7 @@ constexpr int kDefaultNeighbors = 8;
 struct SurfaceOptions {
   std::string mesh;                   ///< a file or shape:NAME,...
   int subdivide = 0;                  ///< how often every triangle is split in four
+  bool rounded = false;               ///< whether triangles that are split bend (`Midpoints`)
   bool points = false;                ///< the vertices alone
   std::optional<int> neighbors = {};  ///< of a point, instead of `kDefaultNeighbors`
   Vec3 moved = Vec3::Zero();          ///< the mesh, after it was read

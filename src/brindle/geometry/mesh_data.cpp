@@ -106,6 +106,11 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells) {
 }
 
 void subdivide(Mesh& mesh, DataArrays& arrays, int times, const Progress& progress) {
+  subdivide(mesh, arrays, times, Midpoints::straight, progress);
+}
+
+void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
+               const Progress& progress) {
   check_subdivisions(mesh.triangle_count(), times);
   for (const DataArray& array : arrays.points) {
     check_rows_per_vertex(array, mesh.vertex_count());
@@ -114,8 +119,8 @@ void subdivide(Mesh& mesh, DataArrays& arrays, int times, const Progress& progre
     check_rows_per_triangle(array, mesh.triangle_count());
   }
   if (arrays == DataArrays{}) {
-    mesh =
-        progress.is_heard() ? subdivide(mesh, times, progress) : subdivide(std::move(mesh), times);
+    mesh = progress.is_heard() ? subdivide(mesh, times, midpoints, progress)
+                               : subdivide(std::move(mesh), times, midpoints);
     return;
   }
   if (times == 0 || mesh.triangles.empty()) return;
@@ -125,7 +130,7 @@ void subdivide(Mesh& mesh, DataArrays& arrays, int times, const Progress& progre
   DataArrays data = arrays;
   for (const JobStage& round : rounds) {
     const Progress stage = stages.begin(round.name);
-    Mesh finer = subdivide(result, 1, stage.part(0, 0.5));
+    Mesh finer = subdivide(result, 1, midpoints, stage.part(0, 0.5));
     stage.report(0.5);
     const Parents parents = parents_of(result, finer);
     data = {blended(data.points, parents.of_vertices), rows_of(data.cells, parents.of_triangles)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/rounded_midpoints.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -47,9 +49,11 @@ class EdgeNumbers {
   std::vector<Index> first_;
 };
 
-Mesh subdivide_once(Mesh mesh, const Progress& progress) {
+Mesh subdivide_once(Mesh mesh, Midpoints midpoints, const Progress& progress) {
   progress.report(0);
-  const EdgeNumbers edges(mesh, progress.part(0, 0.5));
+  std::optional<RoundedMidpoints> rounded;
+  if (midpoints == Midpoints::rounded) rounded.emplace(mesh, progress.part(0, 0.3));
+  const EdgeNumbers edges(mesh, progress.part(rounded ? 0.3 : 0, 0.5));
   const auto old_vertices = static_cast<Index>(mesh.vertex_count());
   mesh.positions.resize(mesh.vertex_count() + edges.count());
   parallel_for(old_vertices, progress.part(0.5, 0.7), [&](std::size_t begin, std::size_t end) {
@@ -57,7 +61,9 @@ Mesh subdivide_once(Mesh mesh, const Progress& progress) {
       Index midpoint = old_vertices + edges.first(v);
       for (const Index other : edges.larger(v)) {
         // Halved before the sum, which could overflow.
-        mesh.positions[midpoint++] = 0.5f * mesh.positions[v] + 0.5f * mesh.positions[other];
+        Vec3& middle = mesh.positions[midpoint++];
+        middle = 0.5f * mesh.positions[v] + 0.5f * mesh.positions[other];
+        if (rounded) middle += rounded->shift(v, other);
       }
     }
   });
@@ -114,12 +120,16 @@ std::vector<JobStage> subdivision_rounds(int times) {
 }
 
 Mesh subdivide(Mesh mesh, int times, const Progress& progress) {
+  return subdivide(std::move(mesh), times, Midpoints::straight, progress);
+}
+
+Mesh subdivide(Mesh mesh, int times, Midpoints midpoints, const Progress& progress) {
   check_subdivisions(mesh.triangle_count(), times);
   if (times == 0 || mesh.triangles.empty()) return mesh;
   const std::vector<JobStage> rounds = subdivision_rounds(times);
   JobStages stages(progress, rounds);
   for (const JobStage& round : rounds) {
-    mesh = subdivide_once(std::move(mesh), stages.begin(round.name));
+    mesh = subdivide_once(std::move(mesh), midpoints, stages.begin(round.name));
   }
   stages.finish();
   return mesh;
