@@ -130,7 +130,7 @@ class Curves:
 
     def draw(self, path: Any, **options: Any) -> None:
         """Writes an SVG drawing with hidden lines removed: options as ``brindle.render`` has them
-        (size, camera, up, colors)."""
+        (size, camera, up, colors, slice)."""
         from ._pictures import draw_curves
         draw_curves(path_of(path), self, options)
 

@@ -83,7 +83,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     ``slice``: a plane beyond which nothing is seen, such as "x=0.2", "z=50%" of the bounding box,
     "-z=50%" for the other side, or "X,Y,Z,NX,NY,NZ", a point and a normal.
 
-    Needs a build with OpenGL, and no display: raises brindle.Error otherwise.
+    Needs a build with OpenGL, and no display: raises brindle.Error otherwise, and for a slice that
+    leaves nothing to be seen.
     """
     surface = as_surface(surface)
     picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors,

@@ -6,8 +6,10 @@
 #include "brindle/error.h"
 #include "brindle/line_drawing.h"
 #include "brindle/render/parsed_words.h"
+#include "brindle/render/slice_refusal.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -110,6 +112,7 @@ void draw_lines(const std::string& path, const SurfaceData& data,
   }
   const Surface& surface = data.surface;
   const RenderOptions options = options_relative_to(surface.mesh.origin, picture);
+  check_slice_leaves_something(surface.mesh, options);
   std::vector<PenLines> lines;
   for (const HeldLines& pen : pens) lines.push_back({pen.name, pen.color, pen.lines});
   until_interrupted([&](const Progress& progress) {
@@ -134,6 +137,10 @@ RenderOptions options_relative_to(const Eigen::Vector3d& origin, const Picture& 
   options.camera.slice = picture.slice;
   if (picture.slice && !picture.slice->in_shares) options.camera.slice->point -= origin;
   return options;
+}
+
+void check_slice_leaves_something(const Mesh& mesh, const RenderOptions& options) {
+  saying_in_pythons_words([&] { check_slice(mesh, options); });
 }
 
 void bind_pictures(py::module_& module) {

@@ -22,6 +22,9 @@ struct Picture {
 /// The options with the slice, of surfaces relative to `origin`.
 RenderOptions options_relative_to(const Eigen::Vector3d& origin, const Picture& picture);
 
+/// Throws Error if the slice takes away all of a mesh that a picture shows alone.
+void check_slice_leaves_something(const Mesh& mesh, const RenderOptions& options);
+
 /// A mesh of one colour on the surface: tubes along curves, discs at samples.
 struct Ornament {
   Mesh mesh;

@@ -66,8 +66,10 @@ Overlay overlay_of(const std::string& view, const StripesData& data) {
   return {};
 }
 
+// Throws Error where the picture would show nothing of the mesh.
 RenderOptions options_of(const Picture& picture, const Mesh& mesh) {
   const RenderOptions options = options_relative_to(mesh.origin, picture);
+  check_slice_leaves_something(mesh, options);
   return picture.view == "stripes" ? options : with_faint_stripes(options);
 }
 
@@ -169,7 +171,7 @@ py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>&
       colors.resize(mesh.triangle_count(), {ornament.color, 1});
     }
     return render_picture({.mesh = mesh, .normals = normals, .triangle_colors = colors},
-                          options_relative_to(mesh.origin, picture), progress);
+                          options_of(picture, mesh), progress);
   }));
 }
 

@@ -1,5 +1,7 @@
 """Results are those of the tool, bit for bit: reports, phases, files, pictures."""
 
+import subprocess
+
 import numpy as np
 import pytest
 
@@ -346,6 +348,19 @@ def test_pictures(words, options, tmp_path):
     surface = brindle.shape("torus", resolution=100)
     image = brindle.render(surface, brindle.stripes(surface, stripes=20), size=(120, 90), **options)
     np.testing.assert_array_equal(image, brindle.read_png(tmp_path / "tool.png"))
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_refused_slices(tmp_path):
+    """In the tool's words, with the argument's name in place of the option's."""
+    words = ["stripe", "shape:torus,resolution=100", "--stripes", "20", "--slice", "-y=3", "--output",
+             tmp_path / "tool.png"]
+    with pytest.raises(subprocess.CalledProcessError) as refused:
+        run_tool(*words)
+    surface = brindle.shape("torus", resolution=100)
+    with pytest.raises(brindle.Error) as error:
+        brindle.render(surface, brindle.stripes(surface, stripes=20), slice="-y=3")
+    assert f"--{error.value}\n" in refused.value.stderr.decode()
 
 
 @pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")

@@ -355,6 +355,34 @@ def test_pictures(torus, tmp_path):
         brindle.write_png(tmp_path / "x.png", np.zeros((4, 4, 4)))
 
 
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_slices_leave_something(torus):
+    """Of everything that is drawn; where the plane only touches, nothing is left."""
+    cloud = brindle.points(torus.vertices, torus.normals)
+    low, high = torus.vertices[:, 2].min(), torus.vertices[:, 2].max()
+    p = brindle.stripes(torus, torus.smooth_field(), stripes=10)
+    drawn = [(torus, None), (torus, p), (torus, p.curves()), (torus, brindle.crosses(torus, stripes=10)),
+             (torus, brindle.texture(torus, stripes=10)), (torus, brindle.samples(torus, stripes=10)),
+             (cloud, None), (cloud, brindle.stripes(cloud, stripes=10))]
+    for surface, pattern in drawn:
+        for nothing in (f"z={low - 0.5}", f"-z={high + 0.5}", "x=-20%", "0,0,-9,1,2,30"):
+            with pytest.raises(brindle.Error, match="^slice leaves nothing of the surface, which has x from"):
+                brindle.render(surface, pattern, slice=nothing, size=(20, 20))
+        assert brindle.render(surface, pattern, slice="z=50%", size=(20, 20)).any()
+    for touching in ("z=0%", "-z=100%"):
+        with pytest.raises(brindle.Error, match="slice leaves nothing"):
+            brindle.render(torus, slice=touching, size=(20, 20))
+
+
+def test_slices_leave_something_of_drawings(torus, tmp_path):
+    curves = brindle.stripes(torus, torus.smooth_field(), stripes=10).curves()
+    with pytest.raises(brindle.Error, match="^slice leaves nothing of the surface"):
+        curves.draw(tmp_path / "c.svg", slice="z=-20%")
+    assert not (tmp_path / "c.svg").exists()
+    curves.draw(tmp_path / "c.svg", slice="z=50%")
+    assert (tmp_path / "c.svg").exists()
+
+
 def test_build_without_pictures_says_so(torus):
     if brindle.has_opengl:
         pytest.skip("this build draws pictures")

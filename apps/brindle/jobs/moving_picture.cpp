@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "brindle/headless_context.h"
+#include "brindle/render/slice_refusal.h"
 #include "pictures/frame_writer.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 #include "pictures/video_file.h"
 
 namespace brindle::tool {

@@ -9,13 +9,13 @@
 
 #include "brindle/frequency_field.h"
 #include "brindle/legend.h"
+#include "brindle/render/slice_refusal.h"
 #include "brindle/shapes.h"
 #include "brindle/styled_picture.h"
 #include "brindle/texture_animator.h"
 #include "input/vertex_values.h"
 #include "jobs/series_player.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 #include "pictures/style_values.h"
 #include "pictures/styled_scene.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "brindle/render/slice_refusal.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 namespace {

@@ -5,9 +5,9 @@
 #include "brindle/line_drawing.h"
 #include "brindle/mesh.h"
 #include "brindle/normals.h"
+#include "brindle/render/slice_refusal.h"
 #include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
+#include "brindle/render/slice_refusal.h"
 #include "cli/option_fields.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 

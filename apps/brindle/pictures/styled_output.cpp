@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "brindle/line_drawing.h"
+#include "brindle/render/slice_refusal.h"
 #include "brindle/stripe_outlines.h"
 #include "pictures/drawing_file.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 
 namespace brindle::tool {
 namespace {

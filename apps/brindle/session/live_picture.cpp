@@ -10,10 +10,10 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/headless_context.h"
+#include "brindle/render/slice_refusal.h"
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"
 #include "pictures/picture_options.h"
-#include "pictures/slice_refusal.h"
 #include "session/draft_size.h"
 
 namespace brindle::tool {

@@ -9,11 +9,11 @@
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/render/slice_refusal.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 #include "jobs/curves_output.h"
 #include "pictures/drawing_file.h"
-#include "pictures/slice_refusal.h"
 #include "pictures/styled_output.h"
 
 namespace brindle::tool {

@@ -1,4 +1,4 @@
-#include "pictures/slice_refusal.h"
+#include "brindle/render/slice_refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "brindle/base/formatted.h"
 #include "brindle/error.h"
 
-namespace brindle::tool {
+namespace brindle {
 namespace {
 
 /// Of a mesh, and how far from the camera's origin its own lies.
@@ -83,4 +83,4 @@ void check_slice(const Mesh& mesh, const RenderOptions& render) {
       slice_refusal(mesh, framed_camera(points, render.camera, render.width, render.height)));
 }
 
-}  // namespace brindle::tool
+}  // namespace brindle

@@ -5,13 +5,15 @@
 #include <span>
 #include <string>
 
+#include "brindle/camera.h"
 #include "brindle/renderer.h"
 #include "brindle/styled_picture.h"
 
-namespace brindle::tool {
+namespace brindle {
 
 /// Why a picture with this camera shows nothing of the mesh, or of its points if it has no
 /// triangles: its slice takes all of it away. Empty where anything is left, and without a slice.
+/// The plane is called `--slice`, as the tool's option.
 std::string slice_refusal(const Mesh& mesh, const Camera& camera);
 
 /// The same of surfaces in styles, some of which slices may leave whole. The camera's coordinates
@@ -24,4 +26,4 @@ void check_slice(const std::string& refusal);
 /// The same of a mesh that a picture shows alone.
 void check_slice(const Mesh& mesh, const RenderOptions& render);
 
-}  // namespace brindle::tool
+}  // namespace brindle
