@@ -1132,6 +1132,73 @@ def check_surfaces_have_their_styles(start, folder):
     window.quit()
 
 
+MEASURED_SQUARE = """ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property float speed
+element face 2
+property list uchar int vertex_indices
+end_header
+-1 -1 0 1
+1 -1 0 2
+1 1 0 4
+-1 1 0 8
+3 0 1 2
+3 0 2 3
+"""
+
+
+def check_surfaces_have_values_and_tiles(start, folder):
+    square = folder / "square.ply"
+    square.write_text(MEASURED_SQUARE)
+    window = start("shape:torus,resolution=40", "--stripes", "16", "--with", f"{square}@0,0,1")
+    window.settled()
+
+    def style(name):
+        text = options_of(window, folder / name)["with"]
+        return text.removeprefix(str(square))
+
+    def change(*widgets):
+        *steps, last = widgets
+        for step in steps:
+            window.click(step)
+        since = window.now()
+        window.click(last)
+        window.settled(since)
+
+    search_option(window, "other surfaces")
+    change("surface values", "surface values array:speed")
+    expect(style("array.json") == "@color-by=array:speed@0,0,1", "the array is not in the list")
+    change("surface outlined")
+    change("surface looks", "surface looks tiles")
+    tiled = style("tiles.json")
+    expect(tiled == "@texture=dots@color-by=array:speed@outlined@0,0,1", f"the style is {tiled}")
+    change("surface tile", "surface tile plus")
+    since = window.now()
+    window.type_into_slider("surface stripes", "6")
+    window.settled(since)
+    change("surface looks", "surface looks tiles alone")
+    wanted = "@discarded@texture=plus@stripes=6@color-by=array:speed@outlined@0,0,1"
+    alone = style("alone.json")
+    expect(alone == wanted, f"the style is {alone}")
+    seen = save_picture(window, folder / "seen.png")
+    subprocess.run([start.tool, "render", "alone.json", "--output", "rendered.png"], cwd=folder, check=True,
+                   stdout=subprocess.DEVNULL)
+    expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
+    window.click("surface value")
+    window.key("ctrl+a")
+    window.type("light")
+    since = window.now()
+    window.key("Return")
+    said = window.wait_for("message", since)["text"]
+    expect("first surface alone" in said, f"what is not for other surfaces says: {said}")
+    expect(style("same.json") == wanted, "what is refused has changed the style")
+    window.quit()
+
+
 def check_recent_files_can_be_read(start, folder):
     for name in ("good.obj", "gone.obj", "bad.obj"):
         (folder / name).write_text(PLATE)

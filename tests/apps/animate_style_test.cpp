@@ -55,7 +55,10 @@ TEST_F(AnimateStyle, FirstFramesAreThePicturesOfStripe) {
       joined({"--color-by", "distance:camera"}, kColors),
       joined({"--color-by", "height", "--with", "shape:sphere,resolution=8@#ff0000"}, kColors),
       {"--stripe-width", "0", "--depth-cue", "haze", "--outline", "solid", "--ground-shadow"},
-      {"--stripe-width", "0", "--color-by", "curvature", "--color-on", "surface"}};
+      {"--stripe-width", "0", "--color-by", "curvature", "--color-on", "surface"},
+      {"--stripe-width", "0", "--with", "shape:sphere,resolution=8@color-by=height@outlined@0,0,2"},
+      {"--stripe-width", "0", "--color-by", "distance:camera", "--color-on", "surface", "--with",
+       "shape:box,resolution=6@color-by=distance:0,0,1"}};
   for (const Arguments& style : styles) {
     expect_run({"animate", torus, "--frames", "1", "-o", "frame%d.png"}, style);
     expect_run({"stripe", torus, "-o", "still.png"}, style);

@@ -93,6 +93,111 @@ TEST_F(StyleTool, OtherSurfacesStayWholeWhereTheyAreToldTo) {
   }
 }
 
+/// A square that stands upright, with a number at every vertex.
+const char* const kMeasured =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float speed\nelement face 2\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "0 0 0 1\n1 0 0 2\n0 0 1 4\n1 0 1 8\n3 0 1 2\n3 1 3 2\n";
+
+/// Of other surfaces, beside a first one of which nothing is seen.
+struct OtherSurfaceTool : StyleTool {
+  void SetUp() override {
+    StyleTool::SetUp();
+    write_text(folder / "square.ply", kMeasured);
+  }
+
+  static Arguments flat(const Arguments& more) {
+    Arguments all = {"--flat", "--colors", "1c325a,f4efe6,ffffff", "--camera", "0,0"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Image first(const std::string& mesh, const Arguments& more) { return picture(flat(more), mesh); }
+  Image other(const std::string& mesh, const std::string& parts, const Arguments& more = {}) {
+    Arguments all = {"--between", "nothing", "--stripe-width", "0", "--with", mesh + parts};
+    all.insert(all.end(), more.begin(), more.end());
+    return first(mesh, all);
+  }
+  void expect_refused(const std::string& words, const Arguments& arguments) const {
+    const ToolResult result = run(with(arguments));
+    EXPECT_EQ(result.exit_code, 2) << words;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  }
+};
+
+TEST_F(OtherSurfaceTool, LooksAsTheFirstDoes) {
+  const std::string square = (folder / "square.ply").string(), torus = "shape:torus,resolution=24";
+  write_text(folder / "speeds.csv", "speed\n1\n2\n4\n8\n");
+  EXPECT_EQ(
+      other(square, "@color-by=array:speed").pixels,
+      first(square, {"--stripe-width", "0", "--color-by", "array:speed", "--color-on", "surface"})
+          .pixels);
+  EXPECT_EQ(other(square, "@color-by=" + (folder / "speeds.csv").string()).pixels,
+            other(square, "@color-by=array:speed").pixels);
+  EXPECT_EQ(other(torus, "@striped@stripe-width=0.5@#f4efe6@color-by=distance:1,0,0").pixels,
+            first(torus, {"--color-by", "distance:1,0,0"}).pixels);
+  EXPECT_EQ(other(torus, "@discarded@stripe-width=0.5@color-by=height").pixels,
+            first(torus, {"--color-by", "height", "--between", "nothing"}).pixels);
+  for (const std::string tile : {"dots", "checker"}) {
+    EXPECT_EQ(other(torus, "@texture=" + tile + "@stripes=8@#f4efe6").pixels,
+              first(torus, {"--texture", tile}).pixels)
+        << tile;
+  }
+  EXPECT_EQ(other(torus, "@texture=dots@stripes=8@color-by=curvature").pixels,
+            first(torus, {"--texture", "dots", "--color-by", "curvature"}).pixels);
+  EXPECT_EQ(other(torus, "@discarded@texture=plus@stripes=8@color-by=height").pixels,
+            first(torus, {"--texture", "plus", "--color-by", "height", "--color-on", "figures",
+                          "--between", "nothing"})
+                .pixels);
+  EXPECT_EQ(other(torus, "@#f4efe6@outlined").pixels,
+            first(torus, {"--stripe-width", "0", "--outline", "solid"}).pixels);
+}
+
+// All that shares a value shares its colours, and options of colours are for whoever has them.
+TEST_F(OtherSurfaceTool, SharesTheColorsOfAValue) {
+  const std::string square = (folder / "square.ply").string();
+  const Arguments above = {"--with", square + "@color-by=height@0,0,2"};
+  const auto with_range = [&](Arguments arguments, const std::string& range) {
+    arguments.insert(arguments.end(), {"--color-range", range});
+    return arguments;
+  };
+  // From 0 to 1 and from 2 to 3.
+  const Arguments both = {"--color-by", "height", above[0], above[1]};
+  EXPECT_EQ(first(square, both).pixels, first(square, with_range(both, "0,3")).pixels);
+  EXPECT_NE(first(square, both).pixels, first(square, with_range(both, "0,1")).pixels);
+  EXPECT_EQ(first(square, above).pixels, first(square, with_range(above, "2,3")).pixels);
+  const std::string by_speed = "@color-by=array:speed";
+  EXPECT_EQ(other(square, by_speed, {"--color-range", "1,8"}).pixels,
+            other(square, by_speed).pixels);
+  for (const Arguments& more : {Arguments{"--threshold", "3"}, Arguments{"--colormap", "magma"},
+                                Arguments{"--legend", "speed in m/s"}, Arguments{"--no-legend"},
+                                Arguments{"--with", square + "@color-by=height@0,0,2"}}) {
+    EXPECT_NE(other(square, by_speed, more).pixels, other(square, by_speed).pixels) << more[0];
+  }
+}
+
+TEST_F(OtherSurfaceTool, RefusesWhatHasNoEffect) {
+  const std::string box = "shape:box,resolution=6";
+  expect_refused("--color-on: ", {"--with", box + "@color-by=height", "--color-on", "surface"});
+  expect_refused("height and curvature", {"--color-by", "height", "--threshold", "0.1", "--with",
+                                          box + "@color-by=curvature"});
+  expect_refused("@outlined has no effect", {"--with", box + "@outlined", "--outline", "solid"});
+  expect_refused("@whole goes without lines",
+                 {"--with", box + "@outlined", "--slice", "z=0", "--with", box + "@whole"});
+  expect_refused("is a value of the first surface alone", {"--with", box + "@color-by=light"});
+  expect_refused("--with @texture", {"--with", box + "@texture=leaves"});
+  const ToolResult missing = run(with({"--with", box + "@color-by=array:speed"}));
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("speed"), std::string::npos) << missing.err;
+  const auto drawing = [&](const std::string& parts) {
+    return run({"stripe", box, "--stripes", "8", "-o", "lines.svg", "--with", box + parts});
+  };
+  EXPECT_EQ(drawing("@texture=dots@outlined@0,0,1").exit_code, 0);
+  const ToolResult colored = drawing("@color-by=height");
+  EXPECT_EQ(colored.exit_code, 2);
+  EXPECT_NE(colored.err.find("write .png"), std::string::npos) << colored.err;
+}
+
 TEST_F(StyleTool, SlicesLeaveSomething) {
   for (const Arguments& slice :
        {Arguments{"--slice", "z=-3"}, Arguments{"--slice", "-x=3", "--flat"},

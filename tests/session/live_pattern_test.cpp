@@ -246,6 +246,33 @@ TEST(LivePattern, ReadsValuesAloneWhenTheCameraMoves) {
   EXPECT_EQ(pattern.state()->pattern, drawn);
 }
 
+TEST(LivePattern, ReadsValuesOfOtherSurfacesAlone) {
+  SessionDocument document = with(torus(), "with", "shape:box,resolution=6@striped@#ffffff");
+  LivePattern pattern;
+  pattern.update(document, Follow::afresh);
+  const auto others = pattern.state()->style->patterns.others;
+  const auto values = [&] { return pattern.state()->style->input.values.others.at(0); };
+  EXPECT_FALSE(values());
+  pattern.update(with(document, "with", "shape:box,resolution=6@striped@color-by=height@#ffffff"),
+                 Follow::last);
+  EXPECT_EQ(stages(pattern), std::set<std::string>{"style"});
+  EXPECT_EQ(pattern.state()->style->patterns.others, others);
+  ASSERT_TRUE(values());
+  EXPECT_EQ(values()->values.size(), (*others)[0].surface.mesh.vertex_count());
+  // They are those of the place to which the surface is moved.
+  const auto before = values()->values;
+  pattern.update(with(document, "with", "shape:box,resolution=6@striped@color-by=height@0,0,2"),
+                 Follow::last);
+  ASSERT_TRUE(values());
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    EXPECT_FLOAT_EQ(values()->values[v], before[v] + 2);
+  }
+  pattern.update(with(document, "with", "shape:box,resolution=6@texture=dots@color-by=curvature"),
+                 Follow::last);
+  EXPECT_NE(pattern.state()->style->patterns.others, others);
+  EXPECT_NE((*pattern.state()->style->patterns.others)[0].result->texture(), nullptr);
+}
+
 TEST(LivePattern, KeepsOtherSurfacesWhenValuesOfAPlaceChange) {
   SessionDocument document = with(torus(), "width-by", "distance:1,0,0");
   document.options["with"] = {"shape:box,resolution=6@#ffffff"};

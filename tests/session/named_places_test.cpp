@@ -23,6 +23,17 @@ TEST(NamedPlaces, AreFoundOnceEachWithTheirOptions) {
   EXPECT_TRUE(named_places({}).empty());
 }
 
+TEST(NamedPlaces, AreInValuesOfOtherSurfaces) {
+  const OptionValues options = {
+      {"with", {"a.vtp@striped@color-by=distance:1,2,3@4,5,6", "b.vtp@color-by=array:1,2,3"}}};
+  const std::vector<NamedPlace> places = named_places(options);
+  ASSERT_EQ(places.size(), 2u);
+  EXPECT_EQ(places[0].at, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(with_place_at({7, 8, 9}, places[0], options).at("with"),
+            (std::vector<std::string>{"a.vtp@striped@color-by=distance:7,8,9@4,5,6",
+                                      "b.vtp@color-by=array:1,2,3"}));
+}
+
 TEST(NamedPlaces, MoveInAllOptionsThatNameThemAndInNoOther) {
   const NamedPlace place = named_places(kOptions)[0];
   const OptionValues moved = with_place_at({1.5, -2, 0.25}, place, kOptions);

@@ -42,6 +42,9 @@ TEST_F(RenderTool, DrawsWhatStripeDraws) {
       {{"texture", {"arrows"}}, {"field", {"curvature"}}},
       {{"with", {"shape:sphere@striped", "shape:box@#303030"}}, {"between", {"nothing"}}},
       {{"with", {"shape:sphere@striped@stripes=9@stripe-width=0.2@stripe-color=#ff0000"}}},
+      {{"with", {"shape:sphere@color-by=height@outlined", "shape:box@texture=dots@0,0,1.5"}}},
+      {{"with", {"shape:sphere@discarded@texture=plus@color-by=curvature", "shape:box@outlined"}},
+       {"color-by", {"height"}}},
       {{"slack", {"0.2"}}, {"view", {"branches"}}, {"direction", {"-1,0.3,0"}}}};
   for (const OptionValues& options : looks) {
     SessionDocument document = small_document();

@@ -84,7 +84,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
     return output.kind != OutputKind::picture || is_drawing(output);
   });
   if (!alone) return;
-  refuse_for_outlines(command);
+  refuse_for_outlines(command, arguments.style);
   if (!arguments.style.by_light()) {
     refuse_light_option(command, arguments.waves,
                         "outlines of stripes show it by their widths alone; add --width-by light");

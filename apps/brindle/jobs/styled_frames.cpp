@@ -161,6 +161,7 @@ class StyledFrames : public FramePainter {
 
  private:
   void begin(const SolvedFrame& frame, const Surface& surface);
+  Followed follow_frame(const SolvedFrame& frame, const Surface& surface);
   StyledScene scene_of(const SolvedFrame& frame, const Surface& surface, const Followed& followed);
   void show(const std::vector<StyledSurface>& surfaces, std::span<const Vec3> points);
 
@@ -173,11 +174,18 @@ class StyledFrames : public FramePainter {
   Viewpoint viewpoint_;
   std::vector<Vec3> framed_;
   std::vector<OtherSurface> others_;
+  std::vector<std::optional<VertexValues>> other_values_;  ///< stay, as the surfaces do
   StyledRenderer renderer_;
   std::size_t uploaded_ = 0;  ///< surfaces and points
   std::size_t count_ = 0;
   std::string nothing_left_;
 };
+
+Followed StyledFrames::follow_frame(const SolvedFrame& frame, const Surface& surface) {
+  StyleValues values = values_.read(frame.data, surface, viewpoint_);
+  values.others = other_values_;
+  return follow(style_.style, values);
+}
 
 /// What stays from frame to frame.
 void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
@@ -189,13 +197,14 @@ void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
       read_others(style, style_.waves, mean_frequency(frame.scene.waves), whole, style_.display);
   viewpoint_.framed = framed_mesh(surface.mesh, others);
   framed_ = points_of_triangles(*viewpoint_.framed);
+  other_values_ = read_other_values(style, others, viewpoint_);
   StripeOptions stripes;
   stripes.phase_shift = style_.animator.phase_shift;
   others_ = solve_others(style, std::move(others), stripes, style_.display.progress());
   if (style.follows_camera()) {
     // The legend leaves less room, so that the camera stands farther away.
-    const Followed followed = follow(style, values_.read(frame.data, surface, viewpoint_));
-    viewpoint_.width -= legend_width(followed.legends, viewpoint_.width, viewpoint_.height);
+    viewpoint_.width -=
+        legend_width(follow_frame(frame, surface).legends, viewpoint_.width, viewpoint_.height);
     values_.forget_ends();
   }
   if (!style_.tile) return;
@@ -247,7 +256,7 @@ void StyledFrames::show(const std::vector<StyledSurface>& surfaces, std::span<co
 Image StyledFrames::paint(const SolvedFrame& frame) {
   const Surface surface{frame.scene.mesh, frame.data.surface.neighborhood, frame.scene.normals};
   if (count_ == 0) begin(frame, surface);
-  Followed followed = follow(style_.style, values_.read(frame.data, surface, viewpoint_));
+  Followed followed = follow_frame(frame, surface);
   StyledOptions options = styled_options(style_.style, picture_, surface.mesh.origin, followed);
   if (style_.tile) name_tiles(style_.style, *style_.tile, options.render, followed);
   options.framed = framed_;

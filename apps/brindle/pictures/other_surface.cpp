@@ -10,6 +10,7 @@
 #include "brindle/base/formatted.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"
+#include "input/vertex_values.h"
 
 namespace brindle::tool {
 namespace {
@@ -20,9 +21,21 @@ Color color_in(const std::string& option, const std::string& text) {
   return *color;
 }
 
+/// What is not of the first surface's picture alone.
+std::string value_of_other(const std::string& option, const std::string& text) {
+  check_value_name(option, text);
+  if (depends_on_camera(text) || depends_on_field(text)) {
+    throw CLI::ValidationError(option, "'" + text +
+                                           "' is a value of the first surface alone; take "
+                                           "array:NAME, FILE.csv, distance:X,Y,Z, curvature or "
+                                           "height");
+  }
+  return text;
+}
+
 /// "stripes=30" and the like. False for other names.
-bool take_stripe_style(const std::string& option, const std::string& name, const std::string& text,
-                       OtherSurfaceChoice& choice) {
+bool take_named(const std::string& option, const std::string& name, const std::string& text,
+                OtherSurfaceChoice& choice) {
   if (name == "stripes") {
     choice.stripes = parse_positive_number(option + " @stripes", text);
   } else if (name == "rotate") {
@@ -32,6 +45,13 @@ bool take_stripe_style(const std::string& option, const std::string& name, const
     if (*choice.stripe_width > 1) wrong_usage(option + " @stripe-width", "a share up to 1", text);
   } else if (name == "stripe-color") {
     choice.stripe_color = color_in(option + " @stripe-color", text);
+  } else if (name == "texture") {
+    if (!parse_built_in_tile(text)) {
+      wrong_usage(option + " @texture", "one of " + std::string(built_in_tile_names()), text);
+    }
+    choice.tile = text;
+  } else if (name == "color-by") {
+    choice.color_by = value_of_other(option + " @color-by", text);
   } else {
     return false;
   }
@@ -42,11 +62,14 @@ bool take_stripe_style(const std::string& option, const std::string& name, const
 bool take_part(const std::string& option, const std::string& part, OtherSurfaceChoice& choice) {
   const std::size_t equals = part.find('=');
   if (equals != part.npos) {
-    return take_stripe_style(option, part.substr(0, equals), part.substr(equals + 1), choice);
+    return take_named(option, part.substr(0, equals), part.substr(equals + 1), choice);
   }
-  if (part == "striped" || part == "discarded") {
+  if (part == "striped") {
     choice.striped = true;
-    if (part == "discarded") choice.between = BetweenStrokes::discarded;
+  } else if (part == "discarded") {
+    choice.between = BetweenStrokes::discarded;
+  } else if (part == "outlined") {
+    choice.outlined = true;
   } else if (part == "untinted") {
     choice.tinted = false;
   } else if (part == "whole") {
@@ -58,6 +81,27 @@ bool take_part(const std::string& option, const std::string& part, OtherSurfaceC
     return choice.color.has_value();
   }
   return true;
+}
+
+/// Why a part of the choice has no effect beside the rest, and what to do. Empty if all have.
+std::string effectless_part(const OtherSurfaceChoice& choice) {
+  if (choice.has_pattern_style() && !choice.has_pattern()) {
+    return "has a style of stripes, and none: add @striped, @discarded or @texture=TILE";
+  }
+  if (choice.striped && !choice.tile.empty()) {
+    return "has tiles instead of stripes: leave out @striped or @texture";
+  }
+  if (choice.stripe_width && !choice.tile.empty()) {
+    return "has tiles, which are as wide as they are: leave out @stripe-width";
+  }
+  if (choice.stripe_color && choice.colors_pattern()) {
+    return "has colours of @color-by where @stripe-color would be: leave out one of them";
+  }
+  if (choice.color && choice.colors_pattern() && choice.between == BetweenStrokes::discarded) {
+    return "has colours of @color-by, and nothing is seen of @" + hex_color(*choice.color) +
+           ": leave out one of them";
+  }
+  return "";
 }
 
 }  // namespace
@@ -77,19 +121,21 @@ OtherSurfaceChoice parse_other_surface(const std::string& option, const std::str
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (!take_part(option, parts[i], choice)) wrong_usage(option, kOtherSurfaceForm, text);
   }
-  if (choice.has_stripe_style() && !choice.striped) {
-    throw CLI::ValidationError(option, "'" + text +
-                                           "' has a style of stripes, and none: add @striped or "
-                                           "@discarded");
-  }
+  const bool alone = choice.between == BetweenStrokes::discarded;
+  if (alone && choice.tile.empty()) choice.striped = true;
+  const std::string why = effectless_part(choice);
+  if (!why.empty()) throw CLI::ValidationError(option, "'" + text + "' " + why);
   return choice;
 }
 
 std::string text_of(const OtherSurfaceChoice& choice) {
   std::string text = choice.mesh;
-  if (choice.striped) {
-    text += choice.between == BetweenStrokes::discarded ? "@discarded" : "@striped";
+  if (choice.between == BetweenStrokes::discarded) {
+    text += "@discarded";
+  } else if (choice.striped) {
+    text += "@striped";
   }
+  if (!choice.tile.empty()) text += "@texture=" + choice.tile;
   const auto add = [&](std::string_view name, const std::optional<float>& value) {
     if (value) text += "@" + std::string(name) + formatted("=%.9g", static_cast<double>(*value));
   };
@@ -97,6 +143,8 @@ std::string text_of(const OtherSurfaceChoice& choice) {
   add("rotate", choice.rotate_deg);
   add("stripe-width", choice.stripe_width);
   if (choice.stripe_color) text += "@stripe-color=" + hex_color(*choice.stripe_color);
+  if (!choice.color_by.empty()) text += "@color-by=" + choice.color_by;
+  if (choice.outlined) text += "@outlined";
   if (!choice.tinted) text += "@untinted";
   if (choice.whole) text += "@whole";
   if (choice.color) text += "@" + hex_color(*choice.color);
@@ -106,18 +154,40 @@ std::string text_of(const OtherSurfaceChoice& choice) {
   return text;
 }
 
-OtherSurfaceChoice without_stripe_style(OtherSurfaceChoice choice) {
-  choice.stripes.reset();
-  choice.rotate_deg.reset();
-  choice.stripe_width.reset();
-  choice.stripe_color.reset();
+namespace {
+
+OtherSurfaceChoice without_effectless(OtherSurfaceChoice choice) {
+  if (!choice.has_pattern()) {
+    choice.stripes.reset();
+    choice.rotate_deg.reset();
+  }
+  if (!choice.striped) choice.stripe_width.reset();
+  if (!choice.has_pattern() || choice.colors_pattern()) choice.stripe_color.reset();
+  if (choice.colors_pattern() && choice.between == BetweenStrokes::discarded) choice.color.reset();
   return choice;
+}
+
+}  // namespace
+
+OtherSurfaceChoice with_pattern(OtherSurfaceChoice choice, bool striped, const std::string& tile,
+                                BetweenStrokes between) {
+  choice.striped = striped;
+  choice.tile = tile;
+  choice.between = between;
+  return without_effectless(std::move(choice));
+}
+
+OtherSurfaceChoice with_color_by(OtherSurfaceChoice choice, const std::string& value) {
+  choice.color_by = value;
+  return without_effectless(std::move(choice));
 }
 
 OtherSurfaceChoice without_looks(OtherSurfaceChoice choice) {
   choice.between = BetweenStrokes::surface;
   choice.stripe_width.reset();
   choice.stripe_color.reset();
+  choice.color_by.clear();
+  choice.outlined = false;
   choice.color.reset();
   choice.tinted = true;
   choice.whole = false;

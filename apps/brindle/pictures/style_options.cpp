@@ -216,15 +216,25 @@ void check_widths(const CLI::App& command, const StyleOptions& options) {
 }
 
 void check_colors(const CLI::App& command, const StyleOptions& options) {
-  if (options.color_by.empty()) {
+  const std::vector<std::string> colored = options.color_values();
+  if (colored.empty()) {
     refuse_given(command, {"--color-range", "--colormap", "--threshold", "--color-on"},
                  "colours follow no value; add --color-by VALUE");
+  }
+  if (options.color_by.empty()) {
+    refuse_given(
+        command, {"--color-on"},
+        "it is for the first surface, whose colours follow no value; add --color-by VALUE");
+  }
+  if (colored.size() > 1) {
+    refuse_given(command, {"--threshold"},
+                 "surfaces have colours of several values, " + colored[0] + " and " + colored[1] +
+                     ", and T is one of them; colour all by one");
   }
   if (options.opacity_by.empty()) {
     refuse_given(command, {"--opacity-range"}, "opacity follows no value; add --opacity-by VALUE");
   }
-  const bool by_value =
-      !options.color_by.empty() || (!options.width_by.empty() && !options.by_light());
+  const bool by_value = !colored.empty() || (!options.width_by.empty() && !options.by_light());
   if (!by_value && !options.regions.empty()) {
     refuse_given(command, {"--no-legend"}, "without --legend TEXT there is none of tiles");
   } else if (!by_value) {
@@ -283,6 +293,11 @@ void check_tiles(const CLI::App& command, const StyleOptions& options, Drawn dra
 }
 
 void check_others(const CLI::App& command, const StyleOptions& options) {
+  const bool outlined = std::ranges::any_of(options.others, &OtherSurfaceChoice::outlined);
+  if (outlined && options.outline != OutlineStyle::none) {
+    throw CLI::ValidationError(
+        "--with", "@outlined has no effect here: --outline draws the silhouettes of all surfaces");
+  }
   const bool whole = std::ranges::any_of(options.others, &OtherSurfaceChoice::whole);
   if (!whole) return;
   if (!is_given(command, "--slice")) {
@@ -291,7 +306,8 @@ void check_others(const CLI::App& command, const StyleOptions& options) {
   if (options.has_lines()) {
     throw CLI::ValidationError(
         "--with",
-        "@whole goes without lines, which are cut as one; leave out --outline and --creases");
+        "@whole goes without lines, which are cut as one; leave out --outline, --creases and "
+        "@outlined");
   }
 }
 
@@ -304,15 +320,32 @@ void check_style_options(const CLI::App& command, const StyleOptions& options, D
   check_colors(command, options);
   if (!options.has_lines()) {
     refuse_given(command, {"--hidden-lines", "--line-width"},
-                 "no lines are drawn; add --outline solid or --creases DEG");
+                 "no lines are drawn; add --outline solid, --creases DEG or --with MESH@outlined");
   }
 }
 
-void refuse_for_outlines(const CLI::App& command) {
+void refuse_for_outlines(const CLI::App& command, const StyleOptions& options) {
+  constexpr const char* kWhy =
+      "outlines in drawings have one colour each and no background; write .png";
   refuse_given(command,
                {"--color-by", "--opacity-by", "--legend", "--no-legend", "--flat", "--transparent",
                 "--depth-cue", "--occlusion", "--ground-shadow"},
-               "outlines in drawings have one colour each and no background; write .png");
+               kWhy);
+  for (const OtherSurfaceChoice& other : options.others) {
+    if (!other.color_by.empty()) {
+      throw CLI::ValidationError("--with", std::string("@color-by has no effect here: ") + kWhy);
+    }
+  }
+}
+
+std::vector<std::string> StyleOptions::color_values() const {
+  std::vector<std::string> values;
+  if (!color_by.empty()) values.push_back(color_by);
+  for (const OtherSurfaceChoice& other : others) {
+    const bool known = std::ranges::find(values, other.color_by) != values.end();
+    if (!other.color_by.empty() && !known) values.push_back(other.color_by);
+  }
+  return values;
 }
 
 bool StyleOptions::follows_camera() const {
@@ -337,6 +370,7 @@ std::vector<UsedFile> style_files(const StyleOptions& options) {
   add("--tile-size-by", options.tile_size_by);
   for (const OtherSurfaceChoice& other : options.others) {
     if (!is_shape(SurfaceOptions{.mesh = other.mesh})) files.push_back({"--with", other.mesh});
+    add("--with", other.color_by);
   }
   return files;
 }

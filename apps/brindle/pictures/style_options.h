@@ -88,7 +88,12 @@ struct StyleOptions {
   Eigen::Vector2f texture_shift{0, 0};        ///< in tiles
   Eigen::Vector2f texture_flow{0, 0};         ///< in tiles a second, of moving pictures
 
-  bool has_lines() const { return outline != OutlineStyle::none || crease_deg.has_value(); }
+  bool has_lines() const {
+    return outline != OutlineStyle::none || crease_deg.has_value() ||
+           std::ranges::any_of(others, &OtherSurfaceChoice::outlined);
+  }
+  /// The values that colours follow, each once: that of the first surface, then those of others.
+  std::vector<std::string> color_values() const;
   bool by_light() const { return width_by == "light"; }
   /// The names of all values that something follows; empty where nothing does.
   std::array<std::string, 5> values() const {
@@ -141,7 +146,7 @@ void refuse_style_options(const CLI::App& command, std::string_view why);
 void check_style_options(const CLI::App& command, const StyleOptions& options, Drawn drawn);
 
 /// The same for drawings of stripes' outlines, which have one colour each.
-void refuse_for_outlines(const CLI::App& command);
+void refuse_for_outlines(const CLI::App& command, const StyleOptions& options);
 
 /// --color-by, --color-range, --colormap, --threshold, --legend and --no-legend.
 void add_color_options(CLI::App& app, StyleOptions& options);

@@ -1,15 +1,44 @@
 #include "pictures/style_values.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace brindle::tool {
 namespace {
 
-/// The range of values whose colours the map has.
-ValueRange color_values(const StyleOptions& style, const VertexValues& values) {
-  if (style.color_range) return *style.color_range;
-  const Eigen::Vector2f range = values.range("--color-by");
+/// Values of one name, of one surface or several: what they share is a range, and a legend.
+struct ColoredValues {
+  std::string name;
+  std::vector<const VertexValues*> of = {};
+};
+
+/// First that of --color-by, if there is one.
+std::vector<ColoredValues> colored_values(const StyleOptions& style, const StyleValues& input) {
+  std::vector<ColoredValues> all;
+  for (const std::string& name : style.color_values()) {
+    ColoredValues& values = all.emplace_back(ColoredValues{name});
+    if (input.color && name == style.color_by) values.of.push_back(&*input.color);
+    for (std::size_t i = 0; i < input.others.size(); ++i) {
+      if (style.others[i].color_by == name) values.of.push_back(&*input.others[i]);
+    }
+  }
+  return all;
+}
+
+/// The range of values whose colours the map has, unless it is given.
+ValueRange own_range(std::span<const VertexValues* const> values) {
+  Eigen::Vector2f range = values.front()->range("--color-by");
+  for (const VertexValues* more : values.subspan(1)) {
+    const Eigen::Vector2f other = more->range("--color-by");
+    range = {std::min(range[0], other[0]), std::max(range[1], other[1])};
+  }
   return {range[0], range[1]};
+}
+
+std::vector<float> places_of(std::vector<float> values, const ValueRange& range) {
+  const float length = range.highest - range.lowest;
+  for (float& value : values) value = length > 0 ? (value - range.lowest) / length : 0.5f;
+  return values;
 }
 
 ColorScale scale_of(const StyleOptions& style, const ValueRange& range) {
@@ -22,18 +51,19 @@ ColorScale scale_of(const StyleOptions& style, const ValueRange& range) {
   return scale;
 }
 
+Legend color_legend(std::string title, const ValueRange& range, const ColorScale& scale) {
+  return {
+      .title = std::move(title), .lowest = range.lowest, .highest = range.highest, .scale = scale};
+}
+
 }  // namespace
 
 ColorPlaces color_places(const StyleOptions& style, const VertexValues& color) {
-  const ValueRange range = color_values(style, color);
-  ColorPlaces colors{scale_of(style, range), color.values, {}};
-  const float length = range.highest - range.lowest;
-  for (float& place : colors.places) place = length > 0 ? (place - range.lowest) / length : 0.5f;
-  colors.legend = {.title = style.legend.empty() ? color.title : style.legend,
-                   .lowest = range.lowest,
-                   .highest = range.highest,
-                   .scale = colors.scale};
-  return colors;
+  const VertexValues* const only = &color;
+  const ValueRange range = style.color_range.value_or(own_range({&only, 1}));
+  const ColorScale scale = scale_of(style, range);
+  return {scale, places_of(color.values, range),
+          color_legend(style.legend.empty() ? color.title : style.legend, range, scale)};
 }
 
 namespace {
@@ -48,20 +78,50 @@ void follow_widths(const StyleOptions& style, const VertexValues& width, Followe
                               .widths = Eigen::Vector2f(widths.first, widths.last)});
 }
 
-void follow_colors(const StyleOptions& style, const VertexValues& color, Followed& followed) {
-  ColorPlaces colors = color_places(style, color);
-  followed.scale = colors.scale;
-  followed.places = std::move(colors.places);
-  Legend& legend = colors.legend;
+/// Puts the legend of the first value on top of that of widths, if there is one.
+void add_first_legend(const StyleOptions& style, Legend legend, std::vector<Legend>& legends) {
   // One bar says both where it is the same value over the same range.
-  const bool same = !followed.legends.empty() && style.width_by == style.color_by &&
-                    followed.legends[0].lowest == legend.lowest &&
-                    followed.legends[0].highest == legend.highest;
+  const bool same = !legends.empty() && style.width_by == style.color_by &&
+                    legends[0].lowest == legend.lowest && legends[0].highest == legend.highest;
   if (same) {
-    legend.widths = followed.legends[0].widths;
-    followed.legends.clear();
+    legend.widths = legends[0].widths;
+    legends.clear();
   }
-  followed.legends.insert(followed.legends.begin(), std::move(legend));
+  legends.insert(legends.begin(), std::move(legend));
+}
+
+/// The title of values that others have colours of, too: one that no legend has yet.
+std::string title_of(const ColoredValues& values, std::span<const Legend> legends) {
+  const std::string& title = values.of.front()->title;
+  const bool taken = std::ranges::find(legends, title, &Legend::title) != legends.end();
+  return taken ? values.name : title;
+}
+
+void follow_colors(const StyleOptions& style, const StyleValues& input, Followed& followed) {
+  const std::vector<ColoredValues> colored = colored_values(style, input);
+  followed.other_places.resize(input.others.size());
+  for (std::size_t k = 0; k < colored.size(); ++k) {
+    const ColoredValues& values = colored[k];
+    const bool first = k == 0;
+    ValueRange range = own_range(values.of);
+    if (first && style.color_range) range = *style.color_range;
+    // Thresholds are refused where there are several values, so that all have one scale.
+    const ColorScale scale = scale_of(style, range);
+    if (first) followed.scale = scale;
+    if (input.color && values.name == style.color_by) {
+      followed.places = places_of(input.color->values, range);
+    }
+    for (std::size_t i = 0; i < input.others.size(); ++i) {
+      if (style.others[i].color_by != values.name) continue;
+      followed.other_places[i] = places_of(input.others[i]->values, range);
+    }
+    if (first) {
+      const std::string& title = style.legend.empty() ? values.of.front()->title : style.legend;
+      add_first_legend(style, color_legend(title, range, scale), followed.legends);
+    } else {
+      followed.legends.push_back(color_legend(title_of(values, followed.legends), range, scale));
+    }
+  }
 }
 
 std::string number_text(float value) {
@@ -72,7 +132,7 @@ std::string number_text(float value) {
 
 /// Where tiles by value are all that a title can be for.
 bool has_region_legend(const StyleOptions& style) {
-  return !style.regions.empty() && style.color_by.empty() && !style.legend.empty();
+  return !style.regions.empty() && style.color_values().empty() && !style.legend.empty();
 }
 
 /// From the largest values down. `name_tiles` says which the tiles are.
@@ -108,7 +168,7 @@ void name_tiles(const StyleOptions& style, const TextureTile& first, const Rende
 Followed follow(const StyleOptions& style, const StyleValues& input) {
   Followed followed;
   if (input.width) follow_widths(style, *input.width, followed);
-  if (input.color) follow_colors(style, *input.color, followed);
+  follow_colors(style, input, followed);
   if (input.opacity) {
     const Eigen::Vector2f range = input.opacity->range("--opacity-by");
     const ValueRange shares = style.opacity_range.value_or(ValueRange());
@@ -126,6 +186,23 @@ Followed follow(const StyleOptions& style, const StyleValues& input) {
   if (!style.legend.empty()) followed.legends.front().title = style.legend;
   if (style.no_legend) followed.legends.clear();
   return followed;
+}
+
+std::vector<std::optional<VertexValues>> read_other_values(const StyleOptions& style,
+                                                           std::span<const Preparation> others,
+                                                           const Viewpoint& viewpoint) {
+  const char* const option = "--with @color-by";
+  const ArrayOptions of_own_file;
+  std::vector<std::optional<VertexValues>> all(others.size());
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const OtherSurfaceChoice& choice = style.others[i];
+    if (choice.color_by.empty()) continue;
+    const ValueSource source{others[i].surface, others[i].arrays,        choice.mesh,
+                             of_own_file,       others[i].vertex_of_row, &viewpoint};
+    all[i] = vertex_values(option, choice.color_by, source);
+    all[i]->range(option);
+  }
+  return all;
 }
 
 StyleValues read_style_values(const StyleOptions& style, const ReadValues& read) {

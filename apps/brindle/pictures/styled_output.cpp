@@ -79,10 +79,13 @@ StyleValues read_style_values(const StyleOptions& style, const Preparation& prep
     return vertex_values(option, value, source);
   };
   StyleValues values = read_style_values(style, read);
+  values.others = read_other_values(style, others, viewpoint);
   if (!style.follows_camera()) return values;
   // The legend leaves less room, so that the camera stands farther away.
   viewpoint.width -= legend_width(follow(style, values).legends, viewpoint.width, viewpoint.height);
-  return read_style_values(style, read);
+  StyleValues seen = read_style_values(style, read);
+  seen.others = std::move(values.others);
+  return seen;
 }
 
 StyleInput read_style_input(const StyleOptions& style, const Preparation& prepared,

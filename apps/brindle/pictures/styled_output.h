@@ -18,7 +18,7 @@ namespace brindle::tool {
 /// All that a style follows, found before a long job begins.
 struct StyleInput {
   StyleValues values;
-  std::vector<Preparation> others;  ///< without waves unless they are striped
+  std::vector<Preparation> others;  ///< without waves unless they have a pattern
 };
 
 /// Reads values and other surfaces of a picture whose pattern has the waves `drawn`. Throws Error

@@ -4,11 +4,11 @@
 #include <numeric>
 #include <utility>
 
-#include "brindle/base/printable.h"
 #include "brindle/direction_field.h"
 #include "brindle/feature_lines.h"
 #include "brindle/ink.h"
 #include "brindle/mesh.h"
+#include "brindle/render/parsed_words.h"
 #include "pictures/picture_options.h"
 #include "pictures/texture_options.h"
 
@@ -18,25 +18,17 @@ namespace {
 constexpr ValueRange kTones{0.3f, 0.95f};
 constexpr WidthRange kLightWidths{0, 0.8f, WidthUnit::period};
 
-/// A surface that is drawn without stripes.
-Preparation prepare_plain(const SurfaceOptions& options, JobListener& listener) {
-  Preparation plain;
-  listener.stage("loading " + shown(options.mesh));
-  LoadedSurface loaded = load_mesh(options, listener.progress());
-  listener.note(describe(loaded));
-  plain.surface = make_surface(std::move(loaded.mesh));
-  return plain;
-}
-
 Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& waves,
                           float frequency, const Viewpoint& viewpoint, JobListener& listener) {
   const SurfaceOptions options{.mesh = choice.mesh, .moved = choice.moved.cast<float>()};
   refuse_points(options, "stripe --with");
-  if (!choice.striped) return prepare_plain(options, listener);
+  if (!choice.has_pattern()) return prepare_surface(options, listener);
   WaveOptions own = waves;
   // Those lie on MESH.
   own.strokes.clear();
   own.drawn_strokes.clear();
+  own.stripes_v.reset();
+  own.frequency_v.reset();
   own.stripes = choice.stripes;
   own.frequency.reset();
   if (!choice.stripes) {
@@ -75,8 +67,14 @@ std::vector<OtherSurface> solve_others(const StyleOptions& style, std::vector<Pr
   std::vector<OtherSurface> others;
   for (std::size_t i = 0; i < read.size(); ++i) {
     OtherSurface other{std::move(read[i].surface), std::nullopt};
-    if (style.others[i].striped) {
-      other.pattern = stripe_pattern(other.surface, std::move(read[i].waves), options, progress);
+    const OtherSurfaceChoice& choice = style.others[i];
+    if (choice.striped) {
+      other.result.emplace(
+          StripeResult{stripe_pattern(other.surface, std::move(read[i].waves), options, progress)});
+    } else if (const auto tile = parse_built_in_tile(choice.tile)) {
+      other.result.emplace(StripeResult{Texture{
+          texture_pattern(other.surface, std::move(read[i].waves), {.stripes = options}, progress),
+          *tile, WholeTiles()}});
     }
     others.push_back(std::move(other));
   }
@@ -150,8 +148,17 @@ RegionTexture region_texture(const TextureView& texture, const StyleOptions& sty
   return result;
 }
 
+/// What is left out of its tiles is kept by the surface, which outlives what is drawn.
+RegionTexture texture_of(const OtherSurface& other, const Texture& texture, const Color& figure) {
+  RegionTexture drawn{.waves = &texture.pattern.waves};
+  drawn.tiles.push_back({texture.tile, figure, 0, texture.broken(other.surface.mesh).get()});
+  return drawn;
+}
+
+/// `places`: of its colours, or empty.
 StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice& choice,
-                            const StyleOptions& style, const RenderOptions& render) {
+                            const StyleOptions& style, const RenderOptions& render,
+                            std::span<const float> places) {
   StyledSurface surface{.mesh = other.surface.mesh,
                         .normals = other.surface.normals,
                         .color = choice.color.value_or(kOtherColor),
@@ -159,15 +166,24 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
                         .shading = !style.flat,
                         .tinted = choice.tinted,
                         .sliced = !choice.whole};
-  if (other.pattern) {
-    // The surface's own colour is that of its strokes where nothing else is left of it.
-    const bool alone = choice.between == BetweenStrokes::discarded && choice.color;
-    const Color usual = alone ? *choice.color : render.stripe_color;
-    surface.strokes.push_back({.waves = &other.pattern->waves,
-                               .z = other.pattern->solution.z,
-                               .color = choice.stripe_color.value_or(usual),
-                               .width = choice.stripe_width.value_or(render.stripe_width)});
+  if (!choice.colors_pattern()) surface.color_places = places;
+  if (!other.result) return surface;
+  // The surface's own colour is that of its pattern where nothing else is left of it.
+  const bool alone = choice.between == BetweenStrokes::discarded && choice.color;
+  const Color color = choice.stripe_color.value_or(alone ? *choice.color : render.stripe_color);
+  const std::span<const float> of_pattern =
+      choice.colors_pattern() ? places : std::span<const float>();
+  if (const Texture* texture = other.result->texture()) {
+    surface.texture = texture_of(other, *texture, color);
+    surface.texture->color_places = of_pattern;
+    return surface;
   }
+  const StripePattern& stripes = other.result->stripes();
+  surface.strokes.push_back({.waves = &stripes.waves,
+                             .z = stripes.solution.z,
+                             .color = color,
+                             .width = choice.stripe_width.value_or(render.stripe_width),
+                             .color_places = of_pattern});
   return surface;
 }
 
@@ -217,7 +233,9 @@ std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOpti
                                        const RenderOptions& render, const Followed& followed) {
   std::vector<StyledSurface> surfaces{main_surface(scene, style, render, followed)};
   for (std::size_t i = 0; i < scene.others.size(); ++i) {
-    surfaces.push_back(other_surface(scene.others[i], style.others[i], style, render));
+    const std::vector<std::vector<float>>& places = followed.other_places;
+    surfaces.push_back(other_surface(scene.others[i], style.others[i], style, render,
+                                     places.empty() ? std::span<const float>() : places[i]));
   }
   return surfaces;
 }
@@ -316,7 +334,7 @@ LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfac
     const bool main = i == 0;
     const double begin = kSeen + static_cast<double>(i) * share, middle = begin + 0.5 * share;
     const Surface& surface = main ? scene.surface : scene.others[i - 1].surface;
-    if (style.outline != OutlineStyle::none) {
+    if (style.outline != OutlineStyle::none || (!main && style.others[i - 1].outlined)) {
       lines.add_outline(surfaces[i], main ? &scene.pattern : nullptr, progress.part(begin, middle));
     }
     if (style.crease_deg) {

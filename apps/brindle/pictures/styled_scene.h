@@ -10,23 +10,24 @@
 #include "brindle/line_drawing.h"
 #include "input/preparation.h"
 #include "pictures/picture.h"
+#include "pictures/stripe_result.h"
 #include "pictures/style_values.h"
 
 namespace brindle::tool {
 
-/// Another surface of the picture, its stripes if it has any.
+/// Another surface of the picture, its stripes or texture if it has any.
 struct OtherSurface {
   Surface surface;
-  std::optional<StripePattern> pattern;
+  std::optional<StripeResult> result;
 };
 
-/// Reads the surfaces of --with; those with stripes have waves of this frequency. Throws Error for
-/// what cannot be read.
+/// Reads the surfaces of --with; those with a pattern have waves of this frequency. Throws Error
+/// for what cannot be read.
 std::vector<Preparation> read_others(const StyleOptions& style, const WaveOptions& waves,
                                      float frequency, const Viewpoint& viewpoint,
                                      JobListener& listener);
 
-/// Solves for their stripes.
+/// Solves for their stripes and textures.
 std::vector<OtherSurface> solve_others(const StyleOptions& style, std::vector<Preparation> read,
                                        const StripeOptions& options, const Progress& progress);
 

@@ -739,6 +739,7 @@ class StageUpdate {
     result.parsed = parsed_;
     result.job = {pattern, &pattern->job};
     result.style = stages_.style.job;
+    result.others = stages_.style.read.made;
     result.curves = stages_.shown.curves.made;
     result.samples = stages_.shown.samples.made;
     result.phases = pattern->phases;

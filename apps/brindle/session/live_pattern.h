@@ -54,8 +54,10 @@ struct LiveFigures {
 struct LiveState {
   SessionDocument document;
   std::shared_ptr<const ParsedSession> parsed;
-  std::shared_ptr<const StripeJob> job;              ///< surface, pattern or texture, report, data
-  std::shared_ptr<const StyleJob> style;             ///< null if the picture has no style
+  std::shared_ptr<const StripeJob> job;   ///< surface, pattern or texture, report, data
+  std::shared_ptr<const StyleJob> style;  ///< null if the picture has no style
+  /// Other surfaces as they were read, with their arrays; null if the picture has no style.
+  std::shared_ptr<const std::vector<Preparation>> others;
   std::shared_ptr<const ShownCurves> curves;         ///< null if they are not shown
   std::shared_ptr<const ShownSamples> samples;       ///< null if they are not shown
   std::shared_ptr<const std::vector<float>> phases;  ///< angles, of a pattern that has followed

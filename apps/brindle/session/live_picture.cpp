@@ -57,10 +57,11 @@ struct LivePicture::Drawing {
   std::optional<Renderer> plain;
   std::optional<StyledRenderer> styled;
   std::optional<SplatRenderer> splats;
-  std::uint64_t uploaded = kNothing;            ///< `LiveState::pattern`
-  std::shared_ptr<const LiveState> kept;        ///< what was uploaded, and `picture` refers to
-  std::optional<StyledPicture> styled_picture;  ///< that was uploaded
-  std::vector<Vec3> framed;                     ///< by the camera
+  std::uint64_t uploaded = kNothing;             ///< `LiveState::pattern`
+  std::shared_ptr<const LiveState> kept;         ///< what was uploaded, and `picture` refers to
+  std::optional<StyledPicture> styled_picture;   ///< that was uploaded
+  std::vector<std::vector<float>> other_places;  ///< in the colour map, that were uploaded
+  std::vector<Vec3> framed;                      ///< by the camera
   DraftSize draft_size;
 
   Image draw(const std::shared_ptr<const LiveState>& state, const DrawSettings& settings);
@@ -159,7 +160,10 @@ void LivePicture::Drawing::upload_styled(const LiveState& state, const LiveState
   StyledPicture picture =
       tool::styled_picture(*state.job->surface, state.job->result, state.style->patterns,
                            state.parsed->arguments().style, state.style->input, picture_of(state));
-  if (last != nullptr && last->style && same_others(state, *last) && same_mesh(state, *last)) {
+  const bool same_colors = other_places == picture.followed.other_places;
+  other_places = picture.followed.other_places;
+  if (last != nullptr && last->style && same_colors && same_others(state, *last) &&
+      same_mesh(state, *last)) {
     styled->update(0, picture.surfaces.front());
   } else {
     if (!styled) styled.emplace();

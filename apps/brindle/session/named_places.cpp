@@ -22,29 +22,36 @@ std::optional<Eigen::Vector3d> place_in_text(const std::string& text) {
 
 using NewPlace = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector3d&)>;
 
-/// The part of a value after `begin`, up to `end`, with what `new_place` says instead of a place.
-std::string replaced(const std::string& value, std::size_t begin, std::size_t end,
-                     const NewPlace& new_place) {
-  const auto place = place_in_text(value.substr(begin, end - begin));
+/// The place "X,Y,Z", or what `new_place` says instead. Other texts stay as they are.
+std::string replaced(const std::string& text, const NewPlace& new_place) {
+  const auto place = place_in_text(text);
   const auto other = place ? new_place(*place) : std::nullopt;
-  if (!other) return value.substr(begin, end - begin);
+  if (!other) return text;
   return formatted("%.7g,%.7g,%.7g", other->x(), other->y(), other->z());
+}
+
+/// The same of a value "distance:X,Y,Z".
+std::string with_distance(const std::string& value, const NewPlace& new_place) {
+  constexpr std::string_view kDistance = "distance:";
+  if (!value.starts_with(kDistance)) return value;
+  return std::string(kDistance) + replaced(value.substr(kDistance.size()), new_place);
+}
+
+/// The same of what stands behind a sign of another surface.
+std::string with_place_of_part(const std::string& part, const NewPlace& new_place) {
+  constexpr std::string_view kColor = "color-by=";
+  if (!part.starts_with(kColor)) return replaced(part, new_place);
+  return std::string(kColor) + with_distance(part.substr(kColor.size()), new_place);
 }
 
 /// The value with other places.
 std::string with_places(const std::string& option, const std::string& value,
                         const NewPlace& new_place) {
-  constexpr std::string_view kDistance = "distance:";
-  if (option != "with") {
-    if (!value.starts_with(kDistance)) return value;
-    return std::string(kDistance) + replaced(value, kDistance.size(), value.size(), new_place);
-  }
-  std::string result;
-  for (std::size_t begin = 0; begin <= value.size();) {
-    const std::size_t end = std::min(value.find('@', begin), value.size());
-    if (begin > 0) result += '@';
-    result += begin > 0 ? replaced(value, begin, end, new_place) : value.substr(0, end);
-    begin = end + 1;
+  if (option != "with") return with_distance(value, new_place);
+  const std::vector<std::string> parts = split(value, '@');
+  std::string result = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    result += '@' + with_place_of_part(parts[i], new_place);
   }
   return result;
 }

@@ -135,13 +135,17 @@ std::string others_key(const StyleOptions& style, const std::string& waves) {
   for (const OtherSurfaceChoice& other : style.others) {
     key += text_of(without_looks(other)) + '|' + stamp_of(other.mesh) + '\n';
   }
-  const bool striped = std::ranges::any_of(style.others, &OtherSurfaceChoice::striped);
-  return key + (striped ? waves : "");
+  const bool waved = std::ranges::any_of(style.others, &OtherSurfaceChoice::has_pattern);
+  return key + (waved ? waves : "");
 }
 
 std::string values_key(const SessionDocument& document, const StyleOptions& style,
                        const std::string& others) {
   std::string key = options_key(document, OptionStage::values) + up_key(document);
+  for (const OtherSurfaceChoice& other : style.others) {
+    key += other.color_by + '|' + stamp_of(value_file(other.color_by)) + '\n';
+    if (!other.color_by.empty()) key += others;
+  }
   if (!style.follows_camera()) return key;
   return key + options_key(document, OptionStage::margin) + others + view_key(document) +
          (has_values(document, OptionStage::values, depends_on_light)

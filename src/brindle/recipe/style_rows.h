@@ -189,10 +189,13 @@ constexpr OptionInfo kStyleRows[] = {
      .file = true,
      .stale = OptionStage::style,
      .jobs = kStripe | kAnimate,
-     .help = "picture: another surface, plain unless it says more: "
-             "MESH[@opaque|striped|discarded][@stripes=N][@rotate=DEG][@stripe-width=W]"
-             "[@stripe-color=#rrggbb][@untinted][@whole][@#rrggbb][@X,Y,Z], untinted: without "
-             "--depth-cue, whole: in spite of --slice, moved by X,Y,Z; repeatable"},
+     .help =
+         "picture: another surface, plain unless it says more: "
+         "MESH[@opaque|striped|discarded][@texture=TILE][@stripes=N][@rotate=DEG]"
+         "[@stripe-width=W][@stripe-color=#rrggbb][@color-by=VALUE][@outlined][@untinted]"
+         "[@whole][@#rrggbb][@X,Y,Z], VALUE: of MESH, as --color-by has them, outlined: without "
+         "--outline, untinted: without --depth-cue, whole: in spite of --slice, moved by X,Y,Z; "
+         "repeatable"},
 };
 
 }  // namespace brindle

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "brindle/base/formatted.h"
 #include "brindle/renderer.h"
+#include "cli/option_values.h"
 #include "session/session_options.h"
 #include "window/base/value_slider.h"
 
@@ -44,6 +46,25 @@ ValueChange own_slider(const char* id, std::optional<float>& value, float usual,
   if (change != ValueChange::none) value = std::clamp(shown, lowest, highest);
   return change;
 }
+
+/// What a surface may look like.
+struct Looks {
+  const char* words;
+  bool striped = false, tiled = false;
+  BetweenStrokes between = BetweenStrokes::surface;
+
+  bool are_of(const OtherSurfaceChoice& choice) const {
+    return striped == choice.striped && tiled == !choice.tile.empty() && between == choice.between;
+  }
+};
+
+constexpr std::array kLooks = {
+    Looks{.words = "plain"}, Looks{.words = "striped", .striped = true},
+    Looks{.words = "stripes alone", .striped = true, .between = BetweenStrokes::discarded},
+    Looks{.words = "tiles", .tiled = true},
+    Looks{.words = "tiles alone", .tiled = true, .between = BetweenStrokes::discarded}};
+
+constexpr const char* kUsualTile = "dots";
 
 bool swatch(const char* name, Color& color) {
   std::array<float, 3> channels = {color.red, color.green, color.blue};
@@ -106,43 +127,111 @@ void OtherSurfaces::draw_style(const std::vector<std::string>& given, const Set&
 
 void OtherSurfaces::draw_choice(OtherSurfaceChoice choice, const Changed& changed, float column,
                                 double diagonal) {
-  label("looks", column, "plain, with stripes on it, or left out between its stripes");
+  label("looks", column,
+        "plain, with stripes or the tiles of a texture on it, or left out between these");
   draw_kind(choice, changed);
-  label("colours", column, "of the surface and of its stripes");
+  if (!choice.tile.empty()) {
+    label("tile", column, "of its texture");
+    draw_tile(choice, changed);
+  }
+  label("colours", column, "of the surface, and of its stripes or figures");
   draw_colors(choice, changed);
-  if (choice.striped) draw_stripes(choice, changed, column);
+  label("colours by", column,
+        "a value of this surface, such as array:NAME of its file: its stripes have the colours, or "
+        "the surface if it has none");
+  draw_value(choice, changed);
+  if (choice.has_pattern()) draw_stripes(choice, changed, column);
   label("moved by", column, "x, y and z, in the units of the first surface");
   draw_place(choice, changed, diagonal);
   draw_boxes(choice, changed);
 }
 
 void OtherSurfaces::draw_kind(OtherSurfaceChoice& choice, const Changed& changed) {
-  static constexpr std::array kKinds = {"plain", "striped", "stripes alone"};
-  const bool alone = choice.between == BetweenStrokes::discarded;
-  const std::size_t current = !choice.striped ? 0 : alone ? 2 : 1;
-  const bool open = ImGui::BeginCombo("##kind", kKinds[current]);
+  const auto current =
+      std::ranges::find_if(kLooks, [&](const Looks& looks) { return looks.are_of(choice); });
+  const bool open = ImGui::BeginCombo("##kind", current == kLooks.end() ? "" : current->words);
   log_.note_widget("surface looks");
   if (!open) return;
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (ImGui::Selectable(kKinds[i], i == current)) {
-      if (i == 0) choice = without_stripe_style(std::move(choice));
-      choice.striped = i > 0;
-      choice.between = i == 2 ? BetweenStrokes::discarded : BetweenStrokes::surface;
+  for (const Looks& looks : kLooks) {
+    if (ImGui::Selectable(looks.words, looks.are_of(choice))) {
+      const std::string usual = choice.tile.empty() ? kUsualTile : choice.tile;
+      choice =
+          with_pattern(std::move(choice), looks.striped, looks.tiled ? usual : "", looks.between);
       changed(choice, ValueChange::typed);
     }
-    log_.note_widget(std::string("surface looks ") + kKinds[i]);
+    log_.note_widget(std::string("surface looks ") + looks.words);
   }
   ImGui::EndCombo();
 }
 
-void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& changed) {
-  Color surface = choice.color.value_or(kOtherColor);
-  if (swatch("surface", surface)) {
-    choice.color = surface;
-    changed(choice, ValueChange::dragged);
+void OtherSurfaces::draw_tile(OtherSurfaceChoice& choice, const Changed& changed) {
+  const bool open = ImGui::BeginCombo("##tile", choice.tile.c_str(), ImGuiComboFlags_HeightLarge);
+  log_.note_widget("surface tile");
+  if (!open) return;
+  for (const std::string& name : split(std::string(built_in_tile_names()), '|')) {
+    if (ImGui::Selectable(name.c_str(), name == choice.tile)) {
+      choice.tile = name;
+      changed(choice, ValueChange::typed);
+    }
+    log_.note_widget("surface tile " + name);
   }
-  log_.note_widget("surface color");
-  if (choice.striped) {
+  ImGui::EndCombo();
+}
+
+// A field to type into, and names to choose. What is typed counts once it is whole.
+void OtherSurfaces::draw_value(OtherSurfaceChoice& choice, const Changed& changed) {
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight());
+  std::string text = edit_.value_or(choice.color_by);
+  const bool entered =
+      ImGui::InputTextWithHint("##value", "none", &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  log_.note_widget("surface value");
+  if (ImGui::IsItemActive()) edit_ = text;
+  if ((entered || ImGui::IsItemDeactivatedAfterEdit()) && text != choice.color_by) {
+    changed(with_color_by(choice, text), ValueChange::typed);
+  }
+  if (ImGui::IsItemDeactivated()) edit_.reset();
+  draw_value_names(choice, changed);
+}
+
+void OtherSurfaces::draw_value_names(const OtherSurfaceChoice& choice, const Changed& changed) {
+  ImGui::SameLine(0, 0);
+  if (ImGui::ArrowButton("values", ImGuiDir_Down)) ImGui::OpenPopup("values");
+  log_.note_widget("surface values");
+  if (!ImGui::BeginPopup("values")) return;
+  std::vector<std::string> names = {"curvature", "height"};
+  if (live_.frame() && live_.frame()->state->others &&
+      chosen_ < live_.frame()->state->others->size()) {
+    for (const DataArray& array : (*live_.frame()->state->others)[chosen_].arrays.points) {
+      names.push_back("array:" + array.name);
+    }
+  }
+  for (const std::string& name : names) {
+    if (ImGui::Selectable(name.c_str(), name == choice.color_by)) {
+      changed(with_color_by(choice, name), ValueChange::typed);
+    }
+    log_.note_widget("surface values " + name);
+  }
+  if (!choice.color_by.empty() && ImGui::Selectable("none")) {
+    changed(with_color_by(choice, ""), ValueChange::typed);
+  }
+  ImGui::EndPopup();
+}
+
+void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& changed) {
+  const bool by_value = choice.colors_pattern();
+  // What values colour has no other colour.
+  const bool has_own = !by_value || choice.between == BetweenStrokes::surface;
+  if (has_own) {
+    Color surface = choice.color.value_or(kOtherColor);
+    if (swatch("surface", surface)) {
+      choice.color = surface;
+      changed(choice, ValueChange::dragged);
+    }
+    log_.note_widget("surface color");
+  } else {
+    ImGui::TextDisabled("by the value");
+  }
+  if (choice.has_pattern() && !by_value) {
     ImGui::SameLine();
     Color stripes = choice.stripe_color.value_or(RenderOptions().stripe_color);
     if (live_.frame()) {
@@ -169,7 +258,7 @@ void OtherSurfaces::draw_stripes(OtherSurfaceChoice& choice, const Changed& chan
   };
   row("stripes", "along the diagonal of this surface; else as dense as the first's", choice.stripes,
       40, 2, 200);
-  row("width", "as a share of the period", choice.stripe_width, 0.5f, 0, 1);
+  if (choice.striped) row("width", "as a share of the period", choice.stripe_width, 0.5f, 0, 1);
   row("turn", "of the field about the normals, in degrees", choice.rotate_deg, 0, -180, 180);
 }
 
@@ -205,6 +294,8 @@ void OtherSurfaces::draw_boxes(OtherSurfaceChoice& choice, const Changed& change
     ImGui::Unindent();
     log_.note_widget(std::string("surface ") + words);
   };
+  box("outlined", !given.contains("outline"), choice.outlined,
+      [&](bool on) { choice.outlined = on; });
   box("not cut open", given.contains("slice"), choice.whole, [&](bool on) { choice.whole = on; });
   box("no depth tint", given.contains("depth-cue"), !choice.tinted,
       [&](bool on) { choice.tinted = !on; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ class OtherSurfaces {
                    double diagonal);
   void draw_kind(OtherSurfaceChoice& choice, const Changed& changed);
   void draw_colors(OtherSurfaceChoice& choice, const Changed& changed);
+  void draw_tile(OtherSurfaceChoice& choice, const Changed& changed);
+  void draw_value(OtherSurfaceChoice& choice, const Changed& changed);
+  void draw_value_names(const OtherSurfaceChoice& choice, const Changed& changed);
   void draw_stripes(OtherSurfaceChoice& choice, const Changed& changed, float column);
   void draw_place(OtherSurfaceChoice& choice, const Changed& changed, double diagonal);
   void draw_boxes(OtherSurfaceChoice& choice, const Changed& changed);
@@ -44,6 +48,7 @@ class OtherSurfaces {
   FileBrowser& browser_;
   WindowLog& log_;
   std::size_t chosen_ = 0;
+  std::optional<std::string> edit_;  ///< a value that is being typed
   bool is_held_ = false;
 };
 
