@@ -273,6 +273,12 @@ def check_curves_are_exported(start, folder):
            [u["curves"], u["closed"], u["ends"]["total"]], f"the panel has {figures}, the report {u}")
     for name in ("shortest", "longest"):
         expect(math.isclose(figures[f"  {name} (u)"], u["lengths"][name], rel_tol=1e-6), f"{name}: {figures}, {u}")
+    for name, value in (("gaps of u", u["gaps"]["mean"]), ("  least gap (u)", u["gaps"]["least"]),
+                        ("  least, times f (u)", u["gaps"]["least_ratio"]),
+                        ("spacing of u", u["spacing"]["mean"]),
+                        *((f"winding {loop['name']} (u)", loop["winding"]) for loop in u["loops"])):
+        expect(math.isclose(figures[name], value, rel_tol=1e-5), f"{name}: {figures}, {u}")
+    expect(u["loops"], "the knot has no loops")
     expect(abs(figures["length of u"] - u["length"]) < 1e-3 * u["length"], f"{figures['length of u']} is no length")
     window.wait_until(lambda: "figure ends of u" in window.places, "ends in the panel")
     save_session(window, folder / "session.json")
@@ -280,6 +286,10 @@ def check_curves_are_exported(start, folder):
         window.menu("File", "Export curves...")
         window.save_as(folder / f"window.{kind}")
         window.wait_for("message", text=f"wrote {folder / f'window.{kind}'}")
+    window.menu("File", "Export curves...")
+    window.save_as(folder / "window.json")
+    window.wait_for("message", text=f"wrote {folder / 'window.json'}")
+    expect(json.loads((folder / "window.json").read_text())["u"] == u, "the window reports other curves")
     subprocess.run([start.tool, "render", "session.json", "--output", "tool.svg"], cwd=folder, check=True,
                    stdout=subprocess.DEVNULL)
     for kind in ("obj", "vtp", "csv", "ply", "svg"):

@@ -1,7 +1,9 @@
 #include "session/live_pattern.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -205,6 +207,64 @@ TEST(LivePattern, KeepsTheStagesWhoseInputsStay) {
   EXPECT_TRUE(stages(pattern).contains("field"));
   EXPECT_FALSE(stages(pattern).contains("load"));
   EXPECT_NE(surface, nullptr);
+}
+
+TEST(LivePattern, MeasuresCurvesWhileNothingMoves) {
+  SessionDocument document = torus();
+  document.shown = Shown::curves;
+  document.curves = {{"lines", {"both"}}, {"join", {}}};
+  LivePattern few, all(CurveFigures::all);
+  const auto figures = [](const LivePattern& pattern) {
+    std::map<std::string, double> named;
+    for (const auto& [name, value] : pattern.state()->figures.shown) {
+      EXPECT_TRUE(named.emplace(name, value).second) << name << " is there twice";
+    }
+    return named;
+  };
+  few.update(document, Follow::afresh);
+  all.update(document, Follow::afresh);
+  const auto quick = figures(few), whole = figures(all);
+  for (const auto& [name, value] : quick) EXPECT_EQ(whole.at(name), value) << name;
+  for (const char* family : {" of u", " of v"}) {
+    for (const std::string name : {"gaps", "spacing"}) {
+      EXPECT_FALSE(quick.contains(name + family));
+      EXPECT_GT(whole.at(name + family), 0);
+    }
+  }
+  EXPECT_TRUE(whole.contains("winding loop-1 (u)"));
+  // A draft has what was measured of the same curves, and measures no others.
+  document.camera.azimuth_deg = 77;
+  all.update(document, Follow::loosely);
+  EXPECT_EQ(figures(all), whole);
+  EXPECT_TRUE(stages(all).empty());
+  document.curves["min-length"] = {"5%"};
+  all.update(document, Follow::loosely);
+  EXPECT_FALSE(figures(all).contains("gaps of u"));
+  all.update(document, Follow::last);
+  EXPECT_TRUE(figures(all).contains("gaps of u"));
+  EXPECT_EQ(stages(all), std::set<std::string>{"curves"});
+}
+
+TEST(LivePattern, MeasuresNoMoreCurvesThanOneWaitsFor) {
+  SessionDocument document = torus();
+  document.shown = Shown::curves;
+  LivePattern brief(CurveFigures::brief);
+  const auto has_gaps = [&] {
+    return std::ranges::any_of(brief.state()->figures.shown,
+                               [](const auto& figure) { return figure.first == "gaps of u"; });
+  };
+  const auto says_so = [&] {
+    return std::ranges::any_of(brief.state()->notes, [](const std::string& note) {
+      return note.find("take long to measure") != note.npos;
+    });
+  };
+  brief.update(document, Follow::afresh);
+  EXPECT_TRUE(has_gaps());
+  EXPECT_FALSE(says_so());
+  document.options["stripes"] = {"300"};
+  brief.update(document, Follow::afresh);
+  EXPECT_FALSE(has_gaps());
+  EXPECT_TRUE(says_so());
 }
 
 TEST(LivePattern, ReadsAndSolvesForAStyleOnce) {

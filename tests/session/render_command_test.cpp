@@ -2,6 +2,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/tool.h"
 #include "brindle/image.h"
@@ -100,6 +101,47 @@ TEST_F(RenderTool, DrawsAndWritesWhatCurvesAndSampleDo) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(rendered(document, {"--output", "b_" + file}), content(folder / "a.png")) << file;
     EXPECT_EQ(content(folder / ("b_" + file)), content(folder / file)) << file;
+  }
+}
+
+// Times alone may differ.
+TEST_F(RenderTool, ReportsOfCurvesWhatCurvesReports) {
+  struct Case {
+    std::string mesh;
+    OptionValues options, own;
+  };
+  const std::vector<Case> cases = {
+      {"shape:torus,resolution=24",
+       {{"stripes", {"30"}}},
+       {{"join", {}}, {"min-length", {"3%"}}, {"resample", {"2%"}}}},
+      {"shape:torus,resolution=24",
+       {{"slack", {"0.2"}}, {"merge-branches", {"0.1"}}},
+       {{"lines", {"both"}}, {"offset", {"0.3"}}, {"wales", {"loop-1:5"}}, {"line-width", {"1%"}}}},
+      {"shape:tube,resolution=24",
+       {{"field", {"curvature"}}, {"curvature-direction", {"min"}}, {"winding", {"0"}}},
+       {{"trim", {"0.6"}}, {"fair", {"0.25"}}}}};
+  for (const auto& [mesh, options, own] : cases) {
+    SessionDocument document = small_document();
+    document.mesh = mesh;
+    document.shown = Shown::curves;
+    document.options = options;
+    document.curves = own;
+    std::vector<std::string> arguments = {"curves", document.mesh, "--report=a.json", "--quiet"};
+    for (const auto& [name, values] : shown_options(document)) {
+      arguments.push_back("--" + name + (values.empty() ? "" : "=" + values.front()));
+    }
+    const test::ToolResult result = run(arguments);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    rendered(document, {"--output", "b.json"});
+    const auto report = [&](const char* name) {
+      auto json = nlohmann::json::parse(content(folder / name));
+      for (const char* own_key : {"milliseconds", "options", "picture_quality"})
+        json.erase(own_key);
+      return json;
+    };
+    EXPECT_EQ(report("a.json"), report("b.json"));
+    EXPECT_TRUE(report("b.json")["u"].contains("gaps"));
+    EXPECT_TRUE(report("b.json")["u"].contains("loops"));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "jobs/curves_job.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -32,6 +33,29 @@ StripeCurves traced_curves(const StripeTracer& tracer, const StripePattern& patt
   } catch (const TooLarge& error) {
     throw Error(error.what() + fewer_stripes(arguments.waves, error.share()));
   }
+}
+
+// Whether the spacing is measured within about half a second. Both sides of the curves are looked
+// at every fifth of 1/f.
+bool is_soon_measured(const CurveFamily& family) {
+  constexpr double kMost = 100'000;
+  const FrequencyField& frequencies = family.pattern.waves.frequencies;
+  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+  const double mean = sum / static_cast<double>(std::max<std::size_t>(frequencies.size(), 1));
+  return 10 * total_length(family.curves.lines) * mean <= kMost;
+}
+
+void measure_spacing(const StripeTracer& tracer, CurveFigures figures, CurveFamily& family,
+                     JobListener& listener) {
+  if (figures == CurveFigures::few) return;
+  if (figures == CurveFigures::brief && !is_soon_measured(family)) {
+    return listener.note("the gaps between so many curves (" + family.name +
+                         ") take long to measure; a report, as 'Export curves' writes it (.json), "
+                         "has them\n");
+  }
+  listener.stage("spacing");
+  const auto spacing = tracer.spacing(family.pattern, family.curves, listener.progress());
+  if (spacing && spacing->measured > 0) family.spacing = spacing;
 }
 
 // Throws away short curves after all ends were counted.
@@ -95,11 +119,7 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
   family.curves = traced_curves(tracer, pattern, arguments, listener.progress());
   family.extract_milliseconds = watch.lap();
   family.ends = family.curves.end_counts();
-  if (figures == CurveFigures::all) {
-    listener.stage("spacing");
-    const auto spacing = tracer.spacing(pattern, family.curves, listener.progress());
-    if (spacing && spacing->measured > 0) family.spacing = spacing;
-  }
+  measure_spacing(tracer, figures, family, listener);
   shape_lines(arguments, surface.mesh, family, listener);
   return family;
 }

@@ -40,9 +40,12 @@ struct CurvesJob {
   std::optional<double> draw_milliseconds;
 };
 
-/// How much is measured of curves: of few figures, not the spacing, which takes longer than the
-/// curves.
-enum class CurveFigures { few, all };
+/// How much is measured of curves. The spacing takes longer than the curves.
+enum class CurveFigures {
+  few,    ///< not the spacing
+  brief,  ///< the spacing, too, unless that takes longer than one waits for a picture
+  all
+};
 
 /// The curves of a pattern that is there; `tracer` is of the same surface.
 CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,

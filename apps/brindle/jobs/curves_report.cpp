@@ -1,7 +1,10 @@
 #include "jobs/curves_report.h"
 
+#include <iterator>
 #include <numeric>
 #include <ostream>
+#include <span>
+#include <utility>
 
 #include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
@@ -13,35 +16,115 @@
 namespace brindle::tool {
 namespace {
 
-// With slack, also against the frequencies that were asked for.
-nlohmann::ordered_json to_json(const CurveSpacing& spacing, bool yields) {
-  nlohmann::ordered_json json = {{"measured", spacing.measured},
-                                 {"mean", spacing.mean},
-                                 {"deviation", spacing.deviation},
-                                 {"share_within_10_percent", spacing.share_within_10_percent}};
-  if (yields) {
-    json["mean_wanted"] = spacing.mean_wanted;
-    json["deviation_wanted"] = spacing.deviation_wanted;
-    json["share_within_10_percent_wanted"] = spacing.share_within_10_percent_wanted;
+/// Figures one after another, with the words of one family.
+class FigureList {
+ public:
+  explicit FigureList(std::string family) : family_(std::move(family)) {}
+
+  /// A row of its own: "curves of u".
+  template <class Value>
+  void top(const char* key, const std::string& words, Value value) {
+    all_.push_back({key, words + " of " + family_, value, 1, false});
   }
-  return json;
+  /// One below it, where it is not zero: "  shortest (u)". People see it times `scale`.
+  template <class Value>
+  void part(const char* key, const std::string& words, Value value, double scale = 1) {
+    all_.push_back({key, "  " + words + " (" + family_ + ")", value, scale, true});
+  }
+  template <class Value>
+  void unseen(const char* key, Value value) {
+    all_.push_back({key, "", value, 1, false});
+  }
+  void append(std::vector<CurveFigure> more) {
+    all_.insert(all_.end(), std::make_move_iterator(more.begin()),
+                std::make_move_iterator(more.end()));
+  }
+  std::vector<CurveFigure> take() { return std::move(all_); }
+
+ private:
+  std::string family_;
+  std::vector<CurveFigure> all_;
+};
+
+std::vector<CurveFigure> end_figures(const CurveEnds& ends, const std::string& family) {
+  const auto end = [&](CurveEnd kind) { return ends[static_cast<std::size_t>(kind)]; };
+  FigureList figures(family);
+  figures.top("ends.total", "ends", std::accumulate(ends.begin(), ends.end(), std::size_t{0}));
+  figures.part("ends.boundary", "at the boundary", end(CurveEnd::boundary));
+  figures.part("ends.no_wave", "where no wave is", end(CurveEnd::no_wave));
+  figures.part("ends.nonmanifold", "at triple edges", end(CurveEnd::nonmanifold));
+  figures.part("ends.branch", "at branches", end(CurveEnd::branch));
+  figures.part("ends.singularity", "at singularities", end(CurveEnd::singularity));
+  return figures.take();
+}
+
+/// What became of ends and points.
+std::vector<CurveFigure> change_figures(const StripeCurves& curves, const std::string& family) {
+  FigureList figures(family);
+  figures.part("joined_ends", "joined in pairs", curves.joined_ends);
+  figures.part("ends_at_neighbours", "run on into others", curves.ends_at_neighbors);
+  figures.part("trimmed_ends", "trimmed", curves.trimmed_ends);
+  figures.part("trimmed_away", "gone, trimmed", curves.trimmed_away);
+  figures.part("smooth_forks", "with no angle", curves.smooth_forks);
+  figures.part("largest_move", "moved, times f", curves.largest_move);
+  return figures.take();
+}
+
+std::vector<CurveFigure> length_figures(const CurveLengths& lengths, const std::string& family) {
+  FigureList figures(family);
+  figures.part("lengths.closed", "of closed ones", lengths.closed_length);
+  figures.part("lengths.open", "of open ones", lengths.open_length);
+  figures.part("lengths.shortest", "shortest", lengths.shortest);
+  figures.part("lengths.mean", "average", lengths.mean);
+  figures.part("lengths.longest", "longest", lengths.longest);
+  return figures.take();
+}
+
+// With slack, also against the frequencies that were asked for.
+void add_spacing_figures(const CurveSpacing& spacing, bool yields, FigureList& figures) {
+  figures.unseen("spacing.measured", spacing.measured);
+  figures.top("spacing.mean", "spacing", spacing.mean);
+  figures.part("spacing.deviation", "deviation", spacing.deviation);
+  figures.part("spacing.share_within_10_percent", "% within 10 %", spacing.share_within_10_percent,
+               100);
+  if (!yields) return;
+  figures.part("spacing.mean_wanted", "as asked for", spacing.mean_wanted);
+  figures.part("spacing.deviation_wanted", "its deviation", spacing.deviation_wanted);
+  figures.part("spacing.share_within_10_percent_wanted", "% of it within 10 %",
+               spacing.share_within_10_percent_wanted, 100);
 }
 
 // With slack, also against the frequencies that were chosen.
-nlohmann::ordered_json to_json(const CurveGaps& gaps, bool yields) {
-  nlohmann::ordered_json json = {{"measured", gaps.measured},
-                                 {"least", gaps.least},
-                                 {"mean", gaps.mean},
-                                 {"most", gaps.most},
-                                 {"least_ratio", gaps.least_ratio},
-                                 {"mean_ratio", gaps.mean_ratio},
-                                 {"most_ratio", gaps.most_ratio}};
-  if (yields) {
-    json["least_ratio_chosen"] = gaps.least_ratio_chosen;
-    json["mean_ratio_chosen"] = gaps.mean_ratio_chosen;
-    json["most_ratio_chosen"] = gaps.most_ratio_chosen;
+void add_gap_figures(const CurveGaps& gaps, bool yields, FigureList& figures) {
+  figures.unseen("gaps.measured", gaps.measured);
+  figures.top("gaps.mean", "gaps", gaps.mean);
+  figures.part("gaps.least", "least gap", gaps.least);
+  figures.part("gaps.most", "widest gap", gaps.most);
+  figures.part("gaps.least_ratio", "least, times f", gaps.least_ratio);
+  figures.part("gaps.mean_ratio", "mean, times f", gaps.mean_ratio);
+  figures.part("gaps.most_ratio", "widest, times f", gaps.most_ratio);
+  if (!yields) return;
+  figures.part("gaps.least_ratio_chosen", "least, f chosen", gaps.least_ratio_chosen);
+  figures.part("gaps.mean_ratio_chosen", "mean, f chosen", gaps.mean_ratio_chosen);
+  figures.part("gaps.most_ratio_chosen", "widest, f chosen", gaps.most_ratio_chosen);
+}
+
+std::vector<CurveFigure> spacing_figures(const CurveSpacing& spacing, bool yields,
+                                         const std::string& family) {
+  FigureList figures(family);
+  add_spacing_figures(spacing, yields, figures);
+  add_gap_figures(spacing.gaps, yields, figures);
+  return figures.take();
+}
+
+/// Puts figures where their keys say.
+void add_to_json(std::span<const CurveFigure> figures, nlohmann::ordered_json& json) {
+  for (const CurveFigure& figure : figures) {
+    const std::size_t dot = figure.key.find('.');
+    (dot == std::string::npos ? json[figure.key]
+                              : json[figure.key.substr(0, dot)][figure.key.substr(dot + 1)]) =
+        figure.value;
   }
-  return json;
 }
 
 void print_measures(std::ostream& out, const CurveFamily& family) {
@@ -110,27 +193,46 @@ std::string lines_of(const CurveRemarks& remarks, const std::string& indent) {
   return lines;
 }
 
+std::vector<CurveFigure> figures_of(const CurveFamily& family) {
+  const Polylines& lines = family.curves.lines;
+  const StripePattern& pattern = family.pattern;
+  FigureList figures(family.name);
+  figures.unseen("energy", pattern.solution.energy);
+  figures.unseen("branches", pattern.quality.branches);
+  figures.unseen("field_singularities", pattern.quality.field_singularities);
+  figures.top("curves", "curves", lines.count());
+  figures.top("closed", "closed ones", closed_count(lines));
+  figures.unseen("open", lines.count() - closed_count(lines));
+  figures.part("short_curves_left_out", "shorter, left out", family.short_curves);
+  figures.unseen("points", lines.points.size());
+  figures.top("length", "length", total_length(lines));
+  figures.append(length_figures(family.lengths, family.name));
+  figures.append(end_figures(family.ends, family.name));
+  figures.append(change_figures(family.curves, family.name));
+  figures.part("edges_with_jogs", "edges with jogs", family.jogs);
+  if (family.coverage) figures.part("coverage", "% covered", *family.coverage, 100);
+  if (family.covered_twice) figures.part("covered_twice", "% twice", *family.covered_twice, 100);
+  if (family.spacing) {
+    figures.append(
+        spacing_figures(*family.spacing, !pattern.frequencies_wanted.empty(), family.name));
+  }
+  return figures.take();
+}
+
 nlohmann::ordered_json to_json(const CurveLengths& lengths) {
-  return {{"closed", lengths.closed_length},
-          {"open", lengths.open_length},
-          {"shortest", lengths.shortest},
-          {"mean", lengths.mean},
-          {"longest", lengths.longest}};
+  nlohmann::ordered_json json;
+  add_to_json(length_figures(lengths, ""), json);
+  return json["lengths"];
 }
 
 void add_spacing(const CurveSpacing& spacing, bool yields, nlohmann::ordered_json& json) {
-  json["spacing"] = to_json(spacing, yields);
-  json["gaps"] = to_json(spacing.gaps, yields);
+  add_to_json(spacing_figures(spacing, yields, ""), json);
 }
 
 nlohmann::ordered_json ends_to_json(const CurveEnds& ends) {
-  const auto end = [&](CurveEnd kind) { return ends[static_cast<std::size_t>(kind)]; };
-  return {{"total", std::accumulate(ends.begin(), ends.end(), std::size_t{0})},
-          {"boundary", end(CurveEnd::boundary)},
-          {"no_wave", end(CurveEnd::no_wave)},
-          {"nonmanifold", end(CurveEnd::nonmanifold)},
-          {"branch", end(CurveEnd::branch)},
-          {"singularity", end(CurveEnd::singularity)}};
+  nlohmann::ordered_json json;
+  add_to_json(end_figures(ends, ""), json);
+  return json["ends"];
 }
 
 std::string line_of_ends(const CurveEnds& ends) {
@@ -143,53 +245,32 @@ std::string line_of_ends(const CurveEnds& ends) {
 }
 
 void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json) {
-  json["joined_ends"] = curves.joined_ends;
-  json["ends_at_neighbours"] = curves.ends_at_neighbors;
-  json["trimmed_ends"] = curves.trimmed_ends;
-  json["trimmed_away"] = curves.trimmed_away;
-  json["smooth_forks"] = curves.smooth_forks;
-  json["largest_move"] = curves.largest_move;
+  add_to_json(change_figures(curves, ""), json);
 }
 
 nlohmann::ordered_json to_json(const CurveFamily& family) {
-  const Polylines& lines = family.curves.lines;
-  nlohmann::ordered_json json = {
-      {"energy", family.pattern.solution.energy},
-      {"branches", family.pattern.quality.branches},
-      {"field_singularities", family.pattern.quality.field_singularities},
-      {"curves", lines.count()},
-      {"closed", closed_count(lines)},
-      {"open", lines.count() - closed_count(lines)},
-      {"short_curves_left_out", family.short_curves},
-      {"points", lines.points.size()},
-      {"length", total_length(lines)},
-      {"ends", ends_to_json(family.ends)},
-      {"edges_with_jogs", family.jogs}};
-  add_ends(family.curves, json);
-  json["lengths"] = to_json(family.lengths);
-  const bool yields = !family.pattern.frequencies_wanted.empty();
-  if (family.spacing) add_spacing(*family.spacing, yields, json);
-  if (family.coverage) json["coverage"] = *family.coverage;
-  if (family.covered_twice) json["covered_twice"] = *family.covered_twice;
+  nlohmann::ordered_json json;
+  add_to_json(figures_of(family), json);
   add_to_json(family.making, json);
   const auto frequency = frequency_report(family.pattern.frequency_change, family.pattern.quality);
   if (frequency) json["frequency_change"] = to_json(*frequency);
   return json;
 }
 
-nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& picture) {
-  const Surface& surface = job.prepared.surface;
+nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOptions& picture) {
+  const Surface& surface = curves.surface;
+  const PreparationFigures& prepared = curves.prepared;
   StripeMilliseconds time;
-  time.load = job.prepared.load_milliseconds;
-  time.topology = job.prepared.topology_milliseconds + job.edges_milliseconds;
+  time.load = prepared.load_milliseconds;
+  time.topology = prepared.topology_milliseconds + curves.edges_milliseconds;
   double extract = 0;
   nlohmann::ordered_json json = {{"vertices", surface.mesh.vertex_count()},
                                  {"triangles", surface.mesh.triangle_count()},
                                  {"edges", surface.neighborhood->edge_count()},
-                                 {"vertices_joined", job.prepared.vertices_joined},
+                                 {"vertices_joined", prepared.vertices_joined},
                                  {"threads", ThreadLimit::current()}};
-  json.update(to_json(job.prepared.figures, job.prepared.field_rows_nonfinite));
-  for (const CurveFamily& family : job.families) {
+  json.update(to_json(prepared.figures, prepared.field_rows_nonfinite));
+  for (const CurveFamily& family : curves.families) {
     json[family.name] = to_json(family);
     const StripeMilliseconds& own = family.pattern.milliseconds;
     time.topology += own.topology;
@@ -199,16 +280,23 @@ nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& pictu
     time.pattern += own.pattern;
     extract += family.extract_milliseconds;
   }
-  json["milliseconds"] = {{"load", time.load},         {"field", job.prepared.field_milliseconds},
+  json["milliseconds"] = {{"load", time.load},         {"field", prepared.field_milliseconds},
                           {"topology", time.topology}, {"couple", time.couple},
                           {"solve", time.solve},       {"pattern", time.pattern},
                           {"extract", extract}};
-  if (job.draw_milliseconds) {
-    json["milliseconds"]["draw"] = *job.draw_milliseconds;
+  if (curves.draw_milliseconds) {
+    json["milliseconds"]["draw"] = *curves.draw_milliseconds;
     json["picture_quality"] = quality_name(picture);
   }
-  if (job.options.slack.yields()) json["milliseconds"]["frequency"] = time.frequency;
+  if (curves.yields) json["milliseconds"]["frequency"] = time.frequency;
   return json;
+}
+
+nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& picture) {
+  return to_json(
+      ReportedCurves{job.prepared.surface, job.prepared, job.families, job.options.slack.yields(),
+                     job.edges_milliseconds, job.draw_milliseconds},
+      picture);
 }
 
 void print(std::ostream& out, const CurvesJob& job) {

@@ -4,13 +4,29 @@
 #include <array>
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "jobs/curves_job.h"
 
 namespace brindle::tool {
+
+/// A figure of curves: decided once for reports and for windows.
+struct CurveFigure {
+  std::string key;               ///< in reports; "ends.branch" is "branch" of the object "ends"
+  std::string words;             ///< for people; empty: it is for reports alone
+  nlohmann::ordered_json value;  ///< a number, as reports have it
+  double scale = 1;              ///< for people: 100 of what they see in per cent
+  bool if_any = false;           ///< people see it only where it is not zero
+};
+
+/// All figures of a family, in the order of its report, but those of windings and of frequencies
+/// that yield.
+std::vector<CurveFigure> figures_of(const CurveFamily& family);
 
 /// Why curves end, for the key "ends", and as a line for people.
 using CurveEnds = std::array<std::size_t, kCurveEndKinds>;
@@ -36,6 +52,17 @@ nlohmann::ordered_json to_json(const CurveLengths& lengths);
 void add_spacing(const CurveSpacing& spacing, bool yields, nlohmann::ordered_json& json);
 
 nlohmann::ordered_json to_json(const CurveFamily& family);
+
+/// What a report is of; all of it lives elsewhere.
+struct ReportedCurves {
+  const Surface& surface;
+  const PreparationFigures& prepared;
+  std::span<const CurveFamily> families;
+  bool yields = false;  ///< frequencies do
+  double edges_milliseconds = 0;
+  std::optional<double> draw_milliseconds = {};
+};
+nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOptions& picture);
 nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& picture);
 
 /// The same for people.

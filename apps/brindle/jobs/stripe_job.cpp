@@ -36,6 +36,7 @@ StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
   MadePattern made = pattern_of(prepared.surface, std::move(prepared.waves), wishes, progress);
   StripeJob job;
   job.report = make_report(prepared.surface, prepared, made, wishes.solving.solver.solver);
+  job.making = std::move(made.making);
   job.data = take_input_data(prepared);
   if (auto* crosses = std::get_if<MadeCrosses>(&made.of)) {
     CrossTexture& texture = crosses->texture;

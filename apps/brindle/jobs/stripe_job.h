@@ -18,6 +18,7 @@ struct StripeJob {
   StripeResult result;
   Report report;
   InputData data;
+  MakingFigures making = {};  ///< that the report has, of stripes
 };
 
 /// What the smooth field of these stripes goes on from: the field of the previous pattern, which

@@ -1,11 +1,10 @@
 #include "session/live_pattern.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <filesystem>
-#include <numeric>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -17,8 +16,10 @@
 #include "brindle/error.h"
 #include "brindle/pattern_of.h"
 #include "brindle/phase_graph.h"
+#include "brindle/recipe/making_report.h"
 #include "brindle/stripe_animator.h"
 #include "input/vertex_values.h"
+#include "jobs/curves_report.h"
 #include "pictures/picture_options.h"
 #include "session/stage_keys.h"
 #include "session/tile_follower.h"
@@ -61,6 +62,9 @@ struct Stage {
 
 /// Ends the keys of what has followed as no document can have it.
 constexpr const char* kFollowed = " followed";
+
+/// Ends the keys of curves with all figures.
+constexpr const char* kMeasured = " measured";
 
 /// A pattern, and whether it followed another one.
 struct SolvedPattern {
@@ -224,55 +228,30 @@ void add_times(const Report& report, StageTimes& times) {
   times.emplace_back("measure", no_less(ms.pattern));
 }
 
-/// Ends of curves, of each kind that there is, and what became of others.
-void add_end_figures(const CurveFamily& family,
-                     std::vector<std::pair<std::string, double>>& figures) {
-  constexpr std::array<std::pair<CurveEnd, const char*>, 3> kKinds = {
-      {{CurveEnd::boundary, "at the boundary"},
-       {CurveEnd::branch, "at branches"},
-       {CurveEnd::singularity, "at singularities"}}};
-  std::size_t rest = std::accumulate(family.ends.begin(), family.ends.end(), std::size_t{0});
-  figures.emplace_back("ends of " + family.name, rest);
-  const auto add = [&](const char* name, std::size_t count) {
-    if (count > 0) figures.emplace_back(std::string("  ") + name + " (" + family.name + ")", count);
-  };
-  for (const auto& [kind, name] : kKinds) {
-    const std::size_t count = family.ends[static_cast<std::size_t>(kind)];
-    add(name, count);
-    rest -= count;
+/// Windings round the loops of the surface; not a number where there is none.
+void add_windings(const CurveFamily& family, std::vector<std::pair<std::string, double>>& figures) {
+  const MakingFigures& making = family.making;
+  for (std::size_t i = 0; i < std::min(kMostWindings, making.loops.size()); ++i) {
+    const Winding& winding = making.windings[i];
+    figures.emplace_back("winding " + making.loops[i].name + " (" + family.name + ")",
+                         winding ? *winding : std::numeric_limits<double>::quiet_NaN());
   }
-  add("elsewhere", rest);
-  add("joined in pairs", family.curves.joined_ends);
-  add("run on into others", family.curves.ends_at_neighbors);
-  add("trimmed", family.curves.trimmed_ends);
 }
 
-/// How much yarn or filament it takes, and in which pieces.
-void add_length_figures(const CurveFamily& family,
-                        std::vector<std::pair<std::string, double>>& figures) {
-  figures.emplace_back("length of " + family.name, total_length(family.curves.lines));
-  if (family.curves.lines.count() > 0) {
-    figures.emplace_back("  shortest (" + family.name + ")", family.lengths.shortest);
-    figures.emplace_back("  longest (" + family.name + ")", family.lengths.longest);
+void add_curve_figures(const CurveFamily& family,
+                       std::vector<std::pair<std::string, double>>& figures) {
+  for (const CurveFigure& figure : figures_of(family)) {
+    const auto value = figure.value.get<double>();
+    const bool seen = !figure.words.empty() && !(figure.if_any && value == 0);
+    if (seen) figures.emplace_back(figure.words, figure.scale * value);
   }
-  if (family.short_curves > 0) {
-    figures.emplace_back("  shorter, left out (" + family.name + ")", family.short_curves);
-  }
+  add_windings(family, figures);
 }
 
 void add_shown_figures(LiveState& state) {
   auto& figures = state.figures.shown;
   if (state.curves) {
-    for (const CurveFamily& family : state.curves->families) {
-      figures.emplace_back("curves of " + family.name, family.curves.lines.count());
-      figures.emplace_back("closed ones of " + family.name, closed_count(family.curves.lines));
-      add_length_figures(family, figures);
-      add_end_figures(family, figures);
-      if (family.coverage) {
-        figures.emplace_back("% covered by " + family.name, 100 * *family.coverage);
-        figures.emplace_back("  % twice (" + family.name + ")", 100 * *family.covered_twice);
-      }
-    }
+    for (const CurveFamily& family : state.curves->families) add_curve_figures(family, figures);
   }
   if (!state.samples) return;
   figures.emplace_back("samples", state.samples->taken.samples.size());
@@ -291,7 +270,7 @@ struct StyleStages {
 /// What is shown instead of stripes.
 struct ShownStages {
   Stage<StripeTracer> tracer;
-  Stage<StripePattern> second;  ///< V
+  Stage<MadeStripes> second;  ///< V
   Stage<ShownCurves> curves;
   Stage<ShownSamples> samples;
 };
@@ -325,10 +304,12 @@ struct LiveStages {
 class StageUpdate {
  public:
   StageUpdate(LiveStages& stages, const SessionDocument& document, Follow follow,
-              const Progress& progress)
+              CurveFigures figures, const Progress& progress)
       : stages_(stages),
         document_(document),
         follow_(follow),
+        // What is a draft follows the mouse.
+        figures_(follow == Follow::loosely ? CurveFigures::few : figures),
         progress_(progress),
         listener_(progress),
         parsed_(std::make_shared<const ParsedSession>(document)) {}
@@ -513,13 +494,15 @@ class StageUpdate {
   }
 
   // Whether stripes that cross the pattern may go on from these.
-  bool can_go_on(const Stage<StripePattern>& crossing) const {
+  template <class Made>
+  bool can_go_on(const Stage<Made>& crossing) const {
     return follow_ == Follow::loosely && crossing.made && can_follow(arguments()) &&
            !stages_.surface.made->points;
   }
 
   // In drafts, what has followed will do.
-  bool holds_crossing(const Stage<StripePattern>& crossing, const std::string& key) const {
+  template <class Made>
+  bool holds_crossing(const Stage<Made>& crossing, const std::string& key) const {
     return crossing.holds(key) || (follow_ == Follow::loosely && crossing.holds(key + kFollowed));
   }
 
@@ -663,27 +646,28 @@ class StageUpdate {
     return parsed_->samples() != nullptr ? parsed_->samples()->second : parsed_->curves()->second;
   }
 
-  StripePattern second_pattern(WaveSet waves) {
+  MadeStripes second_pattern(WaveSet waves) {
     const Preparation& prepared = *stages_.surface.made;
     const StripeOptions options = stripe_options(arguments().solving, prepared);
     if (parsed_->samples() != nullptr) {
-      return stripe_pattern(prepared.surface, std::move(waves), options, progress_);
+      return {stripe_pattern(prepared.surface, std::move(waves), options, progress_)};
     }
-    return std::get<StripePattern>(
+    MadePattern made =
         pattern_of(prepared.surface, std::move(waves),
-                   {PatternKind::stripes, options, making_of_v(*parsed_->curves())}, progress_)
-            .of);
+                   {PatternKind::stripes, options, making_of_v(*parsed_->curves())}, progress_);
+    return {std::get<StripePattern>(std::move(made.of)), std::move(made.making)};
   }
 
-  const StripePattern& second() {
-    Stage<StripePattern>& stage = stages_.shown.second;
+  const MadeStripes& second() {
+    Stage<MadeStripes>& stage = stages_.shown.second;
     const std::string key = std::string(name_of(document_.shown)) + stages_.waves.key +
                             options_key(document_, OptionStage::phases) + second_key(document_);
     if (holds_crossing(stage, key)) return *stage.made;
     const bool goes_on = can_go_on(stage) && second_options().wales.periods == 0;
     WaveSet waves = make_second_waves(first_waves(), second_options(), listener_);
-    auto made = std::make_shared<const StripePattern>(
-        goes_on ? next_crossing(*stage.made, std::move(waves)) : second_pattern(std::move(waves)));
+    auto made = std::make_shared<const MadeStripes>(
+        goes_on ? MadeStripes{next_crossing(stage.made->pattern, std::move(waves))}
+                : second_pattern(std::move(waves)));
     stage = {goes_on ? key + kFollowed : key, std::move(made), listener_.take()};
     return *stage.made;
   }
@@ -710,19 +694,21 @@ class StageUpdate {
   bool make_curves() {
     Stage<ShownCurves>& stage = stages_.shown.curves;
     const CurvesArguments& curves = *parsed_->curves();
-    const StripePattern* v = curves.traced == TracedWaves::u ? nullptr : &second();
-    const std::string key = shown_key();
-    if (stage.holds(key)) return false;
+    const MadeStripes* v = curves.traced == TracedWaves::u ? nullptr : &second();
+    const std::string key = shown_key(), measured = key + kMeasured;
+    // What has been measured is good for drafts, too.
+    if (stage.holds(measured) || (figures_ == CurveFigures::few && stage.holds(key))) return false;
     const StripeJob& job = stages_.pattern.made->job;
-    auto made = std::make_shared<const ShownCurves>(
-        shown_curves(curves, job.surface, tracer(), {job.result.stripes(), v}, listener_));
-    stage = {key, std::move(made), listener_.take()};
+    auto made = std::make_shared<const ShownCurves>(shown_curves(
+        curves, job.surface, tracer(), {job.result.stripes(), job.making, v}, figures_, listener_));
+    for (const CurveFamily& family : made->families) listener_.note(remarks_of(family.making));
+    stage = {figures_ == CurveFigures::few ? key : measured, std::move(made), listener_.take()};
     return true;
   }
 
   bool make_samples() {
     Stage<ShownSamples>& stage = stages_.shown.samples;
-    const StripePattern& v = second();
+    const StripePattern& v = second().pattern;
     const std::string key = shown_key();
     if (stage.holds(key)) return false;
     auto made = std::make_shared<const ShownSamples>(
@@ -741,6 +727,10 @@ class StageUpdate {
     result.style = stages_.style.job;
     result.others = stages_.style.read.made;
     result.curves = stages_.shown.curves.made;
+    if (result.curves) {
+      result.prepared = std::make_shared<const PreparationFigures>(
+          figures_of(*stages_.surface.made, *stages_.waves.made));
+    }
     result.samples = stages_.shown.samples.made;
     result.phases = pattern->phases;
     result.figures = figures_of(*pattern);
@@ -762,6 +752,7 @@ class StageUpdate {
   LiveStages& stages_;
   const SessionDocument& document_;
   const Follow follow_;
+  const CurveFigures figures_;
   const Progress& progress_;
   NoteKeeper listener_;
   std::shared_ptr<const ParsedSession> parsed_;
@@ -778,12 +769,14 @@ const ShownOrnaments* ornaments_of(const LiveState& state) {
 
 struct LivePattern::Stages : LiveStages {};
 
-LivePattern::LivePattern() : stages_(std::make_unique<Stages>()) {}
+LivePattern::LivePattern(CurveFigures figures)
+    : figures_(figures), stages_(std::make_unique<Stages>()) {}
 LivePattern::~LivePattern() = default;
 
 void LivePattern::update(const SessionDocument& document, Follow follow, const Progress& progress) {
   Stages next = *stages_;
-  std::shared_ptr<const LiveState> state = StageUpdate(next, document, follow, progress).run();
+  std::shared_ptr<const LiveState> state =
+      StageUpdate(next, document, follow, figures_, progress).run();
   *stages_ = std::move(next);
   state_ = std::move(state);
 }

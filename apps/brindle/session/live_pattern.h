@@ -44,7 +44,8 @@ struct LiveFigures {
   double energy = 0;
   double mean_angle_error_deg = 0, mean_spacing_error = 0;
   double edges_per_period = 0;  ///< at half of the vertices, or fewer; 0: no edge along any wave
-  std::vector<std::pair<std::string, double>> shown;  ///< of curves or samples
+  /// Of curves or samples; not a number: a winding that there is none of.
+  std::vector<std::pair<std::string, double>> shown;
   double phase_step = 0;  ///< how far phases moved on average, in radians, where they followed
   bool followed = false;
 };
@@ -58,9 +59,10 @@ struct LiveState {
   std::shared_ptr<const StyleJob> style;  ///< null if the picture has no style
   /// Other surfaces as they were read, with their arrays; null if the picture has no style.
   std::shared_ptr<const std::vector<Preparation>> others;
-  std::shared_ptr<const ShownCurves> curves;         ///< null if they are not shown
-  std::shared_ptr<const ShownSamples> samples;       ///< null if they are not shown
-  std::shared_ptr<const std::vector<float>> phases;  ///< angles, of a pattern that has followed
+  std::shared_ptr<const PreparationFigures> prepared;  ///< null if no curves are shown
+  std::shared_ptr<const ShownCurves> curves;           ///< null if they are not shown
+  std::shared_ptr<const ShownSamples> samples;         ///< null if they are not shown
+  std::shared_ptr<const std::vector<float>> phases;    ///< angles, of a pattern that has followed
   LiveFigures figures;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings
   std::uint64_t pattern = 0;  ///< another number whenever what is drawn changes, but the camera
@@ -72,7 +74,8 @@ const ShownOrnaments* ornaments_of(const LiveState& state);
 /// Keeps the stages whose inputs did not change.
 class LivePattern {
  public:
-  LivePattern();
+  /// How much is measured of curves that are shown, unless patterns follow loosely.
+  explicit LivePattern(CurveFigures figures = CurveFigures::few);
   ~LivePattern();
 
   /// Brings the state to the document. Throws CLI::ValidationError or Error as `brindle stripe`
@@ -85,6 +88,7 @@ class LivePattern {
 
  private:
   struct Stages;
+  CurveFigures figures_;
   std::unique_ptr<Stages> stages_;
   std::shared_ptr<const LiveState> state_;
 };

@@ -169,8 +169,8 @@ void check_inputs(const RenderArguments& arguments, const ParsedSession& parsed)
 }
 
 void export_file(const LiveState& state, const std::string& path, JobListener& listener) {
-  if (lower_extension(path) == ".json") return export_pattern(state, path, listener);
   if (state.curves) return export_curves(state, path, listener);
+  if (lower_extension(path) == ".json") return export_pattern(state, path, listener);
   if (state.samples) return export_samples(state, path, listener);
   export_pattern(state, path, listener);
 }

@@ -1,7 +1,9 @@
 #include "session/session_export.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "brindle/base/file_extension.h"
 #include "brindle/base/formatted.h"
@@ -13,6 +15,8 @@
 #include "cli/command_line.h"
 #include "cli/option_values.h"
 #include "jobs/curves_output.h"
+#include "jobs/curves_report.h"
+#include "outputs/outputs.h"
 #include "pictures/drawing_file.h"
 #include "pictures/styled_output.h"
 
@@ -150,12 +154,50 @@ void export_pattern(const LiveState& state, const std::filesystem::path& path,
   write_output(outputs.front(), made, report, *arguments.picture, listener);
 }
 
+namespace {
+
+/// With all figures. Their patterns have been moved already.
+std::vector<CurveFamily> measured_curves(const LiveState& state, JobListener& listener) {
+  CurvesArguments arguments = *state.parsed->curves();
+  arguments.offset = 0;
+  const Surface& surface = *state.job->surface;
+  const StripeTracer tracer(surface);
+  std::vector<CurveFamily> families;
+  for (const CurveFamily& family : state.curves->families) {
+    CurveFamily& measured = families.emplace_back(traced_family(
+        arguments, surface, tracer, family.name, family.pattern, CurveFigures::all, listener));
+    measured.jogs = family.jogs;
+    measured.making = family.making;
+    if (measured.making.loops.empty()) {
+      measure_windings(surface, family.pattern, measured.making);
+    }
+  }
+  return families;
+}
+
+void write_curves_report(const LiveState& state, const std::filesystem::path& path,
+                         JobListener& listener) {
+  const bool measured = std::ranges::all_of(
+      state.curves->families, [](const CurveFamily& family) { return family.spacing.has_value(); });
+  std::vector<CurveFamily> anew;
+  if (!measured) anew = measured_curves(state, listener);
+  const std::span<const CurveFamily> families = measured ? state.curves->families : anew;
+  const Surface& surface = *state.job->surface;
+  const bool yields = !families.front().pattern.frequencies_wanted.empty();
+  write_report(path, state.parsed->command(), surface.mesh,
+               to_json(ReportedCurves{surface, *state.prepared, families, yields},
+                       *state.parsed->curves()->picture));
+}
+
+}  // namespace
+
 void export_curves(const LiveState& state, const std::filesystem::path& path,
                    JobListener& listener) {
   if (state.curves) {
     const CurvesArguments& arguments = *state.parsed->curves();
     const CurveOutput kind = planned_curves(path.string(), arguments.tube_radius.has_value());
     listener.stage("writing " + shown(path.native()));
+    if (kind == CurveOutput::report) return write_curves_report(state, path, listener);
     return write_curves(
         kind, path.string(),
         {arguments, *state.job->surface, state.job->data.arrays, state.curves->families}, listener);

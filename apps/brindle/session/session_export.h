@@ -66,7 +66,8 @@ void export_pattern(const LiveState& state, const std::filesystem::path& path,
 
 /// The stripes' centre lines, as `brindle curves --output` in .vtp .ply .obj or .csv; of a texture,
 /// those along the field. With the options of curves where these are shown, tubes among them, else
-/// without any. Throws Error for points without triangles and for another extension.
+/// without any. Where they are shown, a .json is the report of these.
+/// Throws Error for points without triangles and for another extension.
 void export_curves(const LiveState& state, const std::filesystem::path& path,
                    JobListener& listener);
 

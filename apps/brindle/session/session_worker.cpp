@@ -60,7 +60,7 @@ class FrameMaker {
   }
 
  private:
-  LivePattern pattern_;
+  LivePattern pattern_{CurveFigures::brief};
   std::optional<LivePicture> picture_;
 };
 

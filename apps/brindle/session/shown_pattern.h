@@ -29,15 +29,30 @@ struct ShownSamples {
   ShownOrnaments drawn;
 };
 
+/// Stripes, and what became of the maker's wishes for them.
+struct MadeStripes {
+  StripePattern pattern;
+  MakingFigures making = {};
+};
+
 /// Two patterns that cross. V is null where it is not asked for.
 struct CrossingPatterns {
   const StripePattern& u;
   const StripePattern* v;
 };
 
+/// The same of curves.
+struct CurvePatterns {
+  const StripePattern& u;
+  const MakingFigures& making_of_u;
+  const MadeStripes* v;
+};
+
+/// With all figures, curves are measured as `brindle curves` does; with few, windings are not.
 ShownCurves shown_curves(const CurvesArguments& arguments,
                          const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
-                         const CrossingPatterns& patterns, JobListener& listener);
+                         const CurvePatterns& patterns, CurveFigures figures,
+                         JobListener& listener);
 
 /// `command` says whether glyphs are asked for; their values are those of `prepared`.
 ShownSamples shown_samples(const CLI::App& command, const SampleArguments& arguments,

@@ -156,7 +156,7 @@ void Viewer::draw_export_items() {
   }
   if (item("Export curves...", nullptr)) {
     std::vector<std::string> files = {".vtp", ".ply", ".obj", ".csv"};
-    if (shown == Shown::curves) files.insert(files.end(), {".glb", ".gltf", ".svg"});
+    if (shown == Shown::curves) files.insert(files.end(), {".glb", ".gltf", ".json", ".svg"});
     if (shown == Shown::curves && drawing_refusal("a.pdf").empty()) files.push_back(".pdf");
     ask_export("Export the stripes' curves", std::move(files), export_curves);
   }

@@ -8,8 +8,6 @@
 namespace brindle {
 namespace {
 
-constexpr std::size_t kMostLines = 12;  // of windings, for people
-
 std::string text_of(const Winding& winding) { return winding ? std::to_string(*winding) : "none"; }
 
 std::string names_of(const MakingFigures& figures, const std::vector<std::size_t>& boundaries) {
@@ -75,17 +73,21 @@ void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json) {
 
 std::string lines_of(const MakingFigures& figures) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(kMostLines, figures.loops.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostWindings, figures.loops.size()); ++i) {
     const std::string before =
         figures.windings_before.empty() ? "" : ", before " + text_of(figures.windings_before[i]);
     text += formatted("%s%s %s%s", i == 0 ? "   windings: " : "; ", figures.loops[i].name.c_str(),
                       text_of(figures.windings[i]).c_str(), before.c_str());
   }
-  if (figures.loops.size() > kMostLines) {
-    text += formatted("; and %zu more in the report", figures.loops.size() - kMostLines);
+  if (figures.loops.size() > kMostWindings) {
+    text += formatted("; and %zu more in the report", figures.loops.size() - kMostWindings);
   }
   if (!text.empty()) text += '\n';
-  text += differences(figures);
+  return text + remarks_of(figures);
+}
+
+std::string remarks_of(const MakingFigures& figures) {
+  std::string text = differences(figures);
   if (!figures.windings_before.empty()) {
     text += formatted(
         "   the field is turned by up to %.2f degrees, %.2f on average, frequencies by up to %.1f "

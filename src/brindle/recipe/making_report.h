@@ -1,6 +1,7 @@
 /// What became of the maker's wishes, for reports and for people.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -9,8 +10,14 @@
 
 namespace brindle {
 
+/// So many windings are listed for people; reports have all.
+inline constexpr std::size_t kMostWindings = 12;
+
 /// Keys for a report, and lines for people.
 void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json);
 std::string lines_of(const MakingFigures& figures);
+
+/// Those lines without the windings: where these do not add up, and what was turned and merged.
+std::string remarks_of(const MakingFigures& figures);
 
 }  // namespace brindle

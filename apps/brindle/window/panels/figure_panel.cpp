@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <cmath>
 
 #include <imgui.h>
 
@@ -33,6 +34,17 @@ std::string count_text(std::size_t count) {
   std::string text = std::to_string(count);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, " ");
   return text;
+}
+
+/// Of what stands below "length of u", without the "(u)" behind it.
+std::string name_beside(const std::string& name) {
+  return name.starts_with("  ") ? name.substr(0, name.rfind(" (")) : name;
+}
+
+/// Counts to their last digit.
+std::string text_of_figure(double value) {
+  if (std::isnan(value)) return "none";
+  return formatted(value == std::round(value) ? "%.0f" : "%.5g", value);
 }
 
 }  // namespace
@@ -96,7 +108,7 @@ void FigurePanel::draw_counts(const SessionFrame& frame) {
     log_.note_widget("figure edges a period");
   }
   for (const auto& [name, value] : figures.shown) {
-    figure_row(name.c_str(), formatted("%.6g", value));
+    figure_row(name_beside(name).c_str(), text_of_figure(value));
     log_.note_widget("figure " + name);
   }
   if (figures.followed) draw_followed(figures);
