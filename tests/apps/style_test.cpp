@@ -185,6 +185,7 @@ TEST_F(OtherSurfaceTool, RefusesWhatHasNoEffect) {
   expect_refused("@whole goes without lines",
                  {"--with", box + "@outlined", "--slice", "z=0", "--with", box + "@whole"});
   expect_refused("is a value of the first surface alone", {"--with", box + "@color-by=light"});
+  expect_refused("|curvature|height, got 'speed'", {"--with", box + "@color-by=speed"});
   expect_refused("--with @texture", {"--with", box + "@texture=leaves"});
   const ToolResult missing = run(with({"--with", box + "@color-by=array:speed"}));
   EXPECT_EQ(missing.exit_code, 1);

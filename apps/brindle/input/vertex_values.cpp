@@ -149,7 +149,8 @@ Eigen::Vector2f VertexValues::range(const std::string& option) const {
   return range;
 }
 
-void check_value_name(const std::string& option, const std::string& text) {
+void check_value_name(const std::string& option, const std::string& text,
+                      const std::string& names) {
   if (is_array(text)) {
     parse_array(option, text);
   } else if (text.starts_with(kDistance)) {
@@ -157,7 +158,7 @@ void check_value_name(const std::string& option, const std::string& text) {
     if (place != "camera") parse_place(option, place);
   } else if (text != "curvature" && text != kHeight && text != kLight && text != kAgreement &&
              !is_csv(text)) {
-    wrong_usage(option, std::string("one of ") + kValueNames, text);
+    wrong_usage(option, "one of " + names, text);
   }
 }
 

@@ -39,8 +39,10 @@ struct VertexValues {
 inline constexpr const char* kValueNames =
     "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light|agreement";
 
-/// Throws CLI::ValidationError, naming the option, unless `text` can name values.
-void check_value_name(const std::string& option, const std::string& text);
+/// Throws CLI::ValidationError, naming the option, unless `text` can name values. `names` are those
+/// that messages list.
+void check_value_name(const std::string& option, const std::string& text,
+                      const std::string& names = kValueNames);
 
 /// The values of FILE.csv or FILE.csv:COLUMN for a mesh of so many vertices; rows may stand for
 /// those of the mesh's file, as FileData has them. Throws as `vertex_values` does.

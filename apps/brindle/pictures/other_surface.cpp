@@ -23,12 +23,11 @@ Color color_in(const std::string& option, const std::string& text) {
 
 /// What is not of the first surface's picture alone.
 std::string value_of_other(const std::string& option, const std::string& text) {
-  check_value_name(option, text);
+  constexpr const char* kNames = "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|curvature|height";
+  check_value_name(option, text, kNames);
   if (depends_on_camera(text) || depends_on_field(text)) {
-    throw CLI::ValidationError(option, "'" + text +
-                                           "' is a value of the first surface alone; take "
-                                           "array:NAME, FILE.csv, distance:X,Y,Z, curvature or "
-                                           "height");
+    throw CLI::ValidationError(
+        option, "'" + text + "' is a value of the first surface alone; take one of " + kNames);
   }
   return text;
 }

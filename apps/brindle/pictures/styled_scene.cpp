@@ -235,7 +235,7 @@ std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOpti
   for (std::size_t i = 0; i < scene.others.size(); ++i) {
     const std::vector<std::vector<float>>& places = followed.other_places;
     surfaces.push_back(other_surface(scene.others[i], style.others[i], style, render,
-                                     places.empty() ? std::span<const float>() : places[i]));
+                                     i < places.size() ? places[i] : std::span<const float>()));
   }
   return surfaces;
 }
