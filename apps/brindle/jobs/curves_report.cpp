@@ -90,7 +90,7 @@ void add_spacing_figures(const CurveSpacing& spacing, bool yields, FigureList& f
   if (!yields) return;
   figures.part("spacing.mean_wanted", "as asked for", spacing.mean_wanted);
   figures.part("spacing.deviation_wanted", "its deviation", spacing.deviation_wanted);
-  figures.part("spacing.share_within_10_percent_wanted", "% of it within 10 %",
+  figures.part("spacing.share_within_10_percent_wanted", "its % within 10 %",
                spacing.share_within_10_percent_wanted, 100);
 }
 
