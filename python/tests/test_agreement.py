@@ -103,6 +103,8 @@ REQUESTS = [
     ("stripe", "field.vtp", "--field array:cells/flow", stripes(directions="cells/flow")),
     ("stripe", "field.vtp", "--field array:stress", stripes(directions="stress")),
     ("stripe", "field.vtp", "--field array:stress9", stripes(directions="stress9")),
+    ("stripe", "shape:trefoil,resolution=12", "--subdivide 2 --rounded",
+     lambda s: brindle.stripes(s.subdivided(2, rounded=True))),
     # measured fields
     ("stripe", "field.vtp", "--field array:velocity --field-detail 1.5",
      stripes(directions="velocity", field_detail=1.5)),

@@ -150,7 +150,8 @@ def test_fields(torus):
                  lambda: torus.frequencies_by(np.ones(torus.vertex_count), range=(3, 1)),
                  lambda: torus.turned_field(torus.smooth_field(), np.nan),
                  lambda: torus.turned_field(torus.smooth_field(), np.inf),
-                 lambda: torus.subdivided(-1), lambda: torus.moved(np.ones((3, 3)))):
+                 lambda: torus.subdivided(-1), lambda: torus.subdivided(0, rounded=True),
+                 lambda: brindle.shape("torus", rounded=True), lambda: torus.moved(np.ones((3, 3)))):
         with pytest.raises(brindle.Error):
             call()
     for call in (lambda: torus.projected_field(3), lambda: torus.projected_field("xyz"),

@@ -86,6 +86,8 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"stripe", "--winding", "1", "--points"},
       {"stripe", "--merge-branches", "0", "--cross"},
       {"stripe", "--merge-distance", "20"},
+      {"stripe", "--rounded"},
+      {"stripe", "--rounded", "--subdivide", "0"},
       {"curves", "--tube-radius", "1%"},
       {"curves", "--tube-sides", "5", "--output", "a.obj"},
       {"animate", "--lambda", "0.1", "--solver", "relaxation"},

@@ -102,6 +102,7 @@ const std::map<std::string_view, std::string_view> kGroupsWithoutProperty = {
 /// Options of the other groups that have none.
 const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"subdivide", "the filter Subdivide"},
+    {"rounded", "there are filters that smooth meshes"},
     {"points", "the filter takes surfaces"},
     {"neighbors", "the same"},
     {"up", "ParaView has the camera"},
