@@ -1,9 +1,7 @@
 #include "brindle/render/slice_refusal.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "brindle/base/formatted.h"
+#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -25,11 +23,11 @@ bool is_left(const CutMesh& cut, const Camera& camera) {
   // Places in shares of a box are rounded.
   const float near = 1e-6f * bounding_box(mesh).diagonal();
   if (mesh.triangles.empty()) {
-    return std::ranges::any_of(mesh.positions, [&](const Vec3& point) {
+    return ranges::any_of(mesh.positions, [&](const Vec3& point) {
       return camera.slice->signedDistance(point + cut.offset) <= near;
     });
   }
-  return std::ranges::any_of(mesh.triangles, [&](const Triangle& triangle) {
+  return ranges::any_of(mesh.triangles, [&](const Triangle& triangle) {
     const Vec3 heights(height(triangle[0]), height(triangle[1]), height(triangle[2]));
     return heights.minCoeff() < -near || heights.cwiseAbs().maxCoeff() <= near;
   });
