@@ -59,7 +59,7 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
                              const Progress& progress = {});
 
 /// Draws every node to a phase: T_i = lambda deg_i z_i with deg_i = sum_j |A_ij| + |B_ij|, so that
-/// `lambda` (0 or above) compares with the couplings. `z` has a unit number per node, or 0 for a
+/// `lambda` (0 to 1e6) compares with the couplings. `z` has a unit number per node, or 0 for a
 /// node that is drawn nowhere. Throws Error for other phases and lambdas.
 void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda);
 

@@ -301,6 +301,7 @@ TEST(SmoothField, OfASmoothSurfaceStaysWhereItsNormalsAreAveraged) {
     EXPECT_NEAR(std::abs(field[i].dot(plain[i])), 1, 1e-5);
   }
   EXPECT_THROW(smooth_direction_field(plane, {.normal_radius = -1}), Error);
+  EXPECT_THROW(smooth_direction_field(plane, {.curvature_anchor = 1e30f}), Error);
 }
 
 TEST(SmoothField, RefusesAnchorsThatAreNone) {

@@ -391,6 +391,7 @@ TEST(StripeAnimator, RefusesBadInputAndOptions) {
   input.frequencies = input.frequencies.first(3);
   EXPECT_THROW(animator.frame(input), Error);
   EXPECT_THROW(StripeAnimator(surface.neighborhood, with_lambda(-1)), Error);
+  EXPECT_THROW(StripeAnimator(surface.neighborhood, with_lambda(2e36f)), Error);
   AnimatorOptions options;
   options.phase_shift = PhaseShiftKind::common_source;
   EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);

@@ -8,6 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/waves/energy_sums.h"
 #include "brindle/waves/wave_check.h"
+#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
@@ -38,7 +39,7 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
 }
 
 void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda) {
-  if (!(std::isfinite(lambda) && lambda >= 0)) throw Error("lambda must be 0 or above");
+  if (!is_weight(lambda)) throw Error("lambda must be from 0 to 1e6");
   const std::size_t nodes = graph.node_count();
   check_last_phases(z, nodes);
   const Adjacency& adjacency = *graph.adjacency;

@@ -26,6 +26,7 @@
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/least_curl.h"
+#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 namespace {
@@ -226,13 +227,13 @@ void check_smoothing(const SmoothFieldOptions& options) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw Error(std::string("smooth field: ") + message);
   };
-  const auto strength = [](float anchor) { return std::isfinite(anchor) && anchor >= 0; };
+  const auto length = [](float radius) { return std::isfinite(radius) && radius >= 0; };
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
-  require(strength(options.curvature_anchor) && strength(options.feature_anchor),
-          "anchors must be finite numbers of 0 or above");
+  require(is_weight(options.curvature_anchor) && is_weight(options.feature_anchor),
+          "anchors must be numbers from 0 to 1e6");
   require(std::isfinite(options.feature_angle_deg), "the feature angle must be finite");
-  require(strength(options.feature_radius), "the feature radius must be finite and 0 or above");
-  require(strength(options.normal_radius), "the normal radius must be finite and 0 or above");
+  require(length(options.feature_radius), "the feature radius must be finite and 0 or above");
+  require(length(options.normal_radius), "the normal radius must be finite and 0 or above");
   require(options.feature_anchor == 0 || options.symmetry % 2 == 0,
           "edges have no sign; feature anchors need an even symmetry");
 }

@@ -13,6 +13,7 @@
 #include "brindle/pipeline/fields/field_anchors.h"
 #include "brindle/smooth_field.h"
 #include "brindle/waves/direction_graph.h"
+#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 
@@ -47,9 +48,8 @@ SmoothFieldAnimator::SmoothFieldAnimator(const Surface& surface,
                                          const Progress& progress)
     : state_(std::make_unique<State>()) {
   if (options.symmetry < 1) throw Error("smooth field: the symmetry N must be 1 or above");
-  if (!(options.lambda >= 0) || !std::isfinite(options.lambda) || options.sweeps < 0) {
-    throw Error("smooth field: lambda and sweeps must be 0 or above");
-  }
+  if (!is_weight(options.lambda)) throw Error("smooth field: lambda must be from 0 to 1e6");
+  if (options.sweeps < 0) throw Error("smooth field: sweeps must be 0 or above");
   State& s = *state_;
   s.options = options;
   s.neighborhood = surface.neighborhood;

@@ -8,6 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
+#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 
@@ -15,7 +16,7 @@ void check_animator_options(const AnimatorOptions& options) {
   const auto require = [](bool holds, const char* message) {
     if (!holds) throw Error(std::string("animator options: ") + message);
   };
-  require(std::isfinite(options.lambda) && options.lambda >= 0, "lambda must be 0 or above");
+  require(is_weight(options.lambda), "lambda must be from 0 to 1e6");
   require(options.sweeps >= 0, "sweeps must be 0 or above");
   require(options.cycles >= 0, "cycles must be 0 or above");
   require(options.iterations > 0, "iterations must be above 0");
