@@ -12,11 +12,6 @@ int corner_of(const Triangle& triangle, Index vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
 }
 
-Vec3 unit_or_zero(const Vec3& v) {
-  const float length = v.norm();
-  return length > 0 ? Vec3(v / length) : Vec3(Vec3::Zero());
-}
-
 }  // namespace
 
 RoundedMidpoints::RoundedMidpoints(const Mesh& mesh, const Progress& progress)
@@ -48,7 +43,7 @@ Vec3 RoundedMidpoints::normal_of_edge(Index a, Index b) const {
     }
     sum += normal;
   }
-  return unit_or_zero(sum);
+  return sum.normalized();
 }
 
 Vec3 RoundedMidpoints::normal_at(Index vertex, const Vec3& of_edge) const {
@@ -60,7 +55,7 @@ Vec3 RoundedMidpoints::normal_at(Index vertex, const Vec3& of_edge) const {
     const float angle = angles.angle[corner_of(mesh_.triangles[t], vertex)];
     sum += (alike < 0 ? -angle : angle) * angles.normal;
   }
-  return unit_or_zero(sum);
+  return sum.normalized();
 }
 
 Vec3 RoundedMidpoints::shift(Index a, Index b) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brindle/option_table.h"
+#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 
@@ -16,7 +17,7 @@ constexpr NumberRange kAnyNumber = {};
 constexpr NumberRange kNotNegative = {.least = 0};
 constexpr NumberRange kPositive = {.least = 0, .above_least = true};
 constexpr NumberRange kShare = {.least = 0, .most = 1};
-constexpr NumberRange kWeight = {.least = 0, .most = 1e6};  // beyond, couplings are but rounding
+constexpr NumberRange kWeight = {.least = 0, .most = kLargestWeight};
 constexpr NumberRange kPixels = {.least = 0, .most = 10000, .above_least = true};
 
 }  // namespace brindle

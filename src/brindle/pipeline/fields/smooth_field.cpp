@@ -174,25 +174,26 @@ LowestPhases solved(const Surface& seen, const PhaseGraph& graph, std::optional<
   return {values_from(graph, std::move(start), options, progress)};
 }
 
-/// What the first of `normals` begins with: the field of the last, handed on through those between.
-/// Normals averaged over longer distances have fewer singularities, and those that the shape does
-/// not need stay away; a field from scratch is caught in them.
-std::optional<SeenField> field_from_afar(Surface surface, std::vector<std::vector<Vec3>> normals,
+/// What the first of `normals`, which `seen` then has, begins with: the field of the last, handed
+/// on through those between. Normals averaged over longer distances have fewer singularities, and
+/// those that the shape does not need stay away; a field from scratch is caught in them.
+std::optional<SeenField> field_from_afar(Surface& seen, std::vector<std::vector<Vec3>> normals,
                                          const SmoothFieldOptions& options,
                                          const Progress& progress) {
   std::optional<SeenField> field;
-  const double each = 1.0 / static_cast<double>(normals.size());
-  for (double done = 0; normals.size() > 1; done += each) {
-    surface.normals = std::move(normals.back());
+  const auto steps = static_cast<double>(normals.size() - 1);
+  for (double done = 0; normals.size() > 1; ++done) {
+    seen.normals = std::move(normals.back());
     normals.pop_back();
-    JobStages stages(progress.part(done, done + each), stages_of(options));
-    PhaseGraph graph = build_direction_graph(surface.neighborhood, surface.normals,
-                                             options.symmetry, stages.begin("transport"));
-    add_all_anchors(graph, surface, options, stages);
-    const LowestPhases u = solved(surface, graph, std::move(field), options, stages.begin("solve"));
-    field = {surface.normals,
-             directions_of(u.z, surface.normals, options.symmetry, stages.begin("directions"))};
+    JobStages stages(progress.part(done / steps, (done + 1) / steps), stages_of(options));
+    PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
+                                             stages.begin("transport"));
+    add_all_anchors(graph, seen, options, stages);
+    const LowestPhases u = solved(seen, graph, std::move(field), options, stages.begin("solve"));
+    field = {seen.normals,
+             directions_of(u.z, seen.normals, options.symmetry, stages.begin("directions"))};
   }
+  seen.normals = std::move(normals.front());
   return field;
 }
 
@@ -254,9 +255,8 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
     std::vector<std::vector<Vec3>> normals =
         averaged_normals(surface, radii_of(options), stages.begin("normals"));
     Surface seen = surface;
-    seen.normals = normals.front();
     std::optional<SeenField> from =
-        field_from_afar(surface, std::move(normals), options, stages.begin("from afar"));
+        field_from_afar(seen, std::move(normals), options, stages.begin("from afar"));
     field = field_of(surface, seen, std::move(from), options, stages);
   } else {
     field = field_of(surface, surface, std::nullopt, options, stages);
