@@ -362,6 +362,20 @@ TEST(FairedCurves, MeetTheirNeighboursWithNoAngle) {
   }
 }
 
+TEST(FairedCurves, JoinNeighboursTheWayTheyCame) {
+  Hooks all;
+  for (const char* shape : {"trefoil", "sphere", "hemisphere", "sphere,resolution=60"}) {
+    const Traced traced(shape);
+    const Hooks joined = hooks_of(joined_curves_of(traced, 0), traced.frequency);
+    const Hooks faired = hooks_of(joined_curves_of(traced, kFair), traced.frequency);
+    EXPECT_GT(joined.share(), 0.6f) << shape;
+    EXPECT_LE(faired.share(), 0.1f) << shape << ", " << faired.turned << " of " << faired.ends;
+    all.ends += faired.ends;
+    all.turned += faired.turned;
+  }
+  EXPECT_LE(all.share(), 0.06f) << all.turned << " of " << all.ends;
+}
+
 TEST(FairedCurves, HaveAsManyForksOnFinerMeshes) {
   const auto share = [](const std::string& shape) {
     const StripeCurves curves = joined_curves_of(Traced(shape, 40), kFair);

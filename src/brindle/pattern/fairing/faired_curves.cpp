@@ -258,7 +258,7 @@ void check_faired(const StripeCurves& curves, float scale) {
 }
 
 void check_faired_memory(double points) {
-  constexpr double kBytes = 400;  // measured, with forks
+  constexpr double kBytes = 560;  // measured, with forks
   const auto remedy = [](double) { return "ask for fewer stripes, or fair at a larger share"; };
   check_fits(points, kBytes, "faired curves", "points", remedy);
   if (points > kMostFairedPoints) {
@@ -327,12 +327,12 @@ StripeCurves with_forks(const StripeCurves& curves, const std::vector<TouchingEn
         for (std::size_t i = begin; i < end; ++i) {
           const auto line = static_cast<Index>(i);
           forked[i].pieces = maker.forked(line);
+          forks[i] = maker.smooth_forks_of(line);
           std::array<double, 2> loose = maker.forks_of(line);
           for (double& length : loose) {
-            forks[i] += length > 0;
             if (length > 0) length += kBeforeFork;
           }
-          if (forks[i] == 0) continue;
+          if (loose == std::array<double, 2>{}) continue;
           forked[i].pieces = fairer.faired(forked[i].pieces, false, {}, loose).pieces;
         }
       },

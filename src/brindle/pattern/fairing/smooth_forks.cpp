@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/pattern/fairing/curve_stations.h"
 #include "brindle/pattern/stripe_curves.h"
 
 namespace brindle {
@@ -16,47 +18,25 @@ using Eigen::Vector3d;
 
 constexpr double kOnCurve = 1e-5;  // barycentric
 // In periods:
-constexpr double kForkStep = 0.05;
 constexpr double kFarthestBack = 4;  // that a curve leaves its way before its end
 constexpr double kLeastRoom = 0.6, kMostRoom = 1.6;
 constexpr double kShortestFork = 1, kLongestFork = 4;
 /// The steepest of such a fork runs aside by 25, 32 and 40 degrees; the first that can be is taken.
 constexpr double kForksPerRoom[] = {3.2, 2.4, 1.8};
 constexpr double kLooksBack[] = {0.75, 1.5, 2.5};
-constexpr double kAside = 0.3;         // cosine between a way to the side and the curve
+constexpr double kElsewhere = 6;  // between two places of one curve that are neighbours of an end
+constexpr double kAside = 0.3;    // cosine between a way to the side and the curve
 constexpr double kLeastAdvance = 0.4;  // of a step along the other curve
 constexpr std::size_t kForksPerReport = 64;
 constexpr double kDriftReach = 0.25;  // along which the drift of a curve from another is measured
 constexpr double kMostDrift = 0.4;
 constexpr double kStraightOn = 0.6;  // cosine
 constexpr double kAlongside = 0.94;  // cosine of 20 degrees
-
-/// A place on a curve, and where the curve runs there.
-struct Station {
-  double periods;
-  UnrolledPlace place;
-  Vector3d position, along, left;
-};
-
-/// Places of a curve at equal steps between two lengths in periods; less where it ends, and nothing
-/// of a closed curve that would be passed twice.
-std::vector<Station> stations(const Mesh& mesh, const UnrolledCurve& curve, double from,
-                              double to) {
-  const double all = curve.periods();
-  if (curve.closed() && (to - from > all || curve.changes_sides())) return {};
-  std::vector<Station> result;
-  UnrolledCurve::Walker walker(curve);
-  const auto steps = static_cast<int>(std::round((to - from) / kForkStep));
-  for (int i = 0; i <= steps; ++i) {
-    const double periods = from + i * kForkStep;
-    if (!curve.closed() && (periods < 0 || periods > all)) continue;
-    const double round = curve.closed() ? std::floor(periods / all) : 0;
-    const UnrolledPlace place = walker.at(periods - round * all, round);
-    result.push_back({periods, place, position_in(mesh, place.place), curve.along(place.segment),
-                      curve.leftward(place.segment)});
-  }
-  return result;
-}
+/// Straight ways turn aside by so much, in radians; the first that meets a curve is taken.
+constexpr double kTurnsAside[] = {0, 0.25, -0.25, 0.45, -0.45};
+constexpr double kLongestStraight = 2;
+constexpr double kMostTurn = 0.35;       // 20 degrees, within a period before a straight way
+constexpr double kMostTurnAtEnd = 0.52;  // 30 degrees, against a period before
 
 const Station& nearest_of(const std::vector<Station>& stations, const Vector3d& p) {
   return *std::min_element(stations.begin(), stations.end(),
@@ -91,7 +71,7 @@ bool comes_from_a_hook(const std::vector<Station>& own, std::size_t station,
                        const std::vector<Station>& other) {
   const double here = beside(own[station], other).parallel;
   constexpr std::size_t kStride = 4;
-  const auto end = std::min(own.size(), station + static_cast<std::size_t>(1 / kForkStep) + 1);
+  const auto end = std::min(own.size(), station + kStationsPerPeriod + 1);
   for (std::size_t i = station + kStride; i < end; i += kStride) {
     if (beside(own[i], other).parallel * here < kStraightOn) return true;
   }
@@ -120,6 +100,15 @@ std::optional<double> share_of(const Polylines& lines, Index segment, const Tria
   return share;
 }
 
+TrianglePoint place_on(const Polylines& lines, const CurveSegment& segment, double share) {
+  const Index point = lines.offsets[segment.line] + segment.number;
+  TrianglePoint place = lines.places[point];
+  for (int m = 0; m < 3; ++m) {
+    place.barycentric[m] += share * (lines.arrivals[point][m] - place.barycentric[m]);
+  }
+  return place;
+}
+
 /// An open line's end, by the triangle that it is in.
 struct EndInTriangle {
   Index triangle;
@@ -146,20 +135,6 @@ std::vector<TouchingEnd> inner_ends(const StripeCurves& curves,
     }
   }
   return ends;
-}
-
-std::vector<std::array<Index, 2>> segments_of_all(const Polylines& lines) {
-  std::vector<std::array<Index, 2>> segments;
-  for (Index line = 0; line < lines.count(); ++line) {
-    const Index count = lines.offsets[line + 1] - lines.offsets[line];
-    for (Index i = 0; i + (lines.closed[line] ? 0 : 1) < count; ++i) segments.push_back({line, i});
-  }
-  return segments;
-}
-
-std::array<Vec3, 2> ends_of_segment(const Polylines& lines, const std::array<Index, 2>& segment) {
-  const auto points = lines.points_of(segment[0]);
-  return {points[segment[1]], points[(segment[1] + 1) % points.size()]};
 }
 
 std::vector<EndInTriangle> ends_by_triangle(const Polylines& lines) {
@@ -218,6 +193,14 @@ struct ForkMaker::Fork {
   double length;                      ///< in periods
   std::vector<TrianglePoint> places;  ///< to the last one, which is on the other curve
   TouchingEnd touch;
+  std::size_t choice = 0;  ///< how many ways were passed over for it
+  bool smooth = true;      ///< it meets the other curve with no angle
+};
+
+struct ForkMaker::Meeting {
+  TouchingEnd touch;
+  TrianglePoint place;
+  double along;  ///< share of the way that meets
 };
 
 /// Where a fork may begin.
@@ -236,24 +219,26 @@ ForkMaker::ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>&
     : curves_(curves),
       pattern_(pattern),
       ways_(ways),
-      frequencies_(frequencies_along(pattern, curves.lines)),
-      segments_(segments_of_all(curves.lines)),
-      tree_(
-          segments_.size(),
-          [&](Index number) {
-            const auto [a, b] = ends_of_segment(curves.lines, segments_[number]);
-            return BoundingBox{a.cwiseMin(b), a.cwiseMax(b)};
-          },
-          progress.part(0, 0.2)),
+      unrolled_(curves.lines.count()),
+      segments_(curves.lines, progress.part(0, 0.2)),
       touches_(inner_ends(curves, touches)),
       forks_(touches_.size()) {
+  const std::vector<float> frequencies = frequencies_along(pattern, curves.lines);
   parallel_for(
-      touches_.size(), progress.part(0.2, 1),
+      unrolled_.size(), progress.part(0.2, 0.4),
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) forks_[i] = fork(touches_[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+          unrolled_[i].emplace(pattern.mesh, curves.lines, static_cast<Index>(i), frequencies);
+        }
       },
       1, kForksPerReport);
-  drop_conflicts();
+  parallel_for(
+      touches_.size(), progress.part(0.4, 1),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) forks_[i] = fork(touches_[i], 0);
+      },
+      1, kForksPerReport);
+  solve_conflicts();
 }
 
 ForkMaker::~ForkMaker() = default;
@@ -261,24 +246,27 @@ ForkMaker::~ForkMaker() = default;
 /// The fork by which the other curve leaves its way before it comes to where an end touches it.
 std::optional<std::size_t> ForkMaker::left_by(const TouchingEnd& touch) const {
   if (touch.segment == kNoSegment) return std::nullopt;
-  const double all = periods_of(curves_.lines, touch.other, frequencies_);
+  const double all = unrolled(touch.other).periods();
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (!forks_[i] || touches_[i].line != touch.other) continue;
     const double own = touches_[i].end == 0 ? touch.periods : all - touch.periods;
-    if (own < forks_[i]->from_end + kBeforeFork + kForkStep) return i;
+    if (own < forks_[i]->from_end + kBeforeFork + kStationStep) return i;
   }
   return std::nullopt;
 }
 
-/// Of two forks in conflict the one that is led to what is left goes, or else the other one.
-void ForkMaker::drop_conflicts() {
+/// Of two forks in conflict the one that is led to what is left takes its next way, or goes; but
+/// the other one where that is straight and this is smooth, or this end stays as it is.
+void ForkMaker::solve_conflicts() {
   bool changed = true;
   while (changed) {
     changed = false;
     for (std::size_t i = 0; i < touches_.size(); ++i) {
       const auto wrong = left_by(forks_[i] ? forks_[i]->touch : touches_[i]);
       if (!wrong) continue;
-      forks_[forks_[i] ? i : *wrong].reset();
+      const bool stays = !forks_[i] || (forks_[i]->smooth && !forks_[*wrong]->smooth);
+      const std::size_t other = stays ? *wrong : i;
+      forks_[other] = fork(touches_[other], forks_[other]->choice + 1);
       changed = true;
     }
   }
@@ -289,7 +277,7 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double l
   const double all = other.periods(), last = course.here.periods + course.way * length;
   if (!other.closed() && (last < 0 || last > all)) return std::nullopt;
   Fork fork{course.leaves.place, course.from_end, length, {}, course.touch};
-  const auto steps = static_cast<int>(std::ceil(length / kForkStep));
+  const auto steps = static_cast<int>(std::ceil(length / kStationStep));
   Vector3d before = course.leaves.position;
   for (int k = 1; k <= steps; ++k) {
     const double share = static_cast<double>(k) / steps;
@@ -310,12 +298,82 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double l
   return fork;
 }
 
-std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch) const {
-  if (touch.segment != kNoSegment) {
-    if (auto made = fork_beside(touch)) return made;
+/// The first that can be: smooth ones to every neighbour that turn little, straight ones, and
+/// smooth ones that turn more.
+std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch, std::size_t choice) const {
+  std::vector<TouchingEnd> neighbors = neighbors_of(touch);
+  if (touch.segment != kNoSegment) neighbors.insert(neighbors.begin(), touch);
+  const std::size_t smooth = neighbors.size(), straight = smooth + std::size(kTurnsAside);
+  for (; choice < straight + smooth; ++choice) {
+    std::optional<Fork> made;
+    if (choice < smooth) {
+      made = fork_beside(neighbors[choice], kMostTurnAtEnd);
+    } else if (choice < straight) {
+      made = straight_on(touch, kTurnsAside[choice - smooth]);
+    } else {
+      made = fork_beside(neighbors[choice - straight], std::numbers::pi);
+    }
+    if (!made) continue;
+    made->choice = choice;
+    return made;
   }
-  for (const TouchingEnd& neighbor : neighbors_of(touch)) {
-    if (auto made = fork_beside(neighbor)) return made;
+  return std::nullopt;
+}
+
+/// Where a short straight way meets the first curve; but for its own, `own` periods along which it
+/// began.
+std::optional<ForkMaker::Meeting> ForkMaker::meeting(const TouchingEnd& touch, double own,
+                                                     const Vector3d& from, const Vector3d& to,
+                                                     const Vector3d& upward) const {
+  std::optional<Meeting> first;
+  const double reach = (to - from).squaredNorm();
+  const auto look_at = [&](const CurveSegment& segment) {
+    const auto found = segments_.crossing(segment, from, to, upward);
+    if (!found || (first && first->along <= found->along)) return;
+    const UnrolledCurve& other = unrolled(segment.line);
+    const double periods = other.periods_at(segment.number, found->share);
+    if (segment.line == touch.line && std::abs(periods - own) < kElsewhere) return;
+    first = Meeting{{touch.line, touch.end, segment.line, segment.number, periods},
+                    place_on(curves_.lines, segment, found->share),
+                    found->along};
+  };
+  segments_.visit(
+      from, [&] { return reach; }, look_at);
+  return first;
+}
+
+/// From the last place where a curve has run straight for a period, straight on, `aside` radians
+/// to its left, until a curve is met.
+std::optional<ForkMaker::Fork> ForkMaker::straight_on(const TouchingEnd& touch,
+                                                      double aside) const {
+  const Mesh& mesh = pattern_.mesh;
+  const UnrolledCurve& curve = unrolled(touch.line);
+  const std::vector<Station> own = back_from_end(mesh, curve, touch.end, kFarthestBack);
+  std::size_t at = 0;
+  while (at < own.size() && has_turned(curve, own, at, kMostTurn)) ++at;
+  if (at == own.size()) return std::nullopt;
+  const Station& leaves = own[at];
+  const double towards = touch.end == 0 ? -1 : 1;
+  const Vector3d direction =
+      towards * std::cos(aside) * leaves.along + std::sin(aside) * leaves.left;
+  Fork fork{leaves.place, static_cast<double>(at) * kStationStep, 0, {}, touch};
+  fork.smooth = false;
+  Vector3d before = leaves.position;
+  for (double length = kStationStep; length <= kLongestStraight; length += kStationStep) {
+    const TrianglePoint place =
+        ways_.straight_on(leaves.place.place, length / leaves.place.frequency * direction);
+    const Vector3d position = position_in(mesh, place);
+    const Vector3d upward = normal_of(corners_of(mesh, place.triangle)).stableNormalized();
+    const auto met = meeting(touch, leaves.periods, before, position, upward);
+    fork.length = length;
+    fork.places.push_back(met ? met->place : place);
+    if (met) {
+      fork.touch = met->touch;
+      if (turn_at_end(mesh, fork.places, touch.end, own, at) > kMostTurnAtEnd) return std::nullopt;
+      return fork;
+    }
+    if ((position - before).squaredNorm() == 0) return std::nullopt;  // at a boundary
+    before = position;
   }
   return std::nullopt;
 }
@@ -323,8 +381,7 @@ std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch) const {
 /// Other places that an end might be led to: on the nearest curves on both sides, not far before
 /// it.
 std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const {
-  const Polylines& lines = curves_.lines;
-  const UnrolledCurve curve(pattern_.mesh, lines, touch.line, frequencies_);
+  const UnrolledCurve& curve = unrolled(touch.line);
   std::vector<TouchingEnd> found;
   for (const double back : kLooksBack) {
     const double at = touch.end == 0 ? back : curve.periods() - back;
@@ -332,9 +389,9 @@ std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const
     const Station here = stations(pattern_.mesh, curve, at, at).front();
     const double reach = kMostRoom / here.place.frequency;
     std::array<double, 2> least = {reach * reach, reach * reach};
-    std::array<std::optional<std::array<Index, 2>>, 2> nearest;
-    const auto look_at = [&](Index number) {
-      const auto [a, b] = ends_of_segment(lines, segments_[number]);
+    std::array<std::optional<CurveSegment>, 2> nearest;
+    const auto look_at = [&](const CurveSegment& segment) {
+      const auto [a, b] = segments_.ends_of(segment);
       const Vector3d way = (0.5f * (a + b)).cast<double>() - here.position;
       const Vector3d along = (b - a).cast<double>().stableNormalized();
       const std::size_t side = way.dot(here.left) > 0;
@@ -342,37 +399,39 @@ std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const
       const bool beside = std::abs(way.dot(here.along)) < kAside * way.norm();
       if (!near_enough || !beside || std::abs(along.dot(here.along)) < kAlongside) return;
       least[side] = way.squaredNorm();
-      nearest[side] = segments_[number];
+      nearest[side] = segment;
     };
-    tree_.visit(
-        here.position,
-        [&](const BoundingBox&, double square) { return square < std::max(least[0], least[1]); },
-        look_at);
+    segments_.visit(
+        here.position, [&] { return std::max(least[0], least[1]); }, look_at);
     for (const auto& segment : nearest) {
-      if (!segment || (*segment)[0] == touch.other || (*segment)[0] == touch.line) continue;
-      const UnrolledCurve other(pattern_.mesh, lines, (*segment)[0], frequencies_);
-      const double periods = other.periods_at((*segment)[1], 0.5);
-      found.push_back({touch.line, touch.end, (*segment)[0], (*segment)[1], periods});
+      if (!segment) continue;
+      const UnrolledCurve& other = unrolled(segment->line);
+      const double periods = other.periods_at(segment->number, 0.5);
+      const TouchingEnd neighbor{touch.line, touch.end, segment->line, segment->number, periods};
+      const bool itself = neighbor.other == touch.line && std::abs(periods - at) < kElsewhere;
+      const auto same = [&](const TouchingEnd& one) {
+        return one.other == neighbor.other && std::abs(one.periods - periods) < kElsewhere;
+      };
+      if (itself || same(touch) || std::ranges::any_of(found, same)) continue;
+      found.push_back(neighbor);
     }
   }
   return found;
 }
 
-std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch) const {
+std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch,
+                                                      double most_turn) const {
   const Mesh& mesh = pattern_.mesh;
-  const UnrolledCurve curve(mesh, curves_.lines, touch.line, frequencies_);
-  const UnrolledCurve other(mesh, curves_.lines, touch.other, frequencies_);
-  const double reach = std::min(kFarthestBack, curve.periods() / 2 - kForkStep);
-  if (reach < kForkStep) return std::nullopt;
+  const UnrolledCurve& curve = unrolled(touch.line);
+  const UnrolledCurve& other = unrolled(touch.other);
   const bool at_start = touch.end == 0;
-  std::vector<Station> own = stations(mesh, curve, at_start ? 0 : curve.periods() - reach,
-                                      at_start ? reach : curve.periods());
-  if (!at_start) std::reverse(own.begin(), own.end());
+  const std::vector<Station> own = back_from_end(mesh, curve, touch.end, kFarthestBack);
+  if (own.empty()) return std::nullopt;
   const double around = kFarthestBack + kLongestFork;
   const std::vector<Station> beside_it =
       stations(mesh, other, touch.periods - around, touch.periods + around);
   if (beside_it.empty()) return std::nullopt;
-  const auto back = static_cast<std::size_t>(kDriftReach / kForkStep);
+  const auto back = static_cast<std::size_t>(kDriftReach / kStationStep);
   for (std::size_t i = 0; i + back < own.size(); ++i) {
     const Beside here = beside(own[i], beside_it), before = beside(own[i + back], beside_it);
     if (!may_leave(here, beside_it) || !may_leave(before, beside_it)) continue;
@@ -381,10 +440,12 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch) 
     const double way = (here.parallel > 0) == at_start ? -1 : 1;
     const double drift =
         std::clamp((here.room - before.room) / kDriftReach, -kMostDrift, kMostDrift);
-    const Course course{touch, other, own[i], static_cast<double>(i) * kForkStep, here, way, drift};
+    const Course course{touch, other, own[i], static_cast<double>(i) * kStationStep,
+                        here,  way,   drift};
     for (const double per_room : kForksPerRoom) {
       const double length = std::clamp(per_room * std::abs(here.room), kShortestFork, kLongestFork);
-      if (auto made = fork_on(course, length)) return made;
+      auto made = fork_on(course, length);
+      if (made && turn_at_end(mesh, made->places, touch.end, own, i) <= most_turn) return made;
     }
   }
   return std::nullopt;
@@ -396,6 +457,14 @@ std::array<double, 2> ForkMaker::forks_of(Index line) const {
     if (forks_[i] && touches_[i].line == line) lengths[touches_[i].end] = forks_[i]->length;
   }
   return lengths;
+}
+
+std::size_t ForkMaker::smooth_forks_of(Index line) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    count += forks_[i] && forks_[i]->smooth && touches_[i].line == line;
+  }
+  return count;
 }
 
 std::vector<SurfaceWays::Piece> ForkMaker::forked(Index line) const {

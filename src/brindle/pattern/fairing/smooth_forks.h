@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "brindle/curves.h"
-#include "brindle/geometry/box_tree.h"
+#include "brindle/pattern/fairing/curve_segments.h"
 #include "brindle/pattern/fairing/curve_ways.h"
 #include "brindle/pattern/fairing/unrolled_curve.h"
 #include "brindle/progress.h"
@@ -36,7 +36,8 @@ inline constexpr double kBeforeFork = 1;
 /// way at the first place where it runs along the other one, no nearer than 0.6 of 1/f, and from
 /// where it can go on along that one, nearer and nearer, until it meets it with no angle. Where
 /// there is no such place within 4/f, or the other curve ends before or leaves its own way, it
-/// takes another neighbour, and where there is none, it stays as it is.
+/// takes another neighbour, or another part of its own; where there is none, it goes straight on,
+/// or a little aside, to the first curve within 2/f. Where nothing is met there, it stays as it is.
 class ForkMaker {
  public:
   /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
@@ -51,25 +52,30 @@ class ForkMaker {
   /// How long the ways are, in periods, that the ends of a line are led, 0 of those that stay; and
   /// the line.
   std::array<double, 2> forks_of(Index line) const;
+  std::size_t smooth_forks_of(Index line) const;  ///< ends of a line, led there with no angle
   std::vector<SurfaceWays::Piece> forked(Index line) const;
 
  private:
   struct Fork;
   struct Course;
+  struct Meeting;
 
-  std::optional<Fork> fork(const TouchingEnd& touch) const;
-  std::optional<Fork> fork_beside(const TouchingEnd& touch) const;
+  const UnrolledCurve& unrolled(Index line) const { return *unrolled_[line]; }
+  std::optional<Fork> fork(const TouchingEnd& touch, std::size_t choice) const;
+  std::optional<Fork> fork_beside(const TouchingEnd& touch, double most_turn) const;
   std::vector<TouchingEnd> neighbors_of(const TouchingEnd& touch) const;
   std::optional<Fork> fork_on(const Course& course, double length) const;
+  std::optional<Fork> straight_on(const TouchingEnd& touch, double aside) const;
+  std::optional<Meeting> meeting(const TouchingEnd& touch, double own, const Eigen::Vector3d& from,
+                                 const Eigen::Vector3d& to, const Eigen::Vector3d& upward) const;
   std::optional<std::size_t> left_by(const TouchingEnd& touch) const;
-  void drop_conflicts();
+  void solve_conflicts();
 
   const StripeCurves& curves_;
   const WavePattern& pattern_;
   const SurfaceWays& ways_;
-  std::vector<float> frequencies_;
-  std::vector<std::array<Index, 2>> segments_;  // line, number
-  BoxTree tree_;                                // of them
+  std::vector<std::optional<UnrolledCurve>> unrolled_;  // every line
+  CurveSegments segments_;
   /// With the ends that touch nothing, as if they touched no segment of their own curve.
   std::vector<TouchingEnd> touches_;        // in order of lines and ends
   std::vector<std::optional<Fork>> forks_;  // of every touch
