@@ -68,9 +68,10 @@ class Visibility {
   std::vector<float> nearness_;  // 1 / distance of the nearest surface; 0 where there is none
 };
 
-/// The edges of the mesh that bound what is seen of it: between triangles that face the viewer and
-/// triangles that do not, and edges of a single triangle; joined into lines. Throws Cancelled if
-/// `progress` asks for it.
+/// Lines that bound what is seen of the surface: where it turns from the viewer's side to the
+/// other, with normals that are linear within triangles, so that lines are smooth; edges at which
+/// it bends by more than 40 degrees from one side to the other; and its borders. `normals` has one
+/// unit normal per vertex. Throws Cancelled if `progress` asks for it.
 Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
                   int width, int height, const Progress& progress = {});
 

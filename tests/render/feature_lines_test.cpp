@@ -1,5 +1,7 @@
 #include "brindle/feature_lines.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
@@ -31,6 +33,25 @@ TEST(FeatureLines, SilhouettesDoNotDependOnWhichSideNormalsPointTo) {
   for (Vec3& normal : turned) normal = -normal;
   EXPECT_EQ(silhouette_lines(torus.mesh, torus.normals, kEye).points.size(),
             silhouette_lines(torus.mesh, turned, kEye).points.size());
+}
+
+/// Its tube is seen from above, edge on nowhere but at two places.
+TEST(FeatureLines, SilhouettesPassTheSeamOfASurfaceWithOneSide) {
+  const Surface strip = make_surface(make_shape("mobius,resolution=40"));
+  const auto turned_apart = [&](const Triangle& t) {
+    const auto against = [&](Index a, Index b) {
+      return strip.normals[a].dot(strip.normals[b]) < 0;
+    };
+    return against(t[0], t[1]) || against(t[1], t[2]);
+  };
+  const auto seam = std::ranges::count_if(strip.mesh.triangles, turned_apart);
+  ASSERT_GT(seam, 3) << "nothing is shown where normals are turned nowhere";
+  std::size_t on_seam = 0;
+  const Polylines lines = silhouette_lines(strip.mesh, strip.normals, kEye);
+  for (const TrianglePoint& place : lines.places) {
+    on_seam += turned_apart(strip.mesh.triangles[place.triangle]);
+  }
+  EXPECT_LT(on_seam, static_cast<std::size_t>(seam) / 3);
 }
 
 TEST(FeatureLines, CreasesAreBordersAndSharpEdges) {

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -102,7 +104,78 @@ TEST(LineDrawing, TheOutlineOfAnOpenSurfaceHasItsBoundary) {
   add_square(mesh, 1, 0);
   const Polylines bounds = outline(mesh, vertex_normals(mesh), kFromFront, 200, 200);
   ASSERT_EQ(bounds.count(), 1u) << "joined into one line";
-  EXPECT_EQ(bounds.points.size(), 5u);
+  EXPECT_EQ(bounds.closed[0], 1);
+  EXPECT_EQ(bounds.points.size(), 4u);
+}
+
+double length_of_all(const Polylines& lines) {
+  double sum = 0;
+  for (std::size_t line = 0; line < lines.count(); ++line) sum += length_of(lines, line);
+  return sum;
+}
+
+/// A prism with a regular polygon as its base, whose triangles go from one base to the other.
+Mesh prism(int sides, float height) {
+  Mesh mesh;
+  for (const float z : {0.0f, height}) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      mesh.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  }
+  mesh.positions.emplace_back(0, 0, 0);
+  mesh.positions.emplace_back(0, 0, height);
+  const auto add = [&](int a, int b, int c) {
+    mesh.triangles.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
+  };
+  for (int i = 0; i < sides; ++i) {
+    const int j = (i + 1) % sides;
+    add(i, j, sides + j);
+    add(i, sides + j, sides + i);
+    add(2 * sides, j, i);
+    add(2 * sides + 1, sides + i, sides + j);
+  }
+  return mesh;
+}
+
+CameraView view_along(float azimuth, float elevation) {
+  CameraView view = kFromFront;
+  view.azimuth_deg = azimuth;
+  view.elevation_deg = elevation;
+  return view;
+}
+
+TEST(LineDrawing, TheOutlineOfABoxRunsAlongItsEdges) {
+  Mesh box = prism(4, std::sqrt(2.0f));
+  const Polylines bounds = outline(box, vertex_normals(box), view_along(20, 30), 200, 200);
+  ASSERT_EQ(bounds.count(), 1u);
+  EXPECT_EQ(bounds.closed[0], 1);
+  EXPECT_EQ(bounds.points.size(), 6u) << "a hexagon";
+  EXPECT_NEAR(length_of_all(bounds), 6 * std::sqrt(2.0), 1e-5);
+}
+
+TEST(LineDrawing, TheOutlineOfACylinderIsSmoothBesideItsRims) {
+  constexpr int kSides = 48;
+  const Mesh mesh = prism(kSides, 3);
+  const Polylines bounds = outline(mesh, vertex_normals(mesh), view_along(20, 30), 200, 200);
+  ASSERT_EQ(bounds.count(), 1u);
+  EXPECT_EQ(bounds.closed[0], 1);
+  // Half of each rim, and two lines along the side: with corners, these would run aside.
+  const double side = 2 * std::sin(std::numbers::pi / kSides);
+  EXPECT_NEAR(length_of_all(bounds), 2 * 3 + kSides * side, 0.15);
+}
+
+TEST(LineDrawing, OutlinesDoNotDependOnHowTrianglesAreWound) {
+  for (Mesh mesh : {prism(4, 1), prism(48, 3), make_shape("torus,resolution=30")}) {
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const Polylines bounds = outline(mesh, normals, view_along(20, 30), 200, 200);
+    for (std::size_t t = 0; t < mesh.triangle_count(); t += 3) {
+      std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+    }
+    const Polylines turned = outline(mesh, normals, view_along(20, 30), 200, 200);
+    EXPECT_NEAR(length_of_all(turned), length_of_all(bounds), 1e-4);
+    EXPECT_EQ(turned.points.size(), bounds.points.size());
+  }
 }
 
 TEST(LineDrawing, WhatIsOutsideThePictureIsCutOff) {
@@ -153,7 +226,7 @@ TEST(LineDrawing, CanBeCancelledAtEveryReport) {
       },
       [&](const Progress& p) {
         static const Visibility seen(torus.mesh, view, 400, 300);
-        static const std::vector<Pen> pens(3'000, Pen{"p", {}, 1, seen.strokes(bounds)});
+        static const std::vector<Pen> pens(8'000, Pen{"p", {}, 1, seen.strokes(bounds)});
         write_svg(path, 400, 300, pens, p);
       }};
   for (std::size_t number = 0; number < jobs.size(); ++number) {

@@ -15,111 +15,16 @@
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/geometry/mesh_edges.h"
+#include "brindle/render/line_segments.h"
 
 namespace brindle {
 namespace {
-
-using Weights = std::array<double, 3>;
-
-/// A straight line within a triangle, between two numbered nodes.
-struct LineSegment {
-  std::array<Index, 2> nodes;
-  Index triangle;
-  std::array<Weights, 2> barycentric;
-};
-
-Vec3 point_in(const Mesh& mesh, const Triangle& t, const Weights& weights) {
-  Vec3 point = Vec3::Zero();
-  for (int m = 0; m < 3; ++m) point += static_cast<float>(weights[m]) * mesh.positions[t[m]];
-  return point;
-}
-
-Vec3 normal_in(std::span<const Vec3> normals, const Triangle& t, const Weights& weights) {
-  Vec3 normal = Vec3::Zero();
-  for (int m = 0; m < 3; ++m) normal += static_cast<float>(weights[m]) * normals[t[m]];
-  return normal.normalized();
-}
-
-/// Joins segments at their nodes into lines as long as they go on.
-class SegmentJoiner {
- public:
-  SegmentJoiner(const Mesh& mesh, std::span<const Vec3> normals, std::vector<LineSegment> segments)
-      : mesh_(mesh), normals_(normals), segments_(std::move(segments)), used_(segments_.size()) {
-    for (std::size_t s = 0; s < segments_.size(); ++s) {
-      for (const Index node : segments_[s].nodes) at_node_[node].push_back(s);
-    }
-  }
-
-  Polylines joined() {
-    // From where lines end or fork first, then what is left: closed lines.
-    for (const auto& [node, around] : at_node_) {
-      if (around.size() != 2) add_lines(node);
-    }
-    for (const auto& [node, around] : at_node_) add_lines(node);
-    lines_.origin = mesh_.origin;
-    return std::move(lines_);
-  }
-
- private:
-  std::optional<std::size_t> next_at(Index node) const {
-    for (const std::size_t s : at_node_.at(node)) {
-      if (!used_[s]) return s;
-    }
-    return std::nullopt;
-  }
-
-  void add_lines(Index start) {
-    while (next_at(start)) {
-      Index node = start;
-      std::size_t last = 0;
-      Weights arrival{};
-      while (const std::optional<std::size_t> s = next_at(node)) {
-        const LineSegment& segment = segments_[*s];
-        const int from = segment.nodes[0] == node ? 0 : 1;
-        add_point(segment.triangle, segment.barycentric[from], segment.barycentric[1 - from]);
-        used_[*s] = true;
-        last = *s;
-        arrival = segment.barycentric[1 - from];
-        node = segment.nodes[1 - from];
-        if (node == start || at_node_.at(node).size() != 2) break;
-      }
-      const bool closed = node == start;
-      if (!closed) add_point(segments_[last].triangle, arrival, arrival);
-      lines_.offsets.push_back(static_cast<Index>(lines_.points.size()));
-      lines_.closed.push_back(closed ? 1 : 0);
-    }
-  }
-
-  void add_point(Index triangle, const Weights& place, const Weights& arrival) {
-    const Triangle& t = mesh_.triangles[triangle];
-    lines_.points.push_back(point_in(mesh_, t, place));
-    lines_.normals.push_back(normal_in(normals_, t, place));
-    lines_.places.push_back({triangle, place});
-    lines_.arrivals.push_back(arrival);
-  }
-
-  const Mesh& mesh_;
-  std::span<const Vec3> normals_;
-  std::vector<LineSegment> segments_;
-  std::vector<bool> used_;
-  std::map<Index, std::vector<std::size_t>> at_node_;
-  Polylines lines_;
-};
 
 void check_normals(const Mesh& mesh, std::span<const Vec3> normals) {
   if (normals.size() == mesh.vertex_count()) return;
   throw Error("lines of a surface need a normal for each of its " +
               std::to_string(mesh.vertex_count()) + " vertices, not " +
               std::to_string(normals.size()));
-}
-
-/// Where a line crosses the edge between corners a and b of a triangle.
-Weights crossing(int a, int b, double value_a, double value_b) {
-  const double share = value_a / (value_a - value_b);
-  Weights weights{};
-  weights[a] = 1 - share;
-  weights[b] = share;
-  return weights;
 }
 
 /// The part of a line that is passed on as one dash.
@@ -167,8 +72,10 @@ float fine_spacing(const WaveSet& waves) {
                                                                : 1 / (kStepsPerPeriod * *highest);
 }
 
-/// Where values of vertices, linear between them, pass zero.
-Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vector<double> values) {
+/// Where values of vertices, linear between them, pass zero. If they are `of_normals`, they have
+/// the other sign where the normal has: on a surface with one side, normals are turned somewhere.
+Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vector<double> values,
+                     bool of_normals) {
   for (double& value : values) {
     if (value == 0) value = 1e-12;  // a line through a vertex passes beside it
   }
@@ -180,17 +87,18 @@ Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vecto
     int found = 0;
     for (int a = 0; a < 3; ++a) {
       const int b = (a + 1) % 3;
-      const double value_a = values[corners[a]], value_b = values[corners[b]];
+      const bool turned = of_normals && normals[corners[a]].dot(normals[corners[b]]) < 0;
+      const double value_a = values[corners[a]], value_b = (turned ? -1 : 1) * values[corners[b]];
       if ((value_a > 0) == (value_b > 0)) continue;
       const std::array<Index, 2> edge{std::min(corners[a], corners[b]),
                                       std::max(corners[a], corners[b])};
       segment.nodes[found] =
           nodes.try_emplace(edge, static_cast<Index>(nodes.size())).first->second;
-      segment.barycentric[found++] = crossing(a, b, value_a, value_b);
+      segment.barycentric[found++] = zero_between(a, b, value_a, value_b);
     }
     if (found == 2) segments.push_back(segment);
   }
-  return SegmentJoiner(mesh, normals, std::move(segments)).joined();
+  return joined_lines(mesh, normals, segments);
 }
 
 }  // namespace
@@ -202,7 +110,7 @@ Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, cons
     const Vec3 view = eye - mesh.positions[v];
     facing[v] = static_cast<double>(normals[v].dot(view.normalized()));
   }
-  return zero_lines(mesh, normals, std::move(facing));
+  return zero_lines(mesh, normals, std::move(facing), true);
 }
 
 Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
@@ -214,7 +122,7 @@ Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
   for (std::size_t v = 0; v < beyond.size(); ++v) {
     beyond[v] = static_cast<double>(slice.signedDistance(mesh.positions[v]) + within);
   }
-  return zero_lines(mesh, normals, std::move(beyond));
+  return zero_lines(mesh, normals, std::move(beyond), false);
 }
 
 Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
@@ -242,7 +150,7 @@ Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
     segments.push_back(*of_edge.at({std::min(from, to), std::max(from, to)}));
   }
   progress.report(0.9);
-  Polylines lines = SegmentJoiner(mesh, normals, std::move(segments)).joined();
+  Polylines lines = joined_lines(mesh, normals, segments);
   stages.finish();
   return lines;
 }

@@ -4,14 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/reported_sort.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
@@ -167,42 +165,6 @@ void put_pen(TextOutput& text, const Pen& pen) {
   }
   text << "</g>\n";
 }
-
-void remove_edge(std::map<Index, std::vector<Index>>& edges, Index from, Index to) {
-  std::erase(edges[from], to);
-  std::erase(edges[to], from);
-}
-
-/// Edges joined into lines as long as they go on.
-Polylines chains(const Mesh& mesh, std::span<const Vec3> normals,
-                 std::map<Index, std::vector<Index>> edges) {
-  Polylines lines;
-  std::vector<Index> starts;
-  // From where lines end or fork first, then what is left: closed lines.
-  for (const auto& [vertex, others] : edges) {
-    if (others.size() != 2) starts.push_back(vertex);
-  }
-  for (const auto& [vertex, others] : edges) starts.push_back(vertex);
-  for (const Index start : starts) {
-    while (!edges[start].empty()) {
-      for (Index vertex = start;;) {
-        lines.points.push_back(mesh.positions[vertex]);
-        lines.normals.push_back(normals[vertex]);
-        if (edges[vertex].empty()) break;
-        const Index next = edges[vertex].front();
-        remove_edge(edges, vertex, next);
-        vertex = next;
-      }
-      lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-      lines.closed.push_back(0);
-    }
-  }
-  return lines;
-}
-
-}  // namespace
-
-namespace {
 
 Camera drawing_camera(const Mesh& mesh, const CameraView& view, int width, int height) {
   check_drawing_size(width, height);
@@ -405,56 +367,10 @@ std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance,
   return strokes;
 }
 
-Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
-                  int width, int height, const Progress& heard) {
-  JobStages stages(heard, {{"outline", 1}});
-  const Progress progress = stages.begin("outline");
-  const Camera camera = framed_camera(points_of_triangles(mesh), view, width, height);
-  const Vec3 eye = viewpoint_of(camera);
-  /// An edge of a triangle that faces the viewer or does not.
-  struct Side {
-    Index low, high;
-    bool front;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangle_count());
-  reported_for(mesh.triangle_count(), progress.part(0, 0.3), [&](std::size_t number) {
-    const Triangle& t = mesh.triangles[number];
-    const Vec3& a = mesh.positions[t[0]];
-    const Vec3 normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
-    const bool front = normal.dot(eye - a) > 0;
-    for (int m = 0; m < 3; ++m) {
-      const auto [low, high] = std::minmax(t[m], t[(m + 1) % 3]);
-      sides.push_back({low, high, front});
-    }
-  });
-  reported_sort(sides.begin(), sides.end(), progress.part(0.3, 0.8),
-                [](const Side& x, const Side& y) {
-                  return std::pair(x.low, x.high) < std::pair(y.low, y.high);
-                });
-  std::map<Index, std::vector<Index>> bounding;  // for every vertex those at the other ends
-  Reporter reporter(progress.part(0.8, 1), sides.size());
-  for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
-    const auto& [low, high, ignored] = sides[first];
-    std::size_t front = 0;
-    for (; end < sides.size() && sides[end].low == low && sides[end].high == high; ++end) {
-      front += sides[end].front;
-    }
-    reporter.done(end - first);
-    const bool bounds = end - first == 1 || (front > 0 && front < end - first);
-    if (!bounds) continue;
-    bounding[low].push_back(high);
-    bounding[high].push_back(low);
-  }
-  Polylines lines = chains(mesh, normals, std::move(bounding));
-  stages.finish();
-  return lines;
-}
-
 std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
                               std::span<const PenLines> drawn, const CameraView& view, int width,
                               int height, const Progress& progress) {
-  // The outline runs along edges, beside the smooth outline that the depths have.
+  // The outline is smooth, and runs beside the one that the depths have, which has corners.
   constexpr float kOutlineTolerance = 0.01f;
   constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
   constexpr double kSeen = 0.3, kDrawn = 0.7, kOutlined = 0.95;
