@@ -204,7 +204,7 @@ class Bench:
         waves = 2 if "--cross" in words else 1
         return {"vertices": read["vertices"], "processor_s": read["processor_s"],
                 "prepare_ms": took["topology"], "field_ms": took["field"] if own_field else None,
-                "pattern_ms": sum(took.get(key, 0) for key in ("frequency", "couple", "solve", "pattern")),
+                "pattern_ms": sum(took.get(key, 0) for key in ("frequency", "couple", "solve", "merge", "pattern")),
                 "field_singularities": read["field_singularities"],
                 "branches_beyond": read["branches"] - waves * read["field_singularities"],
                 "angle_error_mean_deg": read["angle_error_mean_deg"]}
@@ -322,6 +322,8 @@ def plan(drivers):
     add("crosses", "Brindle, `--cross --slack 0.3`", striped("--cross", "--slack", 0.3))
     add("crosses", "Brindle, `--cross --normal-radius 1%`",
         striped("--cross", "--normal-radius", "1%"))
+    add("crosses", "Brindle, `--cross --normal-radius 1% --merge-branches 0`",
+        striped("--cross", "--normal-radius", "1%", "--merge-branches", 0))
     if "libigl" in drivers:
         add("stripes, curvature", "libigl, then Brindle", of_libigl)
     add("stripes, curvature", "Brindle, `raw-curvature`", striped("--field", "raw-curvature"))

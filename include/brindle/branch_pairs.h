@@ -3,8 +3,10 @@
 
 #include <cstddef>
 
+#include "brindle/cross_texture.h"
 #include "brindle/export.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/texture_pattern.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -27,6 +29,18 @@ struct MergingOptions {
 /// Error for options that are not in range, for points without triangles and for a pattern of
 /// another surface; Cancelled if `progress` asks for it. The pattern then is as it was.
 MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
+                              const MergingOptions& merging, const StripeOptions& options = {},
+                              const Progress& progress = {});
+
+/// The same of both stripe patterns of a texture, which is then oriented and measured anew. `share`
+/// is of each pattern's energy; the figures are those of both, their energies added.
+MergedBranches merge_branches(const Surface& surface, TexturePattern& pattern,
+                              const MergingOptions& merging, const TextureOptions& options = {},
+                              const Progress& progress = {});
+
+/// The same of both waves of a cross field together. Branches of singularities, which stay, are not
+/// among those of the figures.
+MergedBranches merge_branches(const Surface& surface, CrossPattern& pattern,
                               const MergingOptions& merging, const StripeOptions& options = {},
                               const Progress& progress = {});
 

@@ -60,7 +60,7 @@ struct MakingFigures {
 struct PatternWishes {
   PatternKind kind = PatternKind::stripes;
   StripeOptions solving = {};
-  MakingOptions making = {};          ///< of stripes alone
+  MakingOptions making = {};          ///< of textures and crosses `merge_branches` alone
   FrequencyField frequencies_v = {};  ///< of textures, as TextureOptions has them
   bool oriented = false;              ///< the same
 };
@@ -72,7 +72,7 @@ struct MadeCrosses {
 
 struct MadePattern {
   std::variant<StripePattern, TexturePattern, MadeCrosses> of;
-  MakingFigures making = {};  ///< of stripes
+  MakingFigures making = {};
 };
 
 /// Lays the pattern. `waves` has one entry per vertex. Throws what `stripe_pattern`,

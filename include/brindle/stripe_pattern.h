@@ -54,6 +54,7 @@ struct StripeMilliseconds {
   double couple = 0;     ///< phase shifts
   double solve = 0;
   double pattern = 0;  ///< corner phases and quality
+  double merge = 0;    ///< `merge_branches`, if it was asked for
 };
 
 /// A pattern and all that it was made with.

@@ -155,6 +155,12 @@ class Texture:
                                                  (self.surface, *self._also_on))
 
     @property
+    def merged(self) -> Optional[dict[str, float]]:
+        """With merge_branches: the pairs that are gone, branches and energy before and after, of U
+        and V together; of crosses without those of singularities."""
+        return self._core.merged()
+
+    @property
     def triangle_origins(self) -> "NDArray[np.int32]":
         """Of crosses: for every triangle of ``surface`` that of the surface handed over."""
         return self._core.triangle_origins
@@ -196,7 +202,8 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None,
+            global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
+            merge_distance: Optional[float] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None,
@@ -230,7 +237,8 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
             epsilon: Optional[float] = None, momentum: Optional[float] = None,
             seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None,
+            global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
+            merge_distance: Optional[float] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_singularities: Optional[int] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,

@@ -33,6 +33,9 @@ struct Solving {
 /// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
 Slack slack_of(py::handle slack, py::handle calm);
 
+/// What of Python has: a dict, or None where no branches were to be merged.
+pybind11::object merged_of(const std::optional<brindle::MergedBranches>& merged);
+
 /// Python hands these around; nobody changes one.
 struct StripesData {
   SurfacePointer surface;
@@ -56,6 +59,7 @@ struct TextureData {
   std::vector<Index> singular;          ///< of a cross field: triangles of that surface
   brindle::WaveReport figures;
   std::size_t branches = 0, field_singularities = 0;
+  std::optional<brindle::MergedBranches> merged;
   nlohmann::ordered_json report;  ///< without the invocation
 
   bool is_cross() const { return cover != nullptr; }

@@ -236,18 +236,6 @@ py::object turned_of(const StripesData& data) {
   return result;
 }
 
-py::object merged_of(const StripesData& data) {
-  if (!data.making.merged) return py::none();
-  const MergedBranches& merged = *data.making.merged;
-  py::dict result;
-  result["pairs"] = merged.pairs;
-  result["branches_before"] = merged.branches_before;
-  result["branches_after"] = merged.branches_after;
-  result["energy_before"] = merged.energy_before;
-  result["energy_after"] = merged.energy_after;
-  return result;
-}
-
 const StripesData& stripes_of(py::handle self) { return py::cast<const StripesData&>(self); }
 
 void bind_stripes(py::module_& module) {
@@ -275,7 +263,7 @@ void bind_stripes(py::module_& module) {
       .def("turned", turned_of)
       .def_property_readonly("turn_deg",
                              [](const StripesData& data) { return data.prepared.turn_deg; })
-      .def("merged", merged_of)
+      .def("merged", [](const StripesData& data) { return merged_of(data.making.merged); })
       .def_property_readonly(
           "directions",
 
@@ -293,6 +281,17 @@ void bind_stripes(py::module_& module) {
 }
 
 }  // namespace
+
+py::object merged_of(const std::optional<MergedBranches>& merged) {
+  if (!merged) return py::none();
+  py::dict result;
+  result["pairs"] = merged->pairs;
+  result["branches_before"] = merged->branches_before;
+  result["branches_after"] = merged->branches_after;
+  result["energy_before"] = merged->energy_before;
+  result["energy_after"] = merged->energy_after;
+  return result;
+}
 
 Slack slack_of(py::handle slack, py::handle calm) {
   Slack result;

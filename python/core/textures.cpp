@@ -50,7 +50,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
                        const py::object& progress) {
   if (surface->is_points()) throw Error("points have no triangles to lay a texture on");
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
-  PatternWishes wishes{PatternKind::texture, solving.stripes};
+  PatternWishes wishes{PatternKind::texture, solving.stripes, solving.making};
   wishes.frequencies_v =
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField());
   wishes.oriented = oriented;
@@ -67,6 +67,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
     made->report =
         brindle::to_json(brindle::make_report(surface->surface, in.prepared, laid, solver));
     made->surface = surface;
+    made->merged = laid.making.merged;
     made->figures = in.prepared.figures;
     made->branches = pattern.u.quality.branches;
     made->field_singularities = pattern.u.quality.field_singularities;
@@ -99,12 +100,13 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     const StripeOptions& options = solving.stripes;
-    MadePattern laid =
-        pattern_of(surface->surface, std::move(in.waves), {PatternKind::crosses, options}, reports);
+    MadePattern laid = pattern_of(surface->surface, std::move(in.waves),
+                                  {PatternKind::crosses, options, solving.making}, reports);
     auto& [cross, texture] = std::get<MadeCrosses>(laid.of);
     auto made = std::make_shared<TextureData>();
     made->report = brindle::to_json(
         brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver));
+    made->merged = laid.making.merged;
     made->figures = in.prepared.figures;
     made->branches = cross.quality.branches;
     made->field_singularities = cross.quality.field_singularities;
@@ -266,6 +268,7 @@ void bind_textures(py::module_& module) {
                                return index_rows(py::cast<const TextureData&>(self).singular, 1,
                                                  self);
                              })
+      .def("merged", [](const TextureData& data) { return merged_of(data.merged); })
       .def("corner_uv", corner_uv)
       .def("mesh", textured_mesh)
       .def("warnings",

@@ -43,12 +43,12 @@ SHARED = {
     "cycles": lambda c: c.randint(0, 5),
     "global_iterations": lambda c: c.randint(1, 6),
     "slack": lambda c: number(c, 0, 0.6),
+    "merge_branches": lambda c: number(c, 0, 0.3),
+    "merge_distance": lambda c: number(c, 1, 30),
 }
 OF_STRIPES = {
     "anchor_boundary": lambda c: number(c, 0, 1),
     "winding": lambda c: c.randint(-3, 3),
-    "merge_branches": lambda c: number(c, 0, 0.3),
-    "merge_distance": lambda c: number(c, 1, 30),
 }
 OF_TEXTURES = {
     "oriented": lambda c: True,

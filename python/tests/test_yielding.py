@@ -201,3 +201,17 @@ def test_merged_branches():
             brindle.stripes(trefoil, d, merge_branches=share)
     with pytest.raises(TypeError):
         brindle.stripes(trefoil, d, merge_branches="many")
+
+
+def test_merged_branches_of_textures_and_crosses():
+    molecule = brindle.shape("molecule", resolution=20)
+    d = molecule.projected_field((0.31, 0.9, 0.27))
+    texture = brindle.texture(molecule, d, stripes=25, merge_branches=0)
+    said = texture.merged
+    assert said["pairs"] > 0 and said["energy_after"] <= said["energy_before"]
+    assert said["branches_after"] == sum(np.count_nonzero(p.branches) for p in (texture.u, texture.v))
+    before, after = (brindle.crosses(molecule, stripes=25, **merging) for merging in ({}, {"merge_branches": 0}))
+    assert before.merged is None
+    assert after.merged["pairs"] > 0
+    assert after.report["branches"] <= before.report["branches"] - 2 * after.merged["pairs"]
+    assert after.report["field_singularities"] == before.report["field_singularities"]

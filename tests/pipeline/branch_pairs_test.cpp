@@ -8,6 +8,7 @@
 
 #include "brindle/error.h"
 #include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
 #include "brindle/threads.h"
 #include "phase_graphs.h"
 
@@ -149,6 +150,58 @@ TEST(BranchPairs, LeaveFixedPhasesAndPatternsWithoutBranchesAsTheyAre) {
   const auto z = straight.solution.z;
   EXPECT_EQ(merge_branches(plane, straight, {1}).pairs, 0u);
   EXPECT_EQ(straight.solution.z, z);
+}
+
+TEST(BranchPairs, OfTexturesGoFromBothPatterns) {
+  const Knot knot;
+  const TextureOptions options{.stripes = knot.options};
+  const DirectionField field = projected_direction_field(kAxis, knot.surface.normals);
+  TexturePattern texture = texture_pattern(knot.surface, field, 8, options);
+  StripePattern u = texture.u, v = texture.v;
+  const MergedBranches of_u = merge_branches(knot.surface, u, {0.05}),
+                       of_v = merge_branches(knot.surface, v, {0.05});
+  ASSERT_GT(of_u.pairs, 0u);
+  ASSERT_GT(of_v.pairs, 0u);
+  const MergedBranches merged = merge_branches(knot.surface, texture, {0.05}, options);
+  EXPECT_EQ(texture.u.solution.z, u.solution.z);
+  EXPECT_EQ(texture.v.solution.z, v.solution.z);
+  EXPECT_EQ(merged.pairs, of_u.pairs + of_v.pairs);
+  EXPECT_EQ(merged.branches_after, u.quality.branches + v.quality.branches);
+  EXPECT_DOUBLE_EQ(merged.energy_after, u.solution.energy + v.solution.energy);
+  // Corners have the waves of the patterns, some of them turned round.
+  for (std::size_t t = 0; t < knot.surface.mesh.triangle_count(); ++t) {
+    for (int m = 0; m < 3; ++m) {
+      const Complex z = u.solution.z[knot.surface.mesh.triangles[t][m]];
+      const Complex corner = texture.waves.u[t][m].z;
+      EXPECT_TRUE(corner == z || corner == -std::conj(z));
+    }
+  }
+}
+
+TEST(BranchPairs, OfCrossesGoFromBothWavesTogether) {
+  for (const char* shape : {"vessels,resolution=36", "molecule,resolution=20"}) {
+    const Surface surface = make_surface(make_shape(shape));
+    const float diagonal = bounding_box(surface.mesh).diagonal();
+    const DirectionField field =
+        smooth_direction_field(surface, {.symmetry = 4, .normal_radius = 0.02f * diagonal});
+    const WaveSet waves{surface.mesh.positions, field,
+                        constant_frequency_field(25 / diagonal, surface.mesh.vertex_count())};
+    const CrossPattern before = cross_pattern(surface, waves);
+    CrossPattern cross = before;
+    const MergedBranches merged = merge_branches(surface, cross, {0});
+    EXPECT_GT(merged.pairs, 2u) << shape;
+    EXPECT_LE(merged.energy_after, merged.energy_before * (1 + 1e-6)) << shape;
+    EXPECT_NEAR(merged.energy_after, energy_again(cross.surface, cross.pattern), 1e-9) << shape;
+    const std::size_t singular = 2 * cross.cover.singular.size();
+    EXPECT_EQ(before.quality.branches, merged.branches_before + singular) << shape;
+    EXPECT_EQ(cross.quality.branches, merged.branches_after + singular) << shape;
+    EXPECT_EQ(cross.quality.field_singularities, before.quality.field_singularities) << shape;
+
+    CrossPattern kept = before;
+    const Progress cancelling([](std::string_view, double) { return false; });
+    EXPECT_THROW(merge_branches(surface, kept, {0}, {}, cancelling), Cancelled);
+    EXPECT_EQ(kept.pattern.solution.z, before.pattern.solution.z) << shape;
+  }
 }
 
 TEST(BranchPairs, RefuseWhatCannotBe) {

@@ -67,9 +67,19 @@ TEST_F(PatternOf, MeasuresWindingsWhereAsked) {
   EXPECT_EQ(again.centers.size(), again.loops.size()) << "figures of before are gone";
 }
 
-TEST_F(PatternOf, RefusesWhatTheKindDoesNotHave) {
+TEST_F(PatternOf, MergesBranchesOfEveryKind) {
   MakingOptions making;
   making.merge_branches = 0.1f;
+  for (const PatternKind kind :
+       {PatternKind::stripes, PatternKind::texture, PatternKind::crosses}) {
+    EXPECT_FALSE(pattern_of(surface, waves, {.kind = kind}).making.merged);
+    EXPECT_TRUE(pattern_of(surface, waves, {.kind = kind, .making = making}).making.merged);
+  }
+}
+
+TEST_F(PatternOf, RefusesWhatTheKindDoesNotHave) {
+  MakingOptions making;
+  making.measure_windings = true;
   for (const PatternKind kind : {PatternKind::texture, PatternKind::crosses}) {
     EXPECT_THROW(pattern_of(surface, waves, {.kind = kind, .making = making}), Error);
   }

@@ -278,6 +278,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
     time.couple += own.couple;
     time.solve += own.solve;
     time.pattern += own.pattern;
+    time.merge += own.merge;
     extract += family.extract_milliseconds;
   }
   json["milliseconds"] = {{"load", time.load},         {"field", prepared.field_milliseconds},
@@ -289,6 +290,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
     json["picture_quality"] = quality_name(picture);
   }
   if (curves.yields) json["milliseconds"]["frequency"] = time.frequency;
+  if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;
   return json;
 }
 

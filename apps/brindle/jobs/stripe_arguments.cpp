@@ -99,8 +99,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   check_previous(command, arguments, texture);
   check_making_options(arguments.making, arguments.solving.stripes.solver.solver);
   if (texture) {
-    refuse_given(command,
-                 {"--winding", "--anchor-boundary", "--merge-branches", "--merge-distance"},
+    refuse_given(command, {"--winding", "--anchor-boundary"},
                  "it is for stripes, not for textures and cross fields");
   }
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));

@@ -15,8 +15,7 @@ PatternKind kind_of(const StripeArguments& arguments, const std::optional<Textur
 }
 
 PatternWishes wishes_of(const StripeArguments& arguments, Preparation& prepared, PatternKind kind) {
-  PatternWishes wishes{kind, arguments.solving.stripes};
-  if (kind == PatternKind::stripes) wishes.making = arguments.making;
+  PatternWishes wishes{kind, arguments.solving.stripes, arguments.making};
   if (kind == PatternKind::texture) {
     wishes.frequencies_v = std::move(prepared.frequencies_v);
     wishes.oriented = arguments.texture.oriented;

@@ -18,7 +18,7 @@ struct StripeJob {
   StripeResult result;
   Report report;
   InputData data;
-  MakingFigures making = {};  ///< that the report has, of stripes
+  MakingFigures making = {};  ///< that the report has
 };
 
 /// What the smooth field of these stripes goes on from: the field of the previous pattern, which

@@ -270,13 +270,13 @@ bool can_have_frames(const StripeArguments& arguments) {
   return arguments.previous.empty() && !arguments.surface.points &&
          arguments.device == DeviceKind::cpu && stripes.solver.solver == Solver::multilevel &&
          stripes.weights == EdgeWeights::paper &&
-         stripes.phase_shift != PhaseShiftKind::common_source;
+         stripes.phase_shift != PhaseShiftKind::common_source && !arguments.making.change_pattern();
 }
 
 }  // namespace
 
 bool can_follow_loosely(const StripeArguments& arguments) {
-  return can_have_frames(arguments) && !has_tiles(arguments) && !arguments.making.change_pattern();
+  return can_have_frames(arguments) && !has_tiles(arguments);
 }
 
 bool can_follow_tiles(const StripeArguments& arguments) {

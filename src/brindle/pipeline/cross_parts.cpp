@@ -154,4 +154,16 @@ PatternQuality cross_quality(const CrossCover& cover, PatternQuality on_cover,
   return quality;
 }
 
+PatternQuality cross_quality(std::span<const Triangle> triangles, const CrossPattern& cross,
+                             std::span<const float> calm) {
+  PatternQuality quality = cross_quality(cross.cover, cross.pattern.quality, cross.pattern.corners);
+  if (!quality.branches_in_calm) return quality;
+  // The triangles that the cover leaves out count twice, as in `branches`.
+  for (const Index t : cross.cover.singular) {
+    const auto& [a, b, c] = triangles[t];
+    *quality.branches_in_calm += calm[a] + calm[b] + calm[c] >= 1.5f ? 2 : 0;
+  }
+  return quality;
+}
+
 }  // namespace brindle

@@ -5,6 +5,7 @@
 
 #include "brindle/corner_phases.h"
 #include "brindle/cross_cover.h"
+#include "brindle/cross_texture.h"
 #include "brindle/phase_shift.h"
 #include "brindle/quality.h"
 #include "brindle/texture_waves.h"
@@ -29,5 +30,10 @@ Slack slack_on_cover(Slack slack);
 /// phases of its triangles.
 PatternQuality cross_quality(const CrossCover& cover, PatternQuality on_cover,
                              std::span<const CornerPhases> corners);
+
+/// The same of a whole pattern. `calm` is that of a Slack, by vertices of `triangles`, the
+/// surface's.
+PatternQuality cross_quality(std::span<const Triangle> triangles, const CrossPattern& cross,
+                             std::span<const float> calm);
 
 }  // namespace brindle

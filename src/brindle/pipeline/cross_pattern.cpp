@@ -7,19 +7,6 @@
 #include "brindle/waves/slack_check.h"
 
 namespace brindle {
-namespace {
-
-/// The triangles that the cover leaves out count twice, as in `branches`.
-void add_singular_in_calm(std::span<const Triangle> triangles, const CrossCover& cover,
-                          std::span<const float> calm, PatternQuality& quality) {
-  if (!quality.branches_in_calm) return;
-  for (const Index t : cover.singular) {
-    const auto& [a, b, c] = triangles[t];
-    *quality.branches_in_calm += calm[a] + calm[b] + calm[c] >= 1.5f ? 2 : 0;
-  }
-}
-
-}  // namespace
 
 Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals) {
   Surface surface{{cover.waves.positions, cover.triangles}, cover.neighborhood, {}};
@@ -47,8 +34,7 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
       stripe_pattern(result.surface, result.cover.waves, on_cover, stages.begin("stripes"));
   result.cover.waves.frequencies = result.pattern.waves.frequencies;
   result.pattern.milliseconds.couple += matching;
-  result.quality = cross_quality(result.cover, result.pattern.quality, result.pattern.corners);
-  add_singular_in_calm(surface.mesh.triangles, result.cover, options.slack.calm, result.quality);
+  result.quality = cross_quality(surface.mesh.triangles, result, options.slack.calm);
   stages.finish();
   return result;
 }

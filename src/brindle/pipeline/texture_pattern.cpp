@@ -7,7 +7,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/pattern/texture_quality.h"
+#include "brindle/pipeline/oriented_texture.h"
 #include "brindle/pipeline/texture_orientation.h"
 
 namespace brindle {
@@ -26,40 +26,6 @@ void check_fits(const Surface& surface, std::size_t triangles, const char* what)
   throw Error(std::string("a ") + what + " of " + std::to_string(triangles) +
               " triangles was not made for a surface of " +
               std::to_string(surface.mesh.triangle_count()));
-}
-
-VertexWaves vertex_waves(const StripePattern& pattern) {
-  return {pattern.waves.positions, pattern.waves.directions, pattern.waves.frequencies,
-          pattern.solution.z};
-}
-
-LinearPattern linear_pattern(const StripePattern& pattern) {
-  return {pattern.corners, pattern.waves.frequencies};
-}
-
-/// Waves, oriented, and seams from both patterns.
-void orient(std::span<const Triangle> triangles, bool as_given, const Progress& progress,
-            TexturePattern& pattern) {
-  progress.report(0);
-  std::vector<CornerSigns> signs;
-  corner_signs(triangles, pattern.u.waves.directions, pattern.v.waves.directions, signs);
-  progress.report(0.1);
-  const std::vector<SharedEdge> edges = shared_edges(triangles);
-  progress.report(0.3);
-  const std::vector<std::uint8_t> oriented = oriented_triangles(signs);
-  std::vector<EdgeAgreement> agreement;
-  agreements(signs, edges, agreement);
-  if (!as_given) {
-    const auto turned =
-        orienting_turns(triangles, oriented, edges, agreement, progress.part(0.3, 0.8));
-    turn_agreements(turned, edges, agreement);
-    turn_signs(turned, signs);
-  }
-  progress.report(0.8);
-  pattern.seams = texture_seams(oriented, agreement);
-  progress.report(0.9);
-  set_texture_waves(triangles, signs, vertex_waves(pattern.u), vertex_waves(pattern.v),
-                    pattern.waves, progress.part(0.9, 1));
 }
 
 /// Waves without stripes. Their phase is that of a crest: the same whichever way they run.
@@ -82,11 +48,7 @@ TexturePattern texture_pattern(const Surface& surface, WaveSet waves, const Text
       stripe_pattern(surface, std::move(waves_v), options.stripes, stages.begin("stripes of V"));
 
   Stopwatch watch;
-  const Progress texture = stages.begin("texture");
-  orient(surface.mesh.triangles, options.oriented, texture.part(0, 0.9), pattern);
-  texture.report(0.9);
-  pattern.quality = measure_texture(surface.mesh, linear_pattern(pattern.u),
-                                    linear_pattern(pattern.v), texture.part(0.9, 1));
+  orient_texture(surface.mesh, options.oriented, stages.begin("texture"), pattern);
   pattern.orientation_milliseconds = watch.lap();
   stages.finish();
   return pattern;

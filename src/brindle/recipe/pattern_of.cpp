@@ -47,42 +47,55 @@ StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions
   return stripes_of_yielded(surface, std::move(turned), wound.pattern, stripes, progress);
 }
 
+// Pairs of branches go as the options ask.
+template <class Pattern, class Options>
+void merge_pairs(const Surface& surface, const MakingOptions& making, const Options& options,
+                 const Progress& progress, Pattern& pattern, MakingFigures& figures) {
+  if (!making.merge_branches) return;
+  MergingOptions merging{static_cast<double>(*making.merge_branches)};
+  if (making.merge_distance) merging.distance = static_cast<double>(*making.merge_distance);
+  figures.merged = merge_branches(surface, pattern, merging, options, progress);
+}
+
 StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions stripes,
                            const MakingOptions& options, const Progress& progress,
                            MakingFigures& figures) {
   StripePattern pattern =
       wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
-  if (options.merge_branches) {
-    MergingOptions merging{static_cast<double>(*options.merge_branches)};
-    if (options.merge_distance) merging.distance = static_cast<double>(*options.merge_distance);
-    figures.merged = merge_branches(surface, pattern, merging, stripes, progress);
-  }
+  merge_pairs(surface, options, stripes, progress, pattern, figures);
   return pattern;
 }
 
-TexturePattern made_texture(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
-                            const Progress& progress) {
-  return texture_pattern(surface, std::move(waves),
-                         {wishes.frequencies_v, wishes.oriented, wishes.solving}, progress);
-}
-
-MadeCrosses made_crosses(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
+MadePattern made_texture(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
                          const Progress& progress) {
-  CrossPattern cross = cross_pattern(surface, waves, options, progress.part(0, 0.9));
-  CrossTexture texture =
-      cross_texture(surface, cross, options.phase_shift, progress.part(0.9, 1).step("texture"));
-  return {std::move(cross), std::move(texture)};
+  const TextureOptions options{wishes.frequencies_v, wishes.oriented, wishes.solving};
+  MakingFigures figures;
+  TexturePattern texture = texture_pattern(surface, std::move(waves), options, progress);
+  merge_pairs(surface, wishes.making, options, progress, texture, figures);
+  return {std::move(texture), std::move(figures)};
 }
 
-bool is_made_by_hand(const MakingOptions& making) {
-  return making.change_pattern() || making.measure_windings;
+MadePattern made_crosses(const Surface& surface, const WaveSet& waves, const PatternWishes& wishes,
+                         const Progress& progress) {
+  const bool merges = wishes.making.merge_branches.has_value();
+  MakingFigures figures;
+  CrossPattern cross =
+      cross_pattern(surface, waves, wishes.solving, progress.part(0, merges ? 0.5 : 0.9));
+  merge_pairs(surface, wishes.making, wishes.solving, progress.part(0.5, 0.9), cross, figures);
+  CrossTexture texture = cross_texture(surface, cross, wishes.solving.phase_shift,
+                                       progress.part(0.9, 1).step("texture"));
+  return {MadeCrosses{std::move(cross), std::move(texture)}, std::move(figures)};
+}
+
+bool winds_or_begins(const MakingOptions& making) {
+  return making.anchor_boundary || !making.windings.empty() || making.measure_windings;
 }
 
 void check_wishes(const PatternWishes& wishes) {
-  if (wishes.kind != PatternKind::stripes && is_made_by_hand(wishes.making)) {
+  if (wishes.kind != PatternKind::stripes && winds_or_begins(wishes.making)) {
     throw Error(
-        "windings, anchored boundaries and merged branches are for stripes: ask for no texture and "
-        "no crosses, or leave them out");
+        "windings and anchored boundaries are for stripes: ask for no texture and no crosses, or "
+        "leave them out");
   }
   if (wishes.kind != PatternKind::texture && (wishes.oriented || !wishes.frequencies_v.empty())) {
     throw Error(
@@ -117,9 +130,9 @@ MadePattern pattern_of(const Surface& surface, WaveSet waves, const PatternWishe
     case PatternKind::stripes:
       break;
     case PatternKind::texture:
-      return {made_texture(surface, std::move(waves), wishes, progress)};
+      return made_texture(surface, std::move(waves), wishes, progress);
     case PatternKind::crosses:
-      return {made_crosses(surface, waves, wishes.solving, progress)};
+      return made_crosses(surface, waves, wishes, progress);
   }
   MakingFigures figures;
   StripePattern stripes =

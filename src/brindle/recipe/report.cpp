@@ -130,6 +130,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   report.milliseconds.frequency += more.frequency;
   report.milliseconds.couple += more.couple;
   report.milliseconds.solve += more.solve;
+  report.milliseconds.merge += more.merge;
   report.milliseconds.pattern += more.pattern + texture.orientation_milliseconds;
   report.frequency_v = frequency_report(texture.v.frequency_change, texture.v.quality);
   report.texture = TextureReport{texture.v.solution.energy, texture.v.quality.branches,
@@ -147,13 +148,15 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const MadePattern& pattern, Solver solver) {
-  if (const auto* crosses = std::get_if<MadeCrosses>(&pattern.of)) {
-    return make_report(surface, prepared, crosses->texture, solver);
-  }
-  if (const auto* texture = std::get_if<TexturePattern>(&pattern.of)) {
-    return make_report(surface, prepared, *texture, solver);
-  }
-  Report report = make_report(surface, prepared, std::get<StripePattern>(pattern.of), solver);
+  Report report = [&] {
+    if (const auto* crosses = std::get_if<MadeCrosses>(&pattern.of)) {
+      return make_report(surface, prepared, crosses->texture, solver);
+    }
+    if (const auto* texture = std::get_if<TexturePattern>(&pattern.of)) {
+      return make_report(surface, prepared, *texture, solver);
+    }
+    return make_report(surface, prepared, std::get<StripePattern>(pattern.of), solver);
+  }();
   add_to_json(pattern.making, report.making);
   report.making_lines = lines_of(pattern.making);
   return report;
@@ -228,6 +231,7 @@ nlohmann::ordered_json to_json(const Report& report) {
         {"pattern", time.pattern}}},
       {"device", report.device}});
   json.update(to_json(report.waves, report.field_rows_nonfinite));
+  if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;
   if (report.draw_milliseconds) {
     json["milliseconds"]["draw"] = *report.draw_milliseconds;
     json["picture_quality"] = report.picture_quality;
@@ -281,6 +285,7 @@ void print_report(std::ostream& out, const Report& report) {
       "time      load %.1f, field %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
       time.load, report.field_milliseconds, time.topology, time.couple, time.solve, time.pattern);
   if (report.frequency) out << formatted(", frequency %.1f", time.frequency);
+  if (time.merge > 0) out << formatted(", merge %.1f", time.merge);
   if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);
   out << " ms\n";
 }

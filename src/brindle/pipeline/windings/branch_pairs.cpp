@@ -20,9 +20,12 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/ranges.h"
+#include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"
+#include "brindle/pipeline/cross_parts.h"
 #include "brindle/pipeline/measured_pattern.h"
+#include "brindle/pipeline/oriented_texture.h"
 #include "brindle/pipeline/windings/twisted_forms.h"
 
 namespace brindle {
@@ -579,6 +582,8 @@ MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
       pattern.corners.size() != surface.mesh.triangle_count()) {
     throw Error("merging branches: the pattern was made for another surface");
   }
+  Stopwatch watch;
+  StripeMilliseconds times = pattern.milliseconds;
   MergedBranches merged;
   merged.branches_before = pattern.quality.branches;
   merged.energy_before = pattern.solution.energy;
@@ -596,8 +601,42 @@ MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
   } else {
     stages.finish();
   }
+  times.merge += watch.lap();
+  pattern.milliseconds = times;
   merged.branches_after = pattern.quality.branches;
   merged.energy_after = pattern.solution.energy;
+  return merged;
+}
+
+MergedBranches merge_branches(const Surface& surface, TexturePattern& pattern,
+                              const MergingOptions& merging, const TextureOptions& options,
+                              const Progress& progress) {
+  JobStages stages(progress, {{"stripes of U", 4}, {"stripes of V", 4}, {"texture", 2}});
+  TexturePattern result = pattern;
+  MergedBranches merged = merge_branches(surface, result.u, merging, options.stripes,
+                                         stages.begin("stripes of U"));
+  const MergedBranches of_v = merge_branches(surface, result.v, merging, options.stripes,
+                                             stages.begin("stripes of V"));
+  merged.pairs += of_v.pairs;
+  merged.branches_before += of_v.branches_before;
+  merged.branches_after += of_v.branches_after;
+  merged.energy_before += of_v.energy_before;
+  merged.energy_after += of_v.energy_after;
+  const Progress texture = stages.begin("texture");
+  if (merged.pairs > 0) orient_texture(surface.mesh, options.oriented, texture, result);
+  stages.finish();
+  pattern = std::move(result);
+  return merged;
+}
+
+MergedBranches merge_branches(const Surface& surface, CrossPattern& pattern,
+                              const MergingOptions& merging, const StripeOptions& options,
+                              const Progress& progress) {
+  StripeOptions on_cover = options;
+  on_cover.slack = slack_on_cover(options.slack);
+  const MergedBranches merged =
+      merge_branches(pattern.surface, pattern.pattern, merging, on_cover, progress);
+  pattern.quality = cross_quality(surface.mesh.triangles, pattern, options.slack.calm);
   return merged;
 }
 
