@@ -16,6 +16,7 @@
 #include "brindle/corner_phases.h"
 #include "brindle/curve_measures.h"
 #include "brindle/distributed/curves/joined_measures.h"
+#include "brindle/distributed/curves/whole_curves.h"
 #include "brindle/distributed/shifted_phases.h"
 #include "brindle/distributed/surface/whole_on_first.h"
 #include "brindle/files.h"
@@ -126,10 +127,18 @@ nlohmann::ordered_json to_json(Communicator& ranks, const CutFamily& family,
           {"length", ranks.sum(lengths.closed_length + lengths.open_length)}};
 }
 
-/// Collective.
-JoinedFamily join_family(const CutFamily& cut, const PiecePatterns& patterns,
+/// Collective. Whole curves on rank 0. Fair ones it makes alone, of the whole surface; all others
+/// the ranks trace together.
+StripeCurves curves_of_all(const WholeOnFirst& whole, const PiecePattern& pattern,
+                           const CurveOptions& options) {
+  if (options.fair > 0) return whole_curves(whole, pattern, options).curves;
+  return joined_curves(pattern.surface, piece_curves(pattern, options));
+}
+
+/// Collective. `curves` are those of `curves_of_all`.
+JoinedFamily make_family(const char* name, StripeCurves curves, const PiecePatterns& patterns,
                          const SolvedPattern& solved, const MpiCurvesArguments& arguments) {
-  JoinedFamily family{cut.name, joined_curves(*patterns.surface, cut.curves)};
+  JoinedFamily family{name, std::move(curves)};
   family.ends = family.curves.end_counts();
   family.energy = solved.energy;
   family.branches = solved.quality.branches;
@@ -195,8 +204,8 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (writes_pieces(arguments)) {
     refuse_given(
         command,
-        {"--trim", "--min-length", "--simplify", "--resample", "--line-width", "--tube-radius",
-         "--tube-sides"},
+        {"--trim", "--fair", "--min-length", "--simplify", "--resample", "--line-width",
+         "--tube-radius", "--tube-sides"},
         "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
   } else if (!arguments.output.empty()) {
     const CurveOutput kind = planned_curves(arguments.output, arguments.tube_radius.has_value());
@@ -260,20 +269,19 @@ void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
 }
 
 /// Collective. The loops of the whole and the windings of a pattern, on rank 0.
-MakingFigures loops_of(Communicator& ranks, const WholeOnFirst& whole, const SolvedPattern& solved,
-                       PhaseShiftKind phase_shift) {
-  StripePattern pattern;
-  const std::vector<SentVector> directions = sent_vectors(solved.waves.directions);
-  pattern.waves.directions = received_vectors(whole.of_vertices(std::span(directions)));
-  pattern.waves.frequencies = whole.of_vertices(std::span(solved.waves.frequencies));
-  pattern.solution.z = whole.of_vertices(std::span(solved.z));
-  pattern.phase_shift = phase_shift;
+MakingFigures loops_of(Communicator& ranks, const WholeOnFirst& whole,
+                       const PiecePattern& of_piece) {
+  RankWaves waves = whole_waves(whole, of_piece);
   MakingFigures figures;
   ranks.together([&] {
     if (!whole.is_first()) return;
     const Mesh& mesh = whole.surface().mesh;
-    pattern.waves.positions = mesh.positions;
-    pattern.corners = corner_phases(mesh.triangles, pattern.waves, pattern.solution.z, phase_shift);
+    StripePattern pattern;
+    pattern.phase_shift = of_piece.phase_shift;
+    pattern.waves = std::move(waves.waves);
+    pattern.solution.z = std::move(waves.z);
+    pattern.corners =
+        corner_phases(mesh.triangles, pattern.waves, pattern.solution.z, pattern.phase_shift);
     measure_windings(whole.surface(), pattern, figures);
   });
   return figures;
@@ -293,22 +301,22 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
   if (!writes_pieces(arguments)) whole.emplace(patterns.surface->rank_surface());
   for (const auto& [name, solved] : {std::pair("u", &patterns.u), std::pair("v", &patterns.v)}) {
     if (!*solved) continue;
+    const PiecePattern pattern = patterns.piece(**solved, arguments);
     MakingFigures loops;
-    if (whole) {
-      loops = loops_of(ranks, *whole, **solved, arguments.solving.stripes.phase_shift);
-    }
+    if (whole) loops = loops_of(ranks, *whole, pattern);
     const std::size_t jogs =
         arguments.offset == 0
             ? 0
             : shift_phases(*patterns.surface, arguments.offset, (*solved)->waves, (*solved)->z);
-    families.push_back({name, piece_curves(patterns.piece(**solved, arguments), arguments.curves)});
-    if (writes_pieces(arguments)) {
+    if (!whole) {
+      families.push_back({name, piece_curves(pattern, arguments.curves)});
       made.report[name] = to_json(ranks, families.back(), **solved);
       made.report[name]["edges_with_jogs"] = jogs;
       add_frequency_change(**solved, "frequency_change", made.report[name]);
       continue;
     }
-    made.joined.push_back(join_family(families.back(), patterns, **solved, arguments));
+    made.joined.push_back(make_family(name, curves_of_all(*whole, pattern, arguments.curves),
+                                      patterns, **solved, arguments));
     made.joined.back().jogs = jogs;
     made.joined.back().loops = std::move(loops);
     made.report[name] = to_json(made.joined.back());
@@ -349,10 +357,8 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
 void add_mpi_curves_options(CLI::App& command, MpiCurvesArguments& arguments) {
   add_pattern_options(command, arguments,
                       "the curves: whole as .obj .ply .vtp .csv, in pieces as .pvtp", "FILE");
-  // Lines that run over several ranks cannot be faired.
-  arguments.visit([&command](const std::string& option, auto& field) {
-    if (option != "--fair") add_field(command, option, field);
-  });
+  arguments.visit(
+      [&command](const std::string& option, auto& field) { add_field(command, option, field); });
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
 #include "brindle/phase_graph.h"
+#include "brindle/progress.h"
 #include "brindle/samples.h"
 #include "brindle/wave_figures.h"
 
@@ -62,8 +63,8 @@ struct PieceCurves {
 
 /// Collective. The stripes' centre lines in this rank's triangles. With `join`, where a curve runs
 /// on over a border, its way beyond is a curve of the other rank. Throws Error on all ranks for
-/// patterns whose parts do not match the piece.
-/// Collective. Throws Error on all ranks for options that contradict each other.
+/// patterns whose parts do not match the piece, for options that contradict each other, and for
+/// `fair`, which `whole_curves` has.
 PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options = {});
 
 /// Collective. All ranks' curves, whole, on rank 0; nothing elsewhere. Lines are sent, and no
@@ -75,6 +76,21 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
 /// the points of all ranks' `curves`, rank by rank.
 StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves,
                            std::vector<Index>* sources = nullptr);
+
+/// Curves of a whole surface, on rank 0.
+struct WholeCurves {
+  StripeCurves curves;             ///< places are in triangles of ranks' pieces
+  std::vector<int> rank_of_point;  ///< that has this triangle
+};
+
+/// Collective. The curves of `brindle::stripe_curves` with the same phases, on rank 0; nothing
+/// elsewhere. Rank 0 gets the whole surface and makes them of that: the pieces do not matter, and
+/// what needs the surface around whole curves, as `fair` does, is there. They have the bits of one
+/// process where triangles have numbers; without, curves come in another order. Throws Error on all
+/// ranks where `piece_curves` and `stripe_curves` do, and Cancelled if rank 0's `progress` asks for
+/// it.
+WholeCurves whole_curves(const PiecePattern& pattern, const CurveOptions& options = {},
+                         const Progress& progress = {});
 
 /// Collective. Samples where the peaks of two patterns cross, in this rank's triangles, whose
 /// numbers are those of the piece. Every sample of the whole surface is one rank's: what lies on

@@ -76,10 +76,6 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
                                     .fair = static_cast<float>(this->Fair)},
                                    this->MinimumLength};
   run.ranks.together([&] {
-    if (options.curves.fair != 0 && run.input->piece) {
-      throw brindle::Error(
-          "Fair needs all of the surface on one rank; set it to 0, or run one rank");
-    }
     if (std::isfinite(options.minimum_length) && options.minimum_length >= 0) return;
     throw brindle::Error("Minimum Length must be 0 or above");
   });
@@ -87,9 +83,10 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   run.begin(0.8, 0.9, "curves");
   const bp::InputSurface& input = *run.input;
   const auto report = [&] { run.progress(0.9, 1).report("arrays", 0); };
-  // Of lines that are cut at borders nobody knows how long they are.
+  // Of lines that are cut at borders nobody knows how long they are, and how they run on.
+  const brindle::CurveOptions& wanted = options.curves;
   const bool whole_ones =
-      options.curves.join || options.curves.trim > 0 || options.minimum_length > 0;
+      wanted.join || wanted.trim != 0 || wanted.fair != 0 || options.minimum_length > 0;
   if (input.piece && whole_ones) {
     const bp::WholeLines whole = bp::whole_lines(input, pattern, options);
     run.ranks.together([&] {

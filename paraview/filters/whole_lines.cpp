@@ -1,6 +1,9 @@
 #include "whole_lines.h"
 
+#include <array>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <brindle/distributed_pattern.h>
 #include <vtkAppendPolyData.h>
@@ -45,17 +48,72 @@ std::vector<Index> rows_of_longer(const Polylines& lines, const std::vector<Inde
   return left;
 }
 
+/// The lines of all ranks' triangles, joined.
+StripeCurves joined_lines(const InputSurface& input, const PiecePattern& pattern,
+                          const CurveOptions& options, WholeLines& whole) {
+  const Ranks& ranks = input.piece->ranks();
+  const PieceCurves cut = piece_curves(pattern, options);
+  StripeCurves curves = joined_curves(pattern.surface, cut, &whole.rows);
+  vtkSmartPointer<vtkPolyData> own;
+  ranks.together([&] { own = points_with_arrays(input, cut.lines); });
+  whole.points = gathered(*own, ranks);
+  return curves;
+}
+
+/// A point of a line as the rank hears of it that has its triangle.
+struct PointOfRank {
+  std::array<float, 3> position;
+  TrianglePoint place;
+};
+
+/// What every rank says of its points: rank by rank. `rows` are those of all points in these.
+std::vector<std::vector<PointOfRank>> points_by_rank(const WholeCurves& whole, const Ranks& ranks,
+                                                     std::vector<Index>& rows) {
+  const Polylines& lines = whole.curves.lines;
+  std::vector<std::vector<PointOfRank>> points(static_cast<std::size_t>(ranks.size()));
+  for (std::size_t i = 0; i < lines.points.size(); ++i) {
+    auto& of_rank = points[static_cast<std::size_t>(whole.rank_of_point[i])];
+    rows.push_back(static_cast<Index>(of_rank.size()));
+    const Vec3& p = lines.points[i];
+    of_rank.push_back({{p.x(), p.y(), p.z()}, lines.places[i]});
+  }
+  std::vector<Index> first = {0};
+  for (const auto& of_rank : points) first.push_back(first.back() + Index(of_rank.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i] += first[static_cast<std::size_t>(whole.rank_of_point[i])];
+  }
+  return points;
+}
+
+/// Lines that the first rank makes of the whole surface.
+StripeCurves lines_of_first(const InputSurface& input, const PiecePattern& pattern,
+                            const CurveOptions& options, WholeLines& whole) {
+  const Ranks& ranks = input.piece->ranks();
+  WholeCurves curves = whole_curves(pattern, options);
+  const auto asked = ranks.swap_lists(points_by_rank(curves, ranks, whole.rows));
+  vtkSmartPointer<vtkPolyData> own;
+  ranks.together([&] {
+    Polylines points;
+    points.origin = input.surface->mesh.origin;
+    for (const auto& [position, place] : asked[0]) {
+      points.points.emplace_back(position.data());
+      points.places.push_back(place);
+    }
+    own = points_with_arrays(input, points);
+  });
+  whole.points = gathered(*own, ranks);
+  return std::move(curves.curves);
+}
+
 }  // namespace
 
 WholeLines whole_lines(const InputSurface& input, const StripePattern& pattern,
                        const LineOptions& options) {
-  const RankPiece& piece = *input.piece;
-  const PieceCurves cut = piece_curves(piece.part_of(pattern), options.curves);
+  const PiecePattern of_piece = input.piece->part_of(pattern);
   WholeLines whole;
-  StripeCurves curves = joined_curves(piece.surface(), cut, &whole.rows);
-  vtkSmartPointer<vtkPolyData> own;
-  piece.ranks().together([&] { own = points_with_arrays(input, cut.lines); });
-  whole.points = gathered(*own, piece.ranks());
+  const StripeCurves curves = options.curves.fair > 0
+                                  ? lines_of_first(input, of_piece, options.curves, whole)
+                                  : joined_lines(input, of_piece, options.curves, whole);
   whole.rows = rows_of_longer(curves.lines, whole.rows, options.minimum_length);
   whole.lines = longer_than(curves, options.minimum_length).lines;
   return whole;

@@ -129,6 +129,10 @@ class Alone {
     return joined_curves(*surface_, piece_curves(part(pattern), {join}));
   }
 
+  StripeCurves fair_curves(const StripePattern& pattern, const CurveOptions& options) const {
+    return whole_curves(part(pattern), options).curves;
+  }
+
   /// Where lines of the whole end, and how often.
   std::map<Place, std::size_t> ends(const StripePattern& pattern) const {
     const StripeCurves curves = this->curves(pattern);
@@ -319,6 +323,41 @@ TEST(RankCurves, WholeOnesAreThoseOfOneProcess) {
       const std::vector<double> lengths = sorted_lengths(output);
       const std::vector<double> wanted = sorted_lengths(expected);
       EXPECT_NE(wanted, apart);
+      ASSERT_EQ(lengths.size(), wanted.size());
+      for (std::size_t i = 0; i < lengths.size(); ++i) EXPECT_NEAR(lengths[i], wanted[i], 1e-4);
+      expect_arrays_of_ranks(output, seen);
+    }
+  }
+  EXPECT_EQ(seen.size(), rank() == 0 ? static_cast<std::size_t>(rank_count()) : 0u);
+}
+
+// The first rank makes them of the whole surface; arrays are those of other ranks' triangles.
+TEST(RankCurves, FairOnesAreThoseOfOneProcess) {
+  std::set<float> seen;
+  for (const Cut& cut : cuts()) {
+    const Pieces pieces = pieces_numbered_alike(cut);
+    const Alone alone(pieces.whole);
+    Twin twin(pieces, pieces.ids);
+    const StripePattern pattern = alone.gathered(pieces, twin.pattern(0));
+    const std::vector<double> kinked = sorted_lengths(alone.curves(pattern));
+    for (const auto& [join, minimum_length] : {Asked{true, 0}, {false, 0}, {true, 0.5}}) {
+      SCOPED_TRACE(std::string(cut.name) + (join ? ", joined " : " ") +
+                   std::to_string(minimum_length));
+      vtkNew<vtkBrindleCurves> filter;
+      filter->SetJoin(join);
+      filter->SetFair(0.25);
+      filter->SetMinimumLength(minimum_length);
+      run(*filter, marked(pieces, join));
+      vtkPolyData& output = *filter->GetOutput();
+      if (rank() != 0) {
+        EXPECT_EQ(output.GetNumberOfPoints(), 0);
+        continue;
+      }
+      const StripeCurves expected =
+          longer_than(alone.fair_curves(pattern, {.join = join, .fair = 0.25f}), minimum_length);
+      const std::vector<double> lengths = sorted_lengths(output);
+      const std::vector<double> wanted = sorted_lengths(expected);
+      EXPECT_NE(wanted, kinked);
       ASSERT_EQ(lengths.size(), wanted.size());
       for (std::size_t i = 0; i < lengths.size(); ++i) EXPECT_NEAR(lengths[i], wanted[i], 1e-4);
       expect_arrays_of_ranks(output, seen);

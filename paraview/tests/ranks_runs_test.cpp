@@ -213,23 +213,6 @@ void has(const std::string& message, const char* part) {
   EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
-TEST(RankErrors, LinesOverSeveralRanksAreNotFaired) {
-  const Pieces pieces(kShape, cuts()[0]);
-  const auto data = pieces.polygons();
-  add_swirl(*data, 0);
-  vtkNew<vtkBrindleCurves> filter;
-  filter->SetInputData(data);
-  filter->SetField(kArray);
-  choose(*filter, 0, "v");
-  filter->SetFair(0.25);
-  if (rank_count() > 1) has(only_error(*filter), "Fair needs all of the surface");
-  filter->SetFair(rank_count() > 1 ? 0 : 0.25);
-  Errors errors(*filter);
-  filter->Update();
-  EXPECT_TRUE(errors.messages.empty());
-  EXPECT_GT(filter->GetOutput()->GetNumberOfLines(), 0);
-}
-
 TEST(RankErrors, OfOneRankAreEverybodys) {
   const Pieces pieces(kShape, cuts()[0]);
   const int last = rank_count() - 1;

@@ -467,12 +467,72 @@ TEST(DistributedCurves, HavePlacesInTheTrianglesOfThePiece) {
   }
 }
 
+/// How far points are from where their ranks' pieces have them.
+float farthest_from_places(const WholeCurves& curves, const Mesh& mesh,
+                           const std::vector<int>& rank_of_triangle) {
+  std::vector<SurfacePiece> pieces;
+  for (int r = 0; r < rank_count(); ++r) pieces.push_back(piece_of(mesh, rank_of_triangle, r));
+  const Polylines& lines = curves.curves.lines;
+  float worst = 0;
+  for (std::size_t i = 0; i < lines.points.size(); ++i) {
+    const Mesh& of_rank = pieces[static_cast<std::size_t>(curves.rank_of_point[i])].mesh;
+    const auto& [triangle, barycentric] = lines.places[i];
+    worst = std::max(worst, distance_in(of_rank, triangle, barycentric, lines.points[i]));
+  }
+  return worst;
+}
+
+// Rank 0 makes them of the whole: to the bit those of one process, however it is cut.
+TEST(DistributedCurves, OfTheWholeSurfaceAreThoseOfOneProcess) {
+  std::size_t forks = 0;
+  for (const Solved& solved : solved_surfaces()) {
+    for (const CurveOptions& options :
+         {CurveOptions{.join = true, .fair = 0.25f}, CurveOptions{.trim = 0.6f, .fair = 0.5f}}) {
+      const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
+      ASSERT_GT(expected.largest_move, 0.0);
+      forks += expected.smooth_forks;
+      for (const Cut& cut : kCuts) {
+        SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices");
+        const std::vector<int> ranks = cut.rank_of_triangle(solved.whole.mesh);
+        const SolvedPiece piece(solved, ranks);
+        const WholeCurves found = whole_curves(piece.pattern(), options);
+        const Polylines& lines = found.curves.lines;
+        if (rank() > 0) {
+          EXPECT_EQ(lines.points.size() + found.rank_of_point.size(), 0u);
+          continue;
+        }
+        EXPECT_EQ(lines.points, expected.lines.points);
+        EXPECT_EQ(lines.normals, expected.lines.normals);
+        EXPECT_EQ(lines.offsets, expected.lines.offsets);
+        EXPECT_EQ(lines.closed, expected.lines.closed);
+        EXPECT_EQ(found.curves.ends, expected.ends);
+        EXPECT_EQ(found.curves.smooth_forks, expected.smooth_forks);
+        EXPECT_EQ(found.curves.largest_move, expected.largest_move);
+        EXPECT_LT(farthest_from_places(found, solved.whole.mesh, ranks), 1e-5f);
+      }
+    }
+  }
+  EXPECT_GT(forks, 10u);
+}
+
+TEST(DistributedCurves, AreNotFairedInPieces) {
+  const Solved solved(wavy_surface("torus,resolution=20", kAxis, 12));
+  const SolvedPiece piece(solved, partition_by_curve(solved.whole.mesh, rank_count()));
+  EXPECT_THROW(piece_curves(piece.pattern(), {.fair = 0.25f}), Error);
+  EXPECT_THROW(whole_curves(piece.pattern(), {.fair = 2}), Error);
+  if (!Progress().is_heard()) return;
+  EXPECT_THROW(whole_curves(piece.pattern(), {.fair = 0.25f},
+                            Progress([](const ProgressReport&) { return rank() > 0; })),
+               Cancelled);
+}
+
 TEST(DistributedCurves, RefuseOnAllRanksAPatternThatDoesNotMatch) {
   const Solved solved(wavy_surface("torus,resolution=20", kAxis, 12));
   const SolvedPiece piece(solved, partition_by_curve(solved.whole.mesh, rank_count()));
   std::vector<Complex> z = piece.z;
   if (rank() == rank_count() - 1) z.pop_back();
   EXPECT_THROW(piece_curves({piece.surface, piece.waves, z}), Error);
+  EXPECT_THROW(whole_curves({piece.surface, piece.waves, z}), Error);
 }
 
 /// V crosses U.

@@ -43,8 +43,8 @@ Words with(const Words& front, const Words& back) {
 TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines",      "both", "--stripes-v",  "12",
                          "--min-length", "10%",  "--line-width", "1%"};
-  for (const Words& more :
-       {Words{}, Words{"--slack", "0.2"}, Words{"--join"}, Words{"--trim", "0.6"}}) {
+  for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"},
+                            Words{"--trim", "0.6"}, Words{"--join", "--fair", "0.25"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
     ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
               0);
@@ -123,6 +123,33 @@ TEST_F(MpiToolLines, JoinedCurvesOfManyRanksAreThoseOfTheTool) {
     }
     EXPECT_NEAR(many["length"].get<double>(), alone["length"].get<double>(),
                 1e-3 * alone["length"].get<double>());
+  }
+}
+
+/// Where a field has the bits of one process, curves that rank 0 makes of the whole surface do.
+TEST_F(MpiToolLines, FairCurvesOfManyRanksAreThoseOfTheTool) {
+  const Words options = {"curves",      "shape:vessels,resolution=40",
+                         "--direction", "0.3,0.9,0.2",
+                         "--stripes",   "25",
+                         "--lines",     "both",
+                         "--offset",    "0.5",
+                         "--join",      "--fair",
+                         "0.25",        "--min-length",
+                         "3%",          "--output"};
+  run_alone(with(options, {"tool.obj", "--report", "tool.json"}));
+  const auto alone = report("tool.json");
+  EXPECT_GT(alone["u"]["smooth_forks"], 0);
+  for (const int ranks : {2, 4}) {
+    const auto result = command_on(ranks, with(options, {"mpi.obj", "--report", "mpi.json"}));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj")) << ranks;
+    for (const char* family : {"u", "v"}) {
+      const auto many = report("mpi.json")[family];
+      for (const char* key : {"curves", "points", "length", "ends", "smooth_forks", "largest_move",
+                              "lengths", "short_curves_left_out"}) {
+        EXPECT_EQ(many[key], alone[family][key]) << key << " of " << ranks;
+      }
+    }
   }
 }
 
@@ -283,6 +310,7 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--trim", "0.6"}, "--trim");
+  refused({"curves", "shape:torus", "--output", "a.pvtp", "--fair", "0.25"}, "--fair");
   refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
   refused({"curves", "shape:torus", "--tube-sides", "5"}, "--tube-radius");

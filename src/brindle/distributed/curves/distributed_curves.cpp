@@ -210,6 +210,9 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
   CutCurves cut;
   surface.ranks->together([&] {
     check_curve_options(options);
+    if (options.fair > 0) {
+      throw Error("fair: curves that end at borders keep their kinks; ask for whole_curves");
+    }
     lifted.emplace(wave_pattern(triangles, waves, pattern.phase_shift));
     cut = cut_stripe_curves(*lifted, beyond, options);
   });

@@ -18,16 +18,6 @@ struct SentPhase {
   Complex z;
 };
 
-void check_pattern(const PiecePattern& pattern, std::size_t vertices) {
-  const WaveSet& waves = pattern.waves;
-  for (const std::size_t count : {waves.positions.size(), waves.directions.size(),
-                                  waves.frequencies.size(), pattern.z.size()}) {
-    if (count == vertices) continue;
-    throw Error("a pattern of a piece of " + std::to_string(vertices) + " vertices has " +
-                std::to_string(count) + " waves or phases; give one for each");
-  }
-}
-
 /// Vertices that other ranks may have in triangles of theirs.
 std::vector<std::uint8_t> shared_vertices(const RankSurface& surface) {
   std::vector<std::uint8_t> shared(surface.vertex_count());
@@ -94,9 +84,23 @@ RankTriangles rank_triangles(const RankSurface& surface) {
   return result;
 }
 
+void check_pattern(const PiecePattern& pattern) {
+  const RankSurface& surface = pattern.surface.rank_surface();
+  const WaveSet& waves = pattern.waves;
+  const std::size_t vertices = surface.vertex_of_piece.size();
+  surface.ranks->together([&] {
+    for (const std::size_t count : {waves.positions.size(), waves.directions.size(),
+                                    waves.frequencies.size(), pattern.z.size()}) {
+      if (count == vertices) continue;
+      throw Error("a pattern of a piece of " + std::to_string(vertices) + " vertices has " +
+                  std::to_string(count) + " waves or phases; give one for each");
+    }
+  });
+}
+
 RankWaves rank_waves(const PiecePattern& pattern, const RankTriangles& triangles) {
   const RankSurface& surface = pattern.surface.rank_surface();
-  surface.ranks->together([&] { check_pattern(pattern, surface.vertex_of_piece.size()); });
+  check_pattern(pattern);
   std::vector<SentPhase> phases(surface.vertex_count());
   for (std::size_t p = 0; p < pattern.z.size(); ++p) {
     phases[surface.vertex_of_piece[p]] = {pattern.waves.positions[p], pattern.waves.directions[p],

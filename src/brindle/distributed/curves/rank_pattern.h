@@ -31,6 +31,9 @@ struct RankWaves {
 };
 
 /// Must be called by all ranks. Throws Error on all for a pattern whose parts do not match.
+void check_pattern(const PiecePattern& pattern);
+
+/// Must be called by all ranks. Throws what `check_pattern` does.
 RankWaves rank_waves(const PiecePattern& pattern, const RankTriangles& triangles);
 
 /// As `LiftedWaves` asks for it; what it is made of must outlive it.
