@@ -227,14 +227,14 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
   if (options.direction) {
     field.directions = projected_direction_field(*options.direction, surface.normals());
   } else if (is_smooth(options)) {
+    const auto diagonal = static_cast<float>(surface.diagonal());
     SmoothFieldOptions smooth;
     smooth.curvature_anchor = curvature_anchor(options);
     smooth.curvature_direction = options.curvature_direction;
     smooth.feature_anchor = options.feature_anchor;
     smooth.feature_angle_deg = options.feature_angle_deg;
-    if (options.feature_radius) {
-      smooth.feature_radius = options.feature_radius->on(static_cast<float>(surface.diagonal()));
-    }
+    if (options.feature_radius) smooth.feature_radius = options.feature_radius->on(diagonal);
+    if (options.normal_radius) smooth.normal_radius = options.normal_radius->on(diagonal);
     if (!options.strokes.empty()) smooth.anchors = read_anchors(ranks, surface, options.strokes);
     field.directions = smooth_direction_field(surface, smooth, wanted.bounds);
   } else if (options.field == "raw-curvature") {

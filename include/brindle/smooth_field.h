@@ -33,7 +33,7 @@ struct SmoothFieldOptions {
                                  ///< (`feature_strokes`), in units of length; 0: at their vertices
   float normal_radius = 0;  ///< the field follows the bends of a surface whose normals are averaged
                             ///< over so large a distance, in units of length: what is smaller makes
-                            ///< no singularities; 0: as they are. Not over ranks
+                            ///< no singularities; 0: as they are
   std::vector<FieldAnchor> anchors = {};  ///< such as `stroke_anchors`; they have a sign only where
                                           ///< the symmetry is odd
   /// The field before, as `carried_field.h` gives it on this surface. The new one goes on from it:

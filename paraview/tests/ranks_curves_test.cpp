@@ -125,12 +125,9 @@ class Alone {
     return whole;
   }
 
-  StripeCurves curves(const StripePattern& pattern, bool join = false) const {
-    return joined_curves(*surface_, piece_curves(part(pattern), {join}));
-  }
-
-  StripeCurves fair_curves(const StripePattern& pattern, const CurveOptions& options) const {
-    return whole_curves(part(pattern), options).curves;
+  StripeCurves curves(const StripePattern& pattern, const CurveOptions& options = {}) const {
+    if (options.fair > 0) return whole_curves(part(pattern), options).curves;
+    return joined_curves(*surface_, piece_curves(part(pattern), options));
   }
 
   /// Where lines of the whole end, and how often.
@@ -294,7 +291,7 @@ void expect_arrays_of_ranks(vtkPolyData& output, std::set<float>& ranks) {
 }
 
 struct Asked {
-  bool join;
+  CurveOptions options;
   double minimum_length;
 };
 
@@ -307,57 +304,27 @@ TEST(RankCurves, WholeOnesAreThoseOfOneProcess) {
     Twin twin(pieces, pieces.ids);
     const StripePattern pattern = alone.gathered(pieces, twin.pattern(0));
     const std::vector<double> apart = sorted_lengths(alone.curves(pattern));
-    for (const auto& [join, minimum_length] : {Asked{true, 0}, {false, 0.5}, {true, 0.5}}) {
-      SCOPED_TRACE(std::string(cut.name) + (join ? ", joined " : " ") +
-                   std::to_string(minimum_length));
+    for (const auto& [options, minimum_length] : {Asked{{.join = true}, 0},
+                                                  {{}, 0.5},
+                                                  {{.join = true}, 0.5},
+                                                  {{.fair = 0.25f}, 0},
+                                                  {{.join = true, .fair = 0.25f}, 0.5}}) {
+      SCOPED_TRACE(std::string(cut.name) + (options.join ? ", joined " : " ") +
+                   std::to_string(minimum_length) + " fair " + std::to_string(options.fair));
       vtkNew<vtkBrindleCurves> filter;
-      filter->SetJoin(join);
+      filter->SetJoin(options.join);
+      filter->SetFair(static_cast<double>(options.fair));
       filter->SetMinimumLength(minimum_length);
-      run(*filter, marked(pieces, join));
+      run(*filter, marked(pieces, options.join));
       vtkPolyData& output = *filter->GetOutput();
       if (rank() != 0) {
         EXPECT_EQ(output.GetNumberOfPoints(), 0);
         continue;
       }
-      const StripeCurves expected = longer_than(alone.curves(pattern, join), minimum_length);
+      const StripeCurves expected = longer_than(alone.curves(pattern, options), minimum_length);
       const std::vector<double> lengths = sorted_lengths(output);
       const std::vector<double> wanted = sorted_lengths(expected);
       EXPECT_NE(wanted, apart);
-      ASSERT_EQ(lengths.size(), wanted.size());
-      for (std::size_t i = 0; i < lengths.size(); ++i) EXPECT_NEAR(lengths[i], wanted[i], 1e-4);
-      expect_arrays_of_ranks(output, seen);
-    }
-  }
-  EXPECT_EQ(seen.size(), rank() == 0 ? static_cast<std::size_t>(rank_count()) : 0u);
-}
-
-// The first rank makes them of the whole surface; arrays are those of other ranks' triangles.
-TEST(RankCurves, FairOnesAreThoseOfOneProcess) {
-  std::set<float> seen;
-  for (const Cut& cut : cuts()) {
-    const Pieces pieces = pieces_numbered_alike(cut);
-    const Alone alone(pieces.whole);
-    Twin twin(pieces, pieces.ids);
-    const StripePattern pattern = alone.gathered(pieces, twin.pattern(0));
-    const std::vector<double> kinked = sorted_lengths(alone.curves(pattern));
-    for (const auto& [join, minimum_length] : {Asked{true, 0}, {false, 0}, {true, 0.5}}) {
-      SCOPED_TRACE(std::string(cut.name) + (join ? ", joined " : " ") +
-                   std::to_string(minimum_length));
-      vtkNew<vtkBrindleCurves> filter;
-      filter->SetJoin(join);
-      filter->SetFair(0.25);
-      filter->SetMinimumLength(minimum_length);
-      run(*filter, marked(pieces, join));
-      vtkPolyData& output = *filter->GetOutput();
-      if (rank() != 0) {
-        EXPECT_EQ(output.GetNumberOfPoints(), 0);
-        continue;
-      }
-      const StripeCurves expected =
-          longer_than(alone.fair_curves(pattern, {.join = join, .fair = 0.25f}), minimum_length);
-      const std::vector<double> lengths = sorted_lengths(output);
-      const std::vector<double> wanted = sorted_lengths(expected);
-      EXPECT_NE(wanted, kinked);
       ASSERT_EQ(lengths.size(), wanted.size());
       for (std::size_t i = 0; i < lengths.size(); ++i) EXPECT_NEAR(lengths[i], wanted[i], 1e-4);
       expect_arrays_of_ranks(output, seen);

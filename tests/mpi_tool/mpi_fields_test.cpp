@@ -290,6 +290,12 @@ TEST_F(MpiToolFields, KeepsAndTakesArraysOfPieces) {
   expect_same_rows(one, 3, {"direction", "frequency"});
 }
 
+/// Rank 0 averages normals of surfaces that it plans.
+TEST_F(MpiToolFields, BendsWithAveragedNormals) {
+  const Words options = {"--field", "smooth", "--normal-radius", "2%", "--stripes", "15"};
+  expect_agreement("shape:vessels,resolution=30", options, {});
+}
+
 /// Of several ranks the field is another smooth one that follows the same strokes.
 TEST_F(MpiToolFields, FollowsStrokes) {
   write_text(folder / "strokes.json",

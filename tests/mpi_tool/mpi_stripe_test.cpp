@@ -78,6 +78,7 @@ TEST_F(MpiTool, WritesPiecesThatFitTogether) {
 TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
   const Words meshes[] = {
       {"shape:vessels,resolution=40"},
+      {"shape:vessels,resolution=40", "--normal-radius", "2%"},
       {"shape:torus,resolution=40", "--subdivide", "1"},
       {"shape:sphere,resolution=12"},
       {"shape:box,resolution=8", "--subdivide", "2"},
@@ -210,6 +211,7 @@ TEST_F(MpiTool, TakesOlderPiecesAway) {
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
   expect_failure(on(2, {"shape:torus", "--texture", "dots"}), 2, "'brindle stripe' has it");
+  expect_failure(on(2, {"shape:torus", "--subdivide", "1", "--rounded"}), 2, "--rounded");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
   expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");

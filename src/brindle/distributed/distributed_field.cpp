@@ -1,13 +1,18 @@
 #include "brindle/distributed/distributed_field.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brindle/curvature.h"
+#include "brindle/distributed/averaged_piece.h"
+#include "brindle/distributed/distributed_strokes.h"
 #include "brindle/distributed/levels/gathered_graph.h"
 #include "brindle/distributed/levels/seeded_start.h"
 #include "brindle/distributed/surface/piece_curvatures.h"
@@ -22,6 +27,7 @@
 #include "brindle/pipeline/fields/feature_anchors.h"
 #include "brindle/pipeline/fields/field_anchors.h"
 #include "brindle/pipeline/fields/known_directions.h"
+#include "brindle/pipeline/fields/seen_field.h"
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/least_curl.h"
@@ -29,26 +35,36 @@
 namespace brindle {
 namespace {
 
+/// A piece as a field sees it: with the surface's normals, or averages of these, of all vertices.
+struct SeenPiece {
+  const DistributedSurface& distributed;
+  std::span<const Vec3> normals;
+
+  const RankSurface& surface() const { return distributed.rank_surface(); }
+  std::span<const Vec3> of_nodes() const { return normals.first(surface().graph.node_count()); }
+};
+
 /// Of own vertices; ghosts' entries mean nothing.
-std::vector<PrincipalCurvature> own_curvatures(const RankSurface& surface) {
-  const std::size_t nodes = surface.graph.node_count();
-  return principal_curvatures(std::span(surface.mesh.positions).first(nodes),
-                              std::span(surface.normals).first(nodes), *surface.graph.adjacency);
+std::vector<PrincipalCurvature> own_curvatures(const SeenPiece& seen) {
+  const RankSurface& surface = seen.surface();
+  return principal_curvatures(std::span(surface.mesh.positions).first(seen.of_nodes().size()),
+                              seen.of_nodes(), *surface.graph.adjacency);
 }
 
-void add_curvature(const RankSurface& surface, const SmoothFieldOptions& options,
-                   PhaseGraph& graph) {
-  auto curvatures = own_curvatures(surface);
+void add_curvature(const SeenPiece& seen, const SmoothFieldOptions& options, PhaseGraph& graph) {
+  const RankSurface& surface = seen.surface();
+  auto curvatures = own_curvatures(seen);
   curvatures.resize(surface.graph.own);
   const std::vector<float> difference = curvature_differences(curvatures);
   const float scale = kth_smallest(*surface.ranks, difference, surface.vertices * 9 / 10);
   graph.anchor.resize(graph.node_count());
-  add_curvature_anchors(graph, surface.normals, curvatures, scale, options);
+  add_curvature_anchors(graph, seen.normals, curvatures, scale, options);
 }
 
 /// Those of own vertices.
-void add_anchors(const RankSurface& surface, std::span<const FieldAnchor> anchors, int symmetry,
+void add_anchors(const SeenPiece& seen, std::span<const FieldAnchor> anchors, int symmetry,
                  PhaseGraph& graph) {
+  const RankSurface& surface = seen.surface();
   surface.ranks->together([&] {
     for (const FieldAnchor& anchor : anchors) {
       check_field_anchor(anchor, surface.vertex_of_piece.size());
@@ -60,22 +76,32 @@ void add_anchors(const RankSurface& surface, std::span<const FieldAnchor> anchor
     anchor.vertex = surface.vertex_of_piece[anchor.vertex];
     if (anchor.vertex >= surface.graph.own) continue;
     graph.anchor[anchor.vertex] +=
-        pull_of(anchor, *graph.adjacency, surface.normals[anchor.vertex], symmetry);
+        pull_of(anchor, *graph.adjacency, seen.normals[anchor.vertex], symmetry);
   }
 }
 
 /// At own vertices, all of whose triangles are here.
-void add_features(const DistributedSurface& distributed, const SmoothFieldOptions& options,
-                  PhaseGraph& graph) {
-  const RankSurface& surface = distributed.rank_surface();
+void add_features(const SeenPiece& seen, const SmoothFieldOptions& options, PhaseGraph& graph) {
   if (options.feature_radius > 0) {
-    const std::vector<FieldStroke> strokes = feature_strokes(
-        distributed, options.feature_angle_deg, options.feature_radius, options.feature_anchor);
-    return add_anchors(surface, stroke_anchors(distributed, strokes), options.symmetry, graph);
+    const std::vector<FieldStroke> strokes =
+        feature_strokes(seen.distributed, options.feature_angle_deg, options.feature_radius,
+                        options.feature_anchor);
+    const auto anchors = stroke_anchors(seen.distributed, strokes, seen.normals);
+    return add_anchors(seen, anchors, options.symmetry, graph);
   }
-  const Mesh mesh = triangles_around_own(surface);
+  const Mesh mesh = triangles_around_own(seen.surface());
   graph.anchor.resize(graph.node_count());
-  add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), surface.normals, options);
+  add_feature_anchors(graph, mesh, vertex_neighborhood(mesh), seen.normals, options);
+}
+
+/// Returns how strongly curvature attracts.
+std::vector<float> add_all_anchors(const SeenPiece& seen, const SmoothFieldOptions& options,
+                                   PhaseGraph& graph) {
+  if (options.curvature_anchor > 0) add_curvature(seen, options, graph);
+  std::vector<float> of_curvature = anchor_strengths(graph);
+  if (options.feature_anchor > 0) add_features(seen, options, graph);
+  add_anchors(seen, options.anchors, options.symmetry, graph);
+  return of_curvature;
 }
 
 /// Signs own directions like their neighbours, as one process does.
@@ -124,13 +150,19 @@ DirectionField of_piece(const RankSurface& surface, DirectionField directions,
   return to_piece(surface, std::move(directions));
 }
 
+DistributedHierarchy hierarchy_of(const RankSurface& surface, const PhaseGraph& graph,
+                                  HierarchyBounds bounds) {
+  DistributedHierarchy hierarchy(*surface.ranks, surface.graph, own_ids(surface), bounds);
+  load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
+  hierarchy.coarsen();
+  return hierarchy;
+}
+
 /// From the coarsest level down. A field that is drawn to the last one has one start, and one that
 /// cannot be turned to the least curl.
 LowestPhases solved(const RankSurface& surface, const PhaseGraph& graph,
                     const SmoothFieldOptions& options, HierarchyBounds bounds, Starts starts) {
-  DistributedHierarchy hierarchy(*surface.ranks, surface.graph, own_ids(surface), bounds);
-  load_couplings(graph, hierarchy.finest().layout(), hierarchy.finest().couplings);
-  hierarchy.coarsen();
+  DistributedHierarchy hierarchy = hierarchy_of(surface, graph, bounds);
   LowestPhases phases;
   if (surface.vertices >= bounds.planned_below()) {
     phases = seeded_start(*surface.ranks, surface.graph, graph, own_ids(surface), starts,
@@ -144,6 +176,23 @@ LowestPhases solved(const RankSurface& surface, const PhaseGraph& graph,
   hierarchy.run_cycles(options.sweeps, options.cycles, {});
   phases.z = to_nodes(hierarchy.finest().layout(), hierarchy.finest().z);
   return phases;
+}
+
+/// From the field of other normals, or, where there is none, as above.
+LowestPhases solved_from(const SeenPiece& seen, const PhaseGraph& graph,
+                         std::optional<SeenField> from, const SmoothFieldOptions& options,
+                         HierarchyBounds bounds) {
+  const RankSurface& surface = seen.surface();
+  if (!from) {
+    const bool is_one = surface.ranks->any(starts_of_field(graph, true) == Starts::one);
+    return solved(surface, graph, options, bounds, is_one ? Starts::one : Starts::several);
+  }
+  std::vector<Complex> start = values_at(*std::move(from), seen.of_nodes(), options.symmetry);
+  std::ranges::replace(start, Complex(0), kPeak);
+  DistributedHierarchy hierarchy = hierarchy_of(surface, graph, bounds);
+  hierarchy.begin_with(start);
+  hierarchy.run_cycles(options.sweeps, std::max(1, options.cycles), {});
+  return {to_nodes(hierarchy.finest().layout(), hierarchy.finest().z)};
 }
 
 /// As those of one process: where another start has found them, or that more than halves their
@@ -190,30 +239,59 @@ bool follows(const RankSurface& surface, const SmoothFieldOptions& options) {
   return any;
 }
 
-DirectionField following_field(const RankSurface& surface, PhaseGraph& graph,
+DirectionField following_field(const SeenPiece& seen, PhaseGraph& graph,
                                std::vector<float> of_curvature, const SmoothFieldOptions& options,
                                HierarchyBounds bounds) {
-  Communicator& ranks = *surface.ranks;
-  const auto normals = std::span(surface.normals).first(surface.graph.node_count());
+  const RankSurface& surface = seen.surface();
+  const std::span<const Vec3> normals = seen.of_nodes();
   const KnownDirections known = last_of_nodes(surface, options.last);
-  ScreenedOptions screened;
-  screened.own = surface.graph.own;
-  screened.exchange = [&](std::span<Complex> values) {
-    exchange(ranks, surface.graph.halo, values);
-  };
-  screened.total = [&](double here) { return ranks.sum(here); };
   LastValues last = last_values(known, normals, options.symmetry);
   last.noisy = std::move(of_curvature);
   follow_last(
       graph, last, surface.vertices,
-      [&] { return solved(surface, graph, options, bounds, Starts::one).z; }, screened);
+      [&] { return solved(surface, graph, options, bounds, Starts::one).z; },
+      part_of_ranks(surface));
   const std::vector<Complex> u = solved(surface, graph, options, bounds, Starts::one).z;
   DirectionField field = directions_of(u, normals, options.symmetry);
   for (std::size_t i = 0; i < field.size(); ++i) {
     const Vec3 before = tangent_direction(known.directions[i], normals[i]);
     if (!before.isZero(0)) field[i] = direction_near(before, u[i], normals[i], options.symmetry);
   }
+  turn_to_normals(normals, surface.normals, field);
   return to_piece(surface, std::move(field));
+}
+
+/// As in one process: the field that the one of the first of `normals` begins with.
+std::optional<SeenField> field_from_afar(const DistributedSurface& distributed,
+                                         const std::vector<std::vector<Vec3>>& normals,
+                                         const SmoothFieldOptions& options,
+                                         HierarchyBounds bounds) {
+  std::optional<SeenField> field;
+  for (std::size_t i = normals.size(); i-- > 1;) {
+    const SeenPiece seen{distributed, normals[i]};
+    const std::span<const Vec3> of_nodes = seen.of_nodes();
+    PhaseGraph graph =
+        build_direction_graph(seen.surface().graph.adjacency, of_nodes, options.symmetry);
+    add_all_anchors(seen, options, graph);
+    const LowestPhases phases = solved_from(seen, graph, std::move(field), options, bounds);
+    field = {{of_nodes.begin(), of_nodes.end()},
+             directions_of(phases.z, of_nodes, options.symmetry)};
+  }
+  return field;
+}
+
+DirectionField field_of(const SeenPiece& seen, std::optional<SeenField> from,
+                        const SmoothFieldOptions& options, HierarchyBounds bounds, bool goes_on) {
+  const RankSurface& surface = seen.surface();
+  const std::span<const Vec3> normals = seen.of_nodes();
+  PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
+  std::vector<float> of_curvature = add_all_anchors(seen, options, graph);
+  if (goes_on) return following_field(seen, graph, std::move(of_curvature), options, bounds);
+  const LowestPhases phases = solved_from(seen, graph, std::move(from), options, bounds);
+  DirectionField field = directions_of(phases.z, normals, options.symmetry);
+  turn_to_normals(normals, surface.normals, field);
+  turn_to_least_curl(surface, graph, options.symmetry, phases.is_lower, field);
+  return of_piece(surface, std::move(field), bounds);
 }
 
 }  // namespace
@@ -226,35 +304,25 @@ DirectionField smooth_direction_field(const DistributedSurface& surface,
 DirectionField smooth_direction_field(const DistributedSurface& distributed,
                                       const SmoothFieldOptions& options, HierarchyBounds bounds) {
   const RankSurface& surface = distributed.rank_surface();
-  Communicator& ranks = *surface.ranks;
-  ranks.together([&] {
-    check_smoothing(options);
-    if (options.normal_radius > 0) {
-      throw Error("smooth field: normals are averaged by one process alone; take a radius of 0");
-    }
-  });
+  surface.ranks->together([&] { check_smoothing(options); });
   if (surface.vertices == 0) return {};
-  const auto normals = std::span(surface.normals).first(surface.graph.node_count());
-  PhaseGraph graph = build_direction_graph(surface.graph.adjacency, normals, options.symmetry);
-  if (options.curvature_anchor > 0) add_curvature(surface, options, graph);
-  std::vector<float> of_curvature = anchor_strengths(graph);
-  if (options.feature_anchor > 0) add_features(distributed, options, graph);
-  add_anchors(surface, options.anchors, options.symmetry, graph);
-  if (follows(surface, options)) {
-    return following_field(surface, graph, std::move(of_curvature), options, bounds);
+  const bool goes_on = follows(surface, options);
+  if (options.normal_radius == 0) {
+    return field_of({distributed, surface.normals}, std::nullopt, options, bounds, goes_on);
   }
-  const bool is_one = ranks.any(starts_of_field(graph, true) == Starts::one);
-  const Starts starts = is_one ? Starts::one : Starts::several;
-  const LowestPhases phases = solved(surface, graph, options, bounds, starts);
-  DirectionField field = directions_of(phases.z, normals, options.symmetry);
-  turn_to_least_curl(surface, graph, options.symmetry, phases.is_lower, field);
-  return of_piece(surface, std::move(field), bounds);
+  const std::vector<float> radii = averaging_radii(options.normal_radius, goes_on);
+  // Couplings that differ by rounding make other levels, and another field.
+  const std::vector<std::vector<Vec3>> normals = surface.vertices < bounds.planned_below()
+                                                     ? averaged_on_first(surface, radii)
+                                                     : averaged_normals(surface, radii);
+  std::optional<SeenField> from = field_from_afar(distributed, normals, options, bounds);
+  return field_of({distributed, normals[0]}, std::move(from), options, bounds, goes_on);
 }
 
 std::vector<float> greatest_curvatures(const DistributedSurface& distributed) {
   const RankSurface& surface = distributed.rank_surface();
   std::vector<float> values;
-  for (const PrincipalCurvature& c : own_curvatures(surface)) {
+  for (const PrincipalCurvature& c : own_curvatures({distributed, surface.normals})) {
     const bool none = c.maximum_direction.isZero(0);
     values.push_back(none ? std::numeric_limits<float>::quiet_NaN() : c.maximum);
   }
@@ -266,7 +334,8 @@ std::vector<float> greatest_curvatures(const DistributedSurface& distributed) {
 DirectionField curvature_direction_field(const DistributedSurface& distributed,
                                          CurvatureDirection direction) {
   const RankSurface& surface = distributed.rank_surface();
-  return of_piece(surface, curvature_direction_field(own_curvatures(surface), direction));
+  const auto curvatures = own_curvatures({distributed, surface.normals});
+  return of_piece(surface, curvature_direction_field(curvatures, direction));
 }
 
 }  // namespace brindle

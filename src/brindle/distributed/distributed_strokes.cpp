@@ -1,3 +1,5 @@
+#include "brindle/distributed/distributed_strokes.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -60,12 +62,13 @@ class NearTriangles {
     }
   }
 
-  std::vector<SentTriangle> triangles() const {
+  /// With these normals of all vertices.
+  std::vector<SentTriangle> triangles(std::span<const Vec3> normals) const {
     std::vector<Index> sent;
     for (Index t = 0; t < near_.size(); ++t) {
       if (near_[t] != 0) sent.push_back(t);
     }
-    return sent_triangles(surface_, sent);
+    return sent_triangles(surface_, sent, normals);
   }
 
  private:
@@ -179,12 +182,18 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, 
 
 std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
                                         std::span<const FieldStroke> strokes) {
+  return stroke_anchors(distributed, strokes, distributed.rank_surface().normals);
+}
+
+std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
+                                        std::span<const FieldStroke> strokes,
+                                        std::span<const Vec3> normals) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
   ranks.together([&] { check_strokes(strokes); });
   NearTriangles near(surface);
   for (const FieldStroke& stroke : strokes) near.add(stroke);
-  const std::vector<SentTriangle> own = near.triangles();
+  const std::vector<SentTriangle> own = near.triangles(normals);
   auto all = joined<SentTriangle>(ranks.gather(std::as_bytes(std::span(own))));
   std::vector<SentAnchor> found;
   ranks.together([&] {

@@ -104,16 +104,18 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
   const ScreenedSystem system(graph, screening, options);
   std::vector<Complex> u = std::move(start);
   std::vector<Complex> residual(system.own()), step(u.size()), image(system.own());
+  const auto anchor = [&](Index i) { return graph.anchor.empty() ? Complex(0) : graph.anchor[i]; };
   system.exchange(u);
   for_own(system, [&](Index i) {
-    residual[i] = (graph.anchor.empty() ? Complex(0) : graph.anchor[i]) - system.row(i, u);
+    residual[i] = anchor(i) - system.row(i, u);
     step[i] = system.preconditioned(i, residual[i]);
   });
   double error = system.sum([&](Index i) { return dot(residual[i], step[i]); });
-  const double first = options.of_anchors && !graph.anchor.empty() ? system.sum([&](Index i) {
-    return dot(graph.anchor[i], system.preconditioned(i, graph.anchor[i]));
-  })
-                                                                   : error;
+  // Ranks without nodes have no anchors, and sum, too.
+  const double first =
+      options.of_anchors
+          ? system.sum([&](Index i) { return dot(anchor(i), system.preconditioned(i, anchor(i))); })
+          : error;
   const double enough = first * static_cast<double>(options.tolerance * options.tolerance);
   for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
     // How many there will be is not known: each brings the end nearer by a thirtieth of the way.

@@ -71,6 +71,11 @@ bool DistributedHierarchy::descend_from_several(int sweeps) {
   return is_lower;
 }
 
+void DistributedHierarchy::begin_with(std::span<const Complex> z) {
+  levels_.begin_with(z);
+  if (moved_) moved_->take_phases(levels_.finest());
+}
+
 void DistributedHierarchy::run_cycles(SweepPlan plan, int cycles, const Progress& progress) {
   if (!moved_) return levels_.run_cycles(plan, cycles, progress);
   moved_->levels().run_cycles(plan, cycles, progress);

@@ -44,6 +44,9 @@ class DistributedHierarchy {
   /// In place of a descent, of levels that are not planned: these phases of own nodes and ghosts,
   /// and sweeps over the finest level.
   void start_from(std::span<const Complex> z, int sweeps) { levels_.start_from(z, sweeps); }
+
+  /// In place of a descent: cycles begin with these phases of own nodes and ghosts.
+  void begin_with(std::span<const Complex> z);
   void run_cycles(SweepPlan plan, int cycles, const Progress& progress);
   void relax(Momentum& momentum) { levels_.relax(momentum); }
   double energy() const { return levels_.energy(); }

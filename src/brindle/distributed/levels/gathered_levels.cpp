@@ -84,6 +84,15 @@ void GatheredLevels::descend(Communicator& ranks, const RankGraph& graph, Level&
   scatter(ranks, graph, level);
 }
 
+void GatheredLevels::take_phases(Communicator& ranks, const RankGraph& graph, const Level& level) {
+  own_z_.clear();
+  for (Index node = 0; node < graph.own; ++node) {
+    own_z_.push_back(level.z[level.layout().slot_of[node]]);
+  }
+  const auto all = joined<Complex>(ranks.gather(std::as_bytes(std::span(own_z_))));
+  for (Index node = 0; node < all.size(); ++node) hierarchy_.levels[0].z[slot_of(node)] = all[node];
+}
+
 void GatheredLevels::correct(Communicator& ranks, const RankGraph& graph, SweepPlan plan,
                              Level& level) {
   if (!is_finest_) gather_couplings(ranks, level);

@@ -37,8 +37,12 @@ class GatheredLevels {
   void descend(Communicator& ranks, const RankGraph& graph, Level& level,
                const std::function<void(Hierarchy&)>& solve);
 
+  /// Makes rank 0's phases of the first level those of the level's own nodes.
+  void take_phases(Communicator& ranks, const RankGraph& graph, const Level& level);
+
   /// Gathers couplings in which the level's phases are the gauges of finer ones (`run_cycles`), or,
-  /// of the finest level, starts from the phases that `descend` has found, and does the same.
+  /// of the finest level, starts from the phases that `descend` has found or `take_phases` brought,
+  /// and does the same.
   void correct(Communicator& ranks, const RankGraph& graph, SweepPlan plan, Level& level);
 
   /// On rank 0: the levels, and for every rank where its rows stand in the first one.

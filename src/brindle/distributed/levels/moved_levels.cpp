@@ -48,6 +48,21 @@ void MovedLevels::load(const Level& source) {
   load_rows(ranks_.swap_lists(packed_), places_, finest.layout(), finest.couplings, &local);
 }
 
+void MovedLevels::take_phases(const Level& source) {
+  std::vector<std::vector<Complex>> phases(sent_.size());
+  for (std::size_t r = 0; r < sent_.size(); ++r) {
+    for (const Index node : sent_[r]) phases[r].push_back(source.z[source.layout().slot_of[node]]);
+  }
+  const auto theirs = ranks_.swap_lists(phases);
+  Level& finest = levels_.finest();
+  for (std::size_t r = 0; r < own_.size(); ++r) {
+    for (std::size_t n = 0; n < own_[r].size(); ++n) {
+      finest.z[finest.layout().slot_of[own_[r][n]]] = theirs[r][n];
+    }
+  }
+  levels_.exchange_phases();
+}
+
 void MovedLevels::bring_back(Level& source) {
   const Level& finest = levels_.finest();
   std::vector<std::vector<Complex>> phases(own_.size());

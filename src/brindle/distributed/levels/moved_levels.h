@@ -21,6 +21,9 @@ class MovedLevels {
   /// Makes couplings and anchors of the finest level those that the source has.
   void load(const Level& source);
 
+  /// Makes phases of the finest level those that the source has.
+  void take_phases(const Level& source);
+
   /// Gives the source's own nodes their phases.
   void bring_back(Level& source);
 

@@ -271,6 +271,14 @@ void RankHierarchy::start_from(std::span<const Complex> z, int sweeps) {
   sweep_level(0, sweeps);
 }
 
+void RankHierarchy::begin_with(std::span<const Complex> z) {
+  Level& finest = hierarchy_.levels[0];
+  to_slots(finest.layout(), z, finest.z);
+  if (gathered_ && hierarchy_.levels.size() == 1) {
+    gathered_->take_phases(ranks_, parts_[0].graph, finest);
+  }
+}
+
 /// As `correct` of phases/multilevel.h. Ghosts have the phases and gauges of their owners already.
 void RankHierarchy::correct(SweepPlan plan) {
   hierarchy_.corrected = true;

@@ -51,6 +51,9 @@ class RankHierarchy {
   /// In place of a descent: these phases of own nodes and ghosts, and sweeps over the finest level.
   /// That must not be gathered.
   void start_from(std::span<const Complex> z, int sweeps);
+
+  /// In place of a descent, too: these phases alone. The finest level may be gathered.
+  void begin_with(std::span<const Complex> z);
   void run_cycles(SweepPlan plan, int cycles, const Progress& progress);
 
   /// Gives the finest level's ghosts the phases of their owners.

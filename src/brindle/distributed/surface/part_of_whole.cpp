@@ -8,7 +8,8 @@
 
 namespace brindle {
 
-std::vector<SentTriangle> sent_triangles(const RankSurface& surface, std::span<const Index> own) {
+std::vector<SentTriangle> sent_triangles(const RankSurface& surface, std::span<const Index> own,
+                                         std::span<const Vec3> normals) {
   const std::vector<std::uint64_t> ids = known_ids(surface);
   std::vector<SentTriangle> sent;
   sent.reserve(own.size());
@@ -17,8 +18,7 @@ std::vector<SentTriangle> sent_triangles(const RankSurface& surface, std::span<c
     triangle.number = surface.triangle_numbers.empty() ? 0 : surface.triangle_numbers[t];
     for (std::size_t c = 0; c < 3; ++c) {
       const Index v = surface.mesh.triangles[t][c];
-      triangle.corners[c] = {ids[v], floats_of(surface.mesh.positions[v]),
-                             floats_of(surface.normals[v])};
+      triangle.corners[c] = {ids[v], floats_of(surface.mesh.positions[v]), floats_of(normals[v])};
     }
   }
   return sent;

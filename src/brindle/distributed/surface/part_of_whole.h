@@ -28,8 +28,9 @@ struct SentTriangle {
   std::array<SentCorner, 3> corners;
 };
 
-/// Own triangles, by their numbers on this rank.
-std::vector<SentTriangle> sent_triangles(const RankSurface& surface, std::span<const Index> own);
+/// Own triangles, by their numbers on this rank, with these normals of all vertices.
+std::vector<SentTriangle> sent_triangles(const RankSurface& surface, std::span<const Index> own,
+                                         std::span<const Vec3> normals);
 
 /// A part of the whole, in its order.
 struct PartOfWhole {

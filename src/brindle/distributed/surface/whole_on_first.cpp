@@ -5,7 +5,7 @@ namespace brindle {
 WholeOnFirst::WholeOnFirst(const RankSurface& surface) : surface_(surface), ranks_(*surface.ranks) {
   std::vector<Index> all(surface.mesh.triangle_count());
   std::iota(all.begin(), all.end(), Index{0});
-  const std::vector<SentTriangle> own = sent_triangles(surface, all);
+  const std::vector<SentTriangle> own = sent_triangles(surface, all, surface.normals);
   auto sent = joined<SentTriangle>(ranks_.gather(std::as_bytes(std::span(own))));
   const std::vector<std::uint64_t> ids = own_ids(surface);
   const auto of_ranks = ranks_.gather(std::as_bytes(std::span(ids)));

@@ -60,6 +60,12 @@ class WholeOnFirst {
   /// Collective. What rank 0 has, at the vertices of the piece.
   template <class T>
   std::vector<T> to_pieces(const std::vector<T>& whole) const {
+    return surface_.to_piece(std::span<const T>(to_vertices(whole)));
+  }
+
+  /// Collective. The same at all vertices of the rank's surface.
+  template <class T>
+  std::vector<T> to_vertices(const std::vector<T>& whole) const {
     std::vector<std::vector<T>> to(static_cast<std::size_t>(ranks_.size()));
     for (std::size_t r = 0; r < to.size(); ++r) {
       for (const Index place : places_[r]) to[r].push_back(whole[place]);
@@ -67,7 +73,7 @@ class WholeOnFirst {
     std::vector<T> by_vertex = std::move(ranks_.swap_lists(to)[0]);
     by_vertex.resize(surface_.vertex_count());
     surface_.exchange_all(std::span(by_vertex));
-    return surface_.to_piece(std::span<const T>(by_vertex));
+    return by_vertex;
   }
 
  private:

@@ -1,7 +1,6 @@
 #include "brindle/smooth_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -9,7 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/parallel.h"
 #include "brindle/base/ranges.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
@@ -23,6 +21,7 @@
 #include "brindle/pipeline/fields/field_anchors.h"
 #include "brindle/pipeline/fields/followed_field.h"
 #include "brindle/pipeline/fields/known_directions.h"
+#include "brindle/pipeline/fields/seen_field.h"
 #include "brindle/solver.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/least_curl.h"
@@ -30,10 +29,6 @@
 
 namespace brindle {
 namespace {
-
-/// A field of averaged normals goes through those of normals that are averaged over so many times
-/// the distance, from the last to the first.
-constexpr std::array<float, 3> kFarther = {1, 2, 4};
 
 void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldOptions& options,
                    const Progress& progress) {
@@ -110,19 +105,6 @@ std::vector<Complex> values_from(const PhaseGraph& graph, std::vector<Complex> s
   return to_nodes(finest.layout(), finest.z);
 }
 
-/// Directions that are tangent to some normals, turned until they are to others.
-void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, DirectionField& field) {
-  parallel_for(field.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (field[i].isZero(0) || from[i] == to[i]) continue;
-      // Where the surface is folded so finely that its normal is the other side's, it is mirrored.
-      const bool folded = from[i].dot(to[i]) < kOppositeSides;
-      field[i] =
-          tangent_direction(transported(field[i], from[i], folded ? Vec3(-to[i]) : to[i]), to[i]);
-    }
-  });
-}
-
 DirectionField following_field(const Surface& surface, PhaseGraph& graph,
                                std::vector<float> of_curvature, const SmoothFieldOptions& options,
                                const Progress& progress) {
@@ -136,31 +118,6 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
   name_like_last(*surface.neighborhood, u, surface.normals, options.last.directions,
                  options.symmetry, field);
   return field;
-}
-
-/// One that goes on from the last begins with that.
-std::vector<float> radii_of(const SmoothFieldOptions& options) {
-  std::vector<float> radii(options.last.directions.empty() ? kFarther.size() : 1);
-  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = kFarther[i] * options.normal_radius;
-  return radii;
-}
-
-/// A field that is tangent to some normals of a surface.
-struct SeenField {
-  std::vector<Vec3> normals;
-  DirectionField directions;
-};
-
-/// Its values in the direction graph of other normals.
-std::vector<Complex> values_at(SeenField field, std::span<const Vec3> normals, int symmetry) {
-  turn_to_normals(field.normals, normals, field.directions);
-  std::vector<Complex> u(normals.size());
-  parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      u[i] = representation(field.directions[i], normals[i], symmetry);
-    }
-  });
-  return u;
 }
 
 /// `from`: the field that this one begins with, if any.
@@ -252,8 +209,9 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
   JobStages stages(progress, std::move(in_order));
   DirectionField field;
   if (options.normal_radius > 0) {
-    std::vector<std::vector<Vec3>> normals =
-        averaged_normals(surface, radii_of(options), stages.begin("normals"));
+    std::vector<std::vector<Vec3>> normals = averaged_normals(
+        surface, averaging_radii(options.normal_radius, !options.last.directions.empty()),
+        stages.begin("normals"));
     Surface seen = surface;
     std::optional<SeenField> from =
         field_from_afar(seen, std::move(normals), options, stages.begin("from afar"));
