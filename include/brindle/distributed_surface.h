@@ -105,11 +105,11 @@ class DistributedSurface {
   std::shared_ptr<const RankSurface> surface_;
 };
 
-/// Collective. Does on all ranks what `smooth_direction_field` does, with the symmetry, the
-/// curvature, the features, sweeps and cycles of the options; one direction per vertex of the
-/// piece. Below 262,144 vertices directions are those of one process, where the pieces have numbers
-/// of triangles; above, they run like their neighbours within a rank. Anchors are those of vertices
-/// of the piece; what counts is what a vertex's owner has. Throws Error for options out of range.
+/// Collective. Does on all ranks what `smooth_direction_field` does; one direction per vertex of
+/// the piece. Below 262,144 vertices directions are those of one process, where the pieces have
+/// numbers of triangles, and normals are averaged by rank 0, which needs room for the whole; above,
+/// they run like their neighbours within a rank. Anchors are those of vertices of the piece; what
+/// counts is what a vertex's owner has. Throws Error for options out of range.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
 
