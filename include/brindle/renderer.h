@@ -120,6 +120,8 @@ struct DrawingChange {
   std::span<const Complex> z = {};
   std::span<const TriangleColor> triangle_colors = {};
   std::span<const Mark> marks = {};
+  const TextureWaves* texture_waves = nullptr;  ///< of a texture that was uploaded
+  const BrokenTiles* broken_tiles = nullptr;    ///< with `texture_waves`; null: none any more
 };
 
 /// How carefully a picture is drawn.

@@ -139,8 +139,8 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
 }
 
 void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style,
-                 const Progress& progress) {
-  draw_lines(image, picture.scene, picture.surfaces, style, picture.options, progress);
+                 const StyledOptions& drawn, const Progress& progress) {
+  draw_lines(image, picture.scene, picture.surfaces, style, drawn, progress);
   draw_legends(image, picture.followed.legends);
 }
 
@@ -155,7 +155,7 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
   }
   constexpr double kPainted = 0.5;
   Image image = render_styled(styled.surfaces, styled.options, progress.part(0, kPainted));
-  draw_on_top(image, styled, style, progress.part(kPainted, kDrawn));
+  draw_on_top(image, styled, style, styled.options, progress.part(kPainted, kDrawn));
   write_png(path, image, progress.part(kDrawn, 1));
 }
 

@@ -75,9 +75,10 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
                              const StylePatterns& patterns, const StyleOptions& style,
                              const StyleInput& input, const PictureOptions& picture);
 
-/// Outlines, creases and legends on the picture that the renderer has drawn.
+/// Outlines, creases and legends on the picture that the renderer has drawn with these options, or
+/// on a larger one that was made of it.
 void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style,
-                 const Progress& progress);
+                 const StyledOptions& drawn, const Progress& progress);
 
 /// A .png picture, or an .svg or .pdf drawing of stripes' outlines. Throws Error if no OpenGL
 /// context is to be had or the file cannot be written; Cancelled if `progress` asks for it.

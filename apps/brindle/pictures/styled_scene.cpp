@@ -1,6 +1,7 @@
 #include "pictures/styled_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -251,16 +252,16 @@ Mesh hiding_mesh(std::span<const StyledSurface> surfaces) {
   return mesh;
 }
 
-/// The outlines and creases of a picture's surfaces, on top of it.
+/// The outlines and creases of a picture's surfaces, on top of it. `width` is that of lines.
 class LineInk {
  public:
   LineInk(std::span<const StyledSurface> surfaces, const StyleOptions& style,
-          const StyledOptions& options, const Progress& progress)
+          const StyledOptions& options, float width, const Progress& progress)
       : style_(style),
         camera_(styled_camera(surfaces, options)),
         visibility_(hiding_mesh(surfaces), camera_, options.render.width, options.render.height,
                     progress),
-        width_(line_width_of(style, options.render.height)) {}
+        width_(width) {}
 
   void add_outline(const StyledSurface& surface, const StripesView* pattern,
                    const Progress& progress) {
@@ -296,9 +297,12 @@ class LineInk {
             {"lines", kLineColor, scale * width_, scaled(seen_)}};
   }
 
-  void draw(Image& image) const {
-    ink(image, hidden_, 0.6f * width_, kLineColor, 0.75f);
-    ink(image, seen_, width_, kLineColor);
+  void draw(Image& image, float scale) const {
+    constexpr std::array kOpacities = {0.75f, 1.0f};
+    const std::vector<Pen> drawn = pens(scale);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      ink(image, drawn[i].strokes, drawn[i].width, drawn[i].color, kOpacities[i]);
+    }
   }
 
  private:
@@ -325,10 +329,10 @@ class LineInk {
 };
 
 LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfaces,
-                 const StyleOptions& style, const StyledOptions& options,
+                 const StyleOptions& style, const StyledOptions& options, float width,
                  const Progress& progress) {
   constexpr double kSeen = 0.3;
-  LineInk lines(surfaces, style, options, progress.part(0, kSeen));
+  LineInk lines(surfaces, style, options, width, progress.part(0, kSeen));
   const double share = (1 - kSeen) / static_cast<double>(surfaces.size());
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const bool main = i == 0;
@@ -352,14 +356,18 @@ float line_width_of(const StyleOptions& style, int height) {
 
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
                 const StyleOptions& style, const StyledOptions& options, const Progress& progress) {
-  if (style.has_lines()) lines_of(scene, surfaces, style, options, progress).draw(image);
+  if (!style.has_lines()) return;
+  const float scale = static_cast<float>(image.height) / static_cast<float>(options.render.height);
+  const float width = line_width_of(style, image.height) / scale;
+  lines_of(scene, surfaces, style, options, width, progress).draw(image, scale);
 }
 
 std::vector<Pen> pens_of_lines(const StyledScene& scene, std::span<const StyledSurface> surfaces,
                                const StyleOptions& style, const StyledOptions& options, float scale,
                                const Progress& progress) {
   if (!style.has_lines()) return {};
-  return lines_of(scene, surfaces, style, options, progress).pens(scale);
+  const float width = line_width_of(style, options.render.height);
+  return lines_of(scene, surfaces, style, options, width, progress).pens(scale);
 }
 
 }  // namespace brindle::tool

@@ -82,7 +82,8 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
 /// How wide outlines and creases are, in pixels of a picture of this height.
 float line_width_of(const StyleOptions& style, int height);
 
-/// Outlines and creases on top of a picture of these surfaces.
+/// Outlines and creases on top of a picture of these surfaces, or on one that is larger than
+/// `options` say: what hides them is then seen as coarsely as they have it.
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
                 const StyleOptions& style, const StyledOptions& options, const Progress& progress);
 

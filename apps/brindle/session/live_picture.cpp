@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "brindle/base/stopwatch.h"
@@ -83,11 +84,20 @@ bool same_mesh(const LiveState& a, const LiveState& b) {
          one.positions == other.positions;
 }
 
-/// Whether another picture of plain stripes needs new waves alone.
+/// Whether both have stripes, or the same tile.
+bool same_kind(const StripeResult& a, const StripeResult& b) {
+  const Texture *one = a.texture(), *other = b.texture();
+  if (one == nullptr || other == nullptr) return one == other;
+  const auto* tile = std::get_if<BuiltInTile>(&one->tile);
+  const auto* other_tile = std::get_if<BuiltInTile>(&other->tile);
+  return tile != nullptr && other_tile != nullptr && *tile == *other_tile;
+}
+
+/// Whether another picture without a style needs new waves alone.
 bool needs_waves_alone(const LiveState& state, const LiveState* last, const Overlay& overlay) {
   if (last != nullptr && ornaments_of(*last) != nullptr) return false;
   if (last == nullptr || last->style || is_of_points(state) || is_of_points(*last)) return false;
-  if (state.job->result.texture() || last->job->result.texture()) return false;
+  if (!same_kind(state.job->result, last->job->result)) return false;
   // Colours that are not there any more would stay.
   const bool had_colors = picture_of(*last).view != View::stripes;
   return overlay.triangle_colors.empty() != had_colors && same_mesh(state, *last);
@@ -145,15 +155,18 @@ void LivePicture::Drawing::upload_plain(const LiveState& state, const LiveState*
   }
   const Overlay overlay =
       overlay_of(picture_of(state).view, surface.mesh, pattern.waves, pattern.corners);
+  const SurfaceDrawing drawing = drawing_of(surface, state.job->result, overlay);
   if (needs_waves_alone(state, last, overlay)) {
-    return plain->update({.waves = &pattern.waves,
-                          .z = pattern.solution.z,
-                          .triangle_colors = overlay.triangle_colors,
-                          .marks = overlay.marks});
+    return plain->update({.waves = drawing.waves,
+                          .z = drawing.z,
+                          .triangle_colors = drawing.triangle_colors,
+                          .marks = drawing.marks,
+                          .texture_waves = drawing.texture_waves,
+                          .broken_tiles = drawing.broken_tiles});
   }
   if (!plain) plain.emplace();
   framed = points_of_triangles(surface.mesh);
-  plain->upload(drawing_of(surface, state.job->result, overlay));
+  plain->upload(drawing);
 }
 
 void LivePicture::Drawing::upload_styled(const LiveState& state, const LiveState* last) {
@@ -210,7 +223,7 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, const DrawSettin
   if (settings.draft) smaller.occlusion = 0;
   if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
   Image image = in_full_size(styled->draw(smaller, settings.progress), options.render);
-  draw_on_top(image, *styled_picture, style, settings.progress);
+  draw_on_top(image, *styled_picture, style, smaller, settings.progress);
   return image;
 }
 

@@ -180,6 +180,7 @@ void Viewer::draw() {
   export_.is_open() ? export_.draw() : browser_.draw(log_);
   draw_question();
   live_.end_drag_at_rest(ImGui::IsAnyMouseDown() || option_panel_.is_held());
+  live_.request();
   Image copy;
   const bool takes_picture = !window_picture_.empty() && --frames_to_picture_ < 0;
   window_.end_frame(takes_picture ? &copy : nullptr);

@@ -113,6 +113,9 @@ void check_change(const DrawingChange& change, std::size_t vertices, std::size_t
   check_count(change.z.size(), vertices, "phases", "vertices");
   check_count(change.triangle_colors.size(), triangles, "triangle colours", "triangles");
   check_waves(change.waves, vertices);
+  if (change.texture_waves == nullptr) return;
+  check_count(change.texture_waves->u.size(), triangles, "waves U", "triangles");
+  check_count(change.texture_waves->v.size(), triangles, "waves V", "triangles");
 }
 
 }  // namespace
@@ -177,15 +180,12 @@ void GlSurface::update(const DrawingChange& change) {
   if (!change.triangle_colors.empty()) {
     renew(kTriangleColors, packed_colors(change.triangle_colors), "triangle colours");
   }
+  if (change.texture_waves != nullptr) {
+    renew(kTextureU, packed_corners(change.texture_waves->u), "waves U");
+    renew(kTextureV, packed_corners(change.texture_waves->v), "waves V");
+    broken_tiles_ = GlBrokenTiles(change.broken_tiles, triangle_count_);
+  }
   check_gl("copying a change of the drawing to OpenGL");
-}
-
-void GlSurface::update_texture(const TextureWaves& waves) {
-  check_count(waves.u.size(), triangle_count_, "waves U", "triangles");
-  check_count(waves.v.size(), triangle_count_, "waves V", "triangles");
-  renew(kTextureU, packed_corners(waves.u), "waves U");
-  renew(kTextureV, packed_corners(waves.v), "waves V");
-  check_gl("copying a texture's waves to OpenGL");
 }
 
 void GlSurface::use_phases(unsigned buffer) {

@@ -29,10 +29,6 @@ class GlSurface {
   void update(const DrawingChange& change);
   void use_phases(unsigned buffer);
 
-  /// Copies the waves of a texture that was uploaded before. Throws Error if there is not one per
-  /// triangle.
-  void update_texture(const TextureWaves& waves);
-
   /// Draws all triangles with a program that begins with visible_triangles.vert, of which it sets
   /// the uniforms. `tile` is the part of the picture that fills the target (`tile_transform`).
   void draw(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) const;

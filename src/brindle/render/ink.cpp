@@ -73,6 +73,7 @@ class Coverage {
 
 void ink(Image& image, std::span<const Stroke> strokes, float width, const Color& color,
          float opacity) {
+  if (strokes.empty()) return;
   Coverage coverage(image.width, image.height);
   for (const Stroke& stroke : strokes) {
     for (std::size_t i = 0; i < stroke.size(); ++i) {

@@ -74,6 +74,10 @@ class LiveSession {
   /// anything new to show. To be called once a turn.
   bool update();
 
+  /// Asks for what is to be made, as `update` does. To be called once widgets have changed the
+  /// session, too: the worker then need not wait until the window is drawn.
+  void request();
+
   /// Whether `update` may have something to do soon without any input.
   bool is_waiting() const;
 
@@ -99,7 +103,6 @@ class LiveSession {
   bool take_frame();
   bool take_failure();
   void keep_phases();
-  void request();
   void send(PictureQuality quality);
   void log_frame(const SessionFrame& frame);
   void log_messages();

@@ -18,10 +18,15 @@ std::vector<ShaderSource> with_surface(const std::string& features,
 
 }  // namespace
 
-const ShaderProgram& StyledPrograms::visibility(const char* name, const std::string& features,
-                                                Sources style) {
+const ShaderProgram& StyledPrograms::visibility(Parts parts, const char* name,
+                                                const std::string& features, Sources style) {
+  const bool listed = parts == Parts::listed;
+  const Sources end = listed ? Sources{"listed_triangles.glsl", "listed_visibility.frag"}
+                             : Sources{"parts_visibility.frag"};
+  style.insert(style.end(), end.begin(), end.end());
   return programs_
-      .try_emplace(name + features, Sources{"visible_triangles.vert"},
+      .try_emplace((listed ? "listed " : "") + (name + features),
+                   Sources{listed ? "full_screen.vert" : "visible_triangles.vert"},
                    with_surface(features, std::move(style)))
       .first->second;
 }
@@ -44,22 +49,30 @@ const ShaderProgram& StyledPrograms::whole() {
   return *whole_;
 }
 
+const ShaderProgram& StyledPrograms::list() {
+  if (!list_) {
+    list_.emplace(Sources{"visible_triangles.vert"},
+                  Sources{"listed_triangles.glsl", "list_triangles.frag"});
+  }
+  return *list_;
+}
+
 const ShaderProgram& StyledPrograms::spread() {
   if (!spread_) spread_.emplace(Sources{"full_screen.vert"}, Sources{"spread_samples.frag"});
   return *spread_;
 }
 
-const ShaderProgram& StyledPrograms::between_strokes(const std::string& features) {
-  return visibility("between strokes\n", features,
+const ShaderProgram& StyledPrograms::between_strokes(const std::string& features, Parts parts) {
+  return visibility(parts, "between strokes\n", features,
                     {"stripe_middle.glsl", "light.glsl", "picture_light.glsl", "style_buffers.glsl",
-                     "color_scale.glsl", "strokes.glsl", "tone.glsl", "strokes_visibility.frag"});
+                     "color_scale.glsl", "strokes.glsl", "tone.glsl", "strokes_seen.glsl"});
 }
 
-const ShaderProgram& StyledPrograms::beside_tiles(const std::string& features) {
+const ShaderProgram& StyledPrograms::beside_tiles(const std::string& features, Parts parts) {
   return visibility(
-      "beside tiles\n", features,
+      parts, "beside tiles\n", features,
       {"style_buffers.glsl", "color_scale.glsl", "texture_fragment.glsl", "texture_tile.glsl",
-       "broken_tiles.glsl", "region_texture.glsl", "texture_visibility.frag"});
+       "broken_tiles.glsl", "region_texture.glsl", "tiles_seen.glsl"});
 }
 
 const ShaderProgram& StyledPrograms::strokes(const std::string& features, bool occlusion) {

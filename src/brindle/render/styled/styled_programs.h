@@ -16,9 +16,12 @@ class StyledPrograms {
  public:
   /// The first pass: which triangle each sample shows, of surfaces that are there as a whole.
   const ShaderProgram& whole();
-  /// The same of surfaces that are discarded between their strokes, or beside their tiles.
-  const ShaderProgram& between_strokes(const std::string& features);
-  const ShaderProgram& beside_tiles(const std::string& features);
+  /// The same of surfaces that are discarded between their strokes, or beside their tiles: of all
+  /// their triangles, or of those that `list` has put into the lists of pixels.
+  enum class Parts { drawn, listed };
+  const ShaderProgram& between_strokes(const std::string& features, Parts parts);
+  const ShaderProgram& beside_tiles(const std::string& features, Parts parts);
+  const ShaderProgram& list();
 
   /// Of a target with one sample a pixel, all samples of the first pass.
   const ShaderProgram& spread();
@@ -32,11 +35,12 @@ class StyledPrograms {
  private:
   using Sources = std::vector<ShaderSource>;
 
-  const ShaderProgram& visibility(const char* name, const std::string& features, Sources style);
+  const ShaderProgram& visibility(Parts parts, const char* name, const std::string& features,
+                                  Sources style);
   const ShaderProgram& shading(const char* name, const std::string& features, bool occlusion,
                                Sources style);
 
-  std::optional<ShaderProgram> whole_, spread_, ground_;
+  std::optional<ShaderProgram> whole_, list_, spread_, ground_;
   std::map<std::string, ShaderProgram> programs_;  ///< by what they are and by their features
 };
 

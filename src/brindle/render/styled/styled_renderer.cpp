@@ -24,6 +24,8 @@ namespace {
 
 constexpr int kVisibleSamples =
     2;  // along the side of a light sample, as visible_samples.glsl has it
+constexpr GLuint kListsBinding = 4;
+constexpr std::size_t kListedInPixel = 8;  // triangles, on average over all of a draft
 constexpr GLuint kShadowUnit = 14;
 constexpr GLuint kSurroundingsUnit = 14;  // of surfaces, which the shadow is not laid on
 constexpr GLuint kColorMapUnit = 15;
@@ -216,7 +218,9 @@ struct StyledRenderer::State {
   StyledPrograms programs;
   TiledPicture picture;
   Target visible, once;  ///< what samples show, and what pixels do
-  Target surroundings;   ///< what samples of all the picture show, coarser
+  GlBuffer lists;        ///< of pixels' triangles, as listed_triangles.glsl has them
+  std::size_t list_words = 0;
+  Target surroundings;  ///< what samples of all the picture show, coarser
   SampleGroups groups;
   GlVertexArray no_attributes = no_vertex_attributes();
   std::vector<DrawnSurface> surfaces;
@@ -227,7 +231,9 @@ struct StyledRenderer::State {
   Drawing drawing(const Camera& camera, const StyledOptions& options,
                   const Progress& progress) const;
   void draw_visible(const Drawing& drawing, const Part& part, const Eigen::Vector2i& largest);
-  void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part, int samples);
+  void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part, int samples,
+                  StyledPrograms::Parts parts);
+  void list_triangles(const DrawnSurface& drawn, const Drawing& drawing, const Part& part);
   void draw_parts_once(const DrawnSurface& drawn, const Drawing& drawing, const Part& part,
                        const Eigen::Vector2i& largest);
   void draw_surfaces(const Drawing& drawing, const Part& part, const Target& light);
@@ -248,7 +254,7 @@ void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& par
     if (drawn.style.discards() && draft) {
       draw_parts_once(drawn, drawing, part, largest);
     } else if (drawn.style.discards()) {
-      draw_parts(drawn, drawing, part, kVisibleSamples);
+      draw_parts(drawn, drawing, part, kVisibleSamples, StyledPrograms::Parts::drawn);
     } else {
       programs.whole().set("first_number", drawn.first_number);
       const Camera camera = drawing.camera_of(drawn);
@@ -264,10 +270,11 @@ void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& par
 /// The first pass over a surface that is discarded in parts, with so many samples along a pixel's
 /// side.
 void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing& drawing,
-                                       const Part& part, int samples) {
+                                       const Part& part, int samples, StyledPrograms::Parts parts) {
   const std::size_t regions = drawn.style.regions();
-  const ShaderProgram& program = regions > 0 ? programs.beside_tiles(drawn.style.features())
-                                             : programs.between_strokes(drawn.style.features());
+  const ShaderProgram& program = regions > 0
+                                     ? programs.beside_tiles(drawn.style.features(), parts)
+                                     : programs.between_strokes(drawn.style.features(), parts);
   program.set("first_number", drawn.first_number);
   program.set("color_map", static_cast<int>(kColorMapUnit));
   drawn.surface.bind(program, drawing.camera, part.transform);
@@ -276,16 +283,59 @@ void StyledRenderer::State::draw_parts(const DrawnSurface& drawn, const Drawing&
   set_light(program, drawing.camera, drawing.options.render);
   for (std::size_t region = 0; region < std::max<std::size_t>(regions, 1); ++region) {
     if (regions > 0) drawn.style.bind_region(program, region);
-    drawn.surface.draw(program, drawing.camera_of(drawn), part.transform);
+    if (parts == StyledPrograms::Parts::drawn) {
+      drawn.surface.draw(program, drawing.camera_of(drawn), part.transform);
+      continue;
+    }
+    program.set("pixels_in_row", part.size.x());
+    glUseProgram(program.name());
+    glBindVertexArray(no_attributes);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 }
 
-/// The same of a draft: whether it is discarded, which takes longest, is found out once a pixel.
+/// Puts the surface's triangles into the lists of the pixels whose middle they cover.
+void StyledRenderer::State::list_triangles(const DrawnSurface& drawn, const Drawing& drawing,
+                                           const Part& part) {
+  const auto pixels =
+      static_cast<std::size_t>(part.size.x()) * static_cast<std::size_t>(part.size.y());
+  const std::size_t words = 1 + pixels * (1 + 3 * kListedInPixel);
+  if (words != list_words) {
+    lists = GlBuffer();  // gives its memory back first
+    lists = make_buffer(words * sizeof(GLuint), nullptr, "lists of triangles", 0);
+    list_words = words;
+  }
+  const auto begins = static_cast<GLuint>(1 + pixels);
+  const auto fill = [&](GLuint value, std::size_t count) {
+    glClearNamedBufferSubData(lists, GL_R32UI, 0, static_cast<GLsizeiptr>(count * sizeof(GLuint)),
+                              GL_RED_INTEGER, GL_UNSIGNED_INT, &value);
+  };
+  fill(0, begins);
+  fill(begins, 1);
+  const ShaderProgram& program = programs.list();
+  program.set("pixels_in_row", part.size.x());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kListsBinding, lists);
+  glDisable(GL_DEPTH_TEST);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  drawn.surface.draw(program, drawing.camera_of(drawn), part.transform);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+/// The same of a draft: whether it is discarded, which takes longest, is found out once a pixel,
+/// and after all triangles are there: software shades four by four pixels for each of them.
 void StyledRenderer::State::draw_parts_once(const DrawnSurface& drawn, const Drawing& drawing,
                                             const Part& part, const Eigen::Vector2i& largest) {
   clear_samples(once, largest);
   bind_samples(once, part.size);
-  draw_parts(drawn, drawing, part, 1);
+  list_triangles(drawn, drawing, part);
+  const Eigen::Vector4i seen =
+      seen_part(drawn.surface.box(), drawing.camera, part.transform, part.size);
+  glScissor(seen[0], seen[1], seen[2], seen[3]);
+  glEnable(GL_SCISSOR_TEST);
+  draw_parts(drawn, drawing, part, 1, StyledPrograms::Parts::listed);
+  glDisable(GL_SCISSOR_TEST);
   bind_samples(visible, kVisibleSamples * part.size);
   const ShaderProgram& program = programs.spread();
   program.set("pixels", 0);
@@ -492,12 +542,13 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
     drawn.surface.update({.positions = stays ? std::span<const Vec3>() : mesh.positions,
                           .normals = drawing.normals,
                           .waves = drawing.waves,
-                          .z = drawing.z});
-    if (surface.texture) drawn.surface.update_texture(*surface.texture->waves);
+                          .z = drawing.z,
+                          .texture_waves = drawing.texture_waves});
     drawn.mesh = std::move(mesh);
     drawn.style = std::move(style);
     drawn.tinted = surface.tinted;
     drawn.sliced = surface.sliced;
+    if (stays) return;
   } else {
     std::size_t triangles = surface.mesh.triangle_count();
     for (const DrawnSurface& other : s.surfaces) triangles += other.mesh.triangle_count();
