@@ -22,12 +22,17 @@ val lines_of(const Polylines& lines) {
   return result;
 }
 
-val curves_of(const PatternObject& object, bool join, float trim) {
+StripeCurves traced(const PatternObject& object, bool join, float trim, float fair) {
+  CurveOptions options;
+  options.join = join;
+  options.trim = trim;
+  options.fair = fair;
+  return stripe_curves(object.surface->surface, object.pattern, options);
+}
+
+val curves_of(const PatternObject& object, bool join, float trim, float fair) {
   return guarded([&] {
-    CurveOptions options;
-    options.join = join;
-    options.trim = trim;
-    const StripeCurves curves = stripe_curves(object.surface->surface, object.pattern, options);
+    const StripeCurves curves = traced(object, join, trim, fair);
     val result = lines_of(curves.lines);
     std::vector<std::uint8_t> ends;
     for (const auto& both : curves.ends) {
@@ -70,25 +75,23 @@ val written(const std::string& name, const Write& write) {
       reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
 }
 
-val curves_file(const PatternObject& object, std::string name, bool join, float trim) {
+val curves_file(const PatternObject& object, std::string name, bool join, float trim, float fair) {
   return guarded([&] {
-    CurveOptions options;
-    options.join = join;
-    options.trim = trim;
-    const StripeCurves curves = stripe_curves(object.surface->surface, object.pattern, options);
+    const StripeCurves curves = traced(object, join, trim, fair);
     const std::array<NamedLines, 1> kinds{NamedLines{"stripes", curves.lines, {}}};
     return written(name, [&](const std::filesystem::path& path) { write_polylines(path, kinds); });
   });
 }
 
-val drawing(const PatternObject& object, val rotation, float zoom, int width, int height) {
+val drawing(const PatternObject& object, val rotation, float zoom, int width, int height, bool join,
+            float trim, float fair) {
   return guarded([&] {
     const Surface& surface = object.surface->surface;
     CameraView view;
     view.zoom = zoom;
     view.rotation = Eigen::Quaternionf(rotation[3].as<float>(), rotation[0].as<float>(),
                                        rotation[1].as<float>(), rotation[2].as<float>());
-    const StripeCurves curves = stripe_curves(surface, object.pattern);
+    const StripeCurves curves = traced(object, join, trim, fair);
     const std::array<PenLines, 1> lines{PenLines{"stripes", Color{}, curves.lines}};
     const std::vector<Pen> pens =
         line_drawing(surface.mesh, surface.normals, lines, view, width, height);

@@ -64,21 +64,23 @@ export class Surface extends RealtimeSurface {
   }
 }
 
+const AS_TRACED = { join: false, trim: 0, fair: 0 };
+
 export class Pattern extends RealtimePattern {
   curves(given) {
-    const o = options(given, { join: false, trim: 0 }, 'curves');
-    return this.module.curves(this.raw, o.join, o.trim);
+    const o = options(given, AS_TRACED, 'curves');
+    return this.module.curves(this.raw, o.join, o.trim, o.fair);
   }
   curvesFile(name, given) {
-    const o = options(given, { join: false, trim: 0 }, 'curvesFile');
-    return this.module.curvesFile(this.raw, name, o.join, o.trim);
+    const o = options(given, AS_TRACED, 'curvesFile');
+    return this.module.curvesFile(this.raw, name, o.join, o.trim, o.fair);
   }
   samplesWith(other) {
     return this.module.samples(this.raw, other.raw);
   }
   svg(given) {
-    const o = options(given, { rotation: [0, 0, 0, 1], zoom: 1, width: 800, height: 600 }, 'svg');
-    return this.module.drawing(this.raw, o.rotation, o.zoom, o.width, o.height);
+    const o = options(given, { rotation: [0, 0, 0, 1], zoom: 1, width: 800, height: 600, ...AS_TRACED }, 'svg');
+    return this.module.drawing(this.raw, o.rotation, o.zoom, o.width, o.height, o.join, o.trim, o.fair);
   }
 }
 

@@ -179,10 +179,12 @@ export interface Curves {
 }
 
 export interface CurveOptions {
-  /** Joins curves that end in one branch in pairs. */
+  /** Joins curves that end in one branch in pairs; others run on into their neighbours, with `fair` smoothly. */
   join?: boolean;
-  /** Cuts ends back to where no curve is nearer than this share of the spacing; 0: not. */
+  /** Cuts ends back to where no curve is nearer than this share of the spacing; 0: not. Not with `join`. */
   trim?: number;
+  /** Takes out kinks shorter than about this share of the spacing; 0: not. */
+  fair?: number;
 }
 
 export interface Samples {
@@ -222,7 +224,7 @@ export class Pattern extends Owned {
   /** Where the stripes of two patterns of one surface cross. */
   samplesWith(other: Pattern): Samples;
   /** A drawing of the curves without hidden lines. `rotation` (x, y, z, w) turns coordinates to the viewer's. */
-  svg(options?: { rotation?: readonly number[]; zoom?: number; width?: number; height?: number }): Uint8Array;
+  svg(options?: { rotation?: readonly number[]; zoom?: number; width?: number; height?: number } & CurveOptions): Uint8Array;
 }
 
 export interface TexturedMesh {

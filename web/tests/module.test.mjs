@@ -454,6 +454,34 @@ test('curves and drawings are files of the library', () => {
   refused(() => pattern.curvesFile('curves.xyz'), /xyz/);
 });
 
+/** By how much a curve turns at most of its points, radians. */
+function typicalTurn({ points, offsets, closed }) {
+  const turns = [];
+  for (let line = 0; line < closed.length; ++line) {
+    for (let i = offsets[line] + 1; i + 1 < offsets[line + 1]; ++i) {
+      const way = (from, to) => [0, 1, 2].map((k) => points[3 * to + k] - points[3 * from + k]);
+      const [a, b] = [way(i - 1, i), way(i, i + 1)];
+      const dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      turns.push(Math.acos(Math.min(1, dot / (Math.hypot(...a) * Math.hypot(...b)))));
+    }
+  }
+  return turns.sort((x, y) => x - y)[Math.floor(0.99 * turns.length)];
+}
+
+test('curves lose their kinks, and those that are joined run together', () => {
+  const sphere = brindle.shape('sphere,resolution=12');
+  const pattern = sphere.stripes(sphere.smoothField(), { stripes: 24 });
+  const traced = pattern.curves({ trim: 0.6 });
+  const faired = pattern.curves({ trim: 0.6, fair: 0.25 });
+  assert.deepEqual(faired.closed, traced.closed);
+  assert.ok(typicalTurn(faired) < 0.6 * typicalTurn(traced));
+  assert.ok(pattern.curves({ join: true, fair: 0.25 }).points.length > 0);
+  const drawn = (options) => new TextDecoder().decode(pattern.svg({ width: 400, height: 300, ...options }));
+  assert.notEqual(drawn({ trim: 0.6, fair: 0.25 }), drawn({}));
+  refused(() => pattern.curves({ fair: 2 }), /share of the spacing/);
+  refused(() => pattern.curves({ join: true, trim: 0.6 }), /join/);
+});
+
 test('buffers for shaders have the layout of the library, and refuse what does not fit', async () => {
   const { patternBuffers } = await load('draw.js');
   const surface = { positions: [1, 2, 3], normals: [0, 0, 1], triangles: [0, 0, 0] };
