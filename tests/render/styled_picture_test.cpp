@@ -1,13 +1,16 @@
 #include "brindle/styled_picture.h"
 
 #include <algorithm>
+#include <complex>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
 #include "brindle/glyphs.h"
+#include "brindle/mesh.h"
 #include "brindle/shapes.h"
 #include "progress_reports.h"
 #include "render/test_drawings.h"
@@ -112,6 +115,60 @@ TEST(StyledPicture, InDraftsPixelsAreStrokesOrWhatLiesBehind) {
   EXPECT_GT(strokes, 80 * 60 / 4);
   EXPECT_LT(strokes, 80 * 60 * 3 / 4);
   EXPECT_EQ(lost, 0);
+}
+
+/// Squares one behind the other, of which each has strokes where those in front of it have none:
+/// all strokes together cover all of it.
+StripedSurface stack_of_sheets(int count) {
+  Mesh mesh;
+  std::vector<float> shifts;
+  for (int sheet = 0; sheet < count; ++sheet) {
+    Mesh one = square(8);
+    for (Vec3& p : one.positions) p.z() = -0.02f * static_cast<float>(sheet);
+    shifts.resize(shifts.size() + one.vertex_count(),
+                  static_cast<float>(sheet) / static_cast<float>(count));
+    append(one, mesh);
+  }
+  StripedSurface stack = plane_wave(mesh, Vec3::UnitX(), 3);
+  for (std::size_t v = 0; v < stack.z.size(); ++v) {
+    stack.z[v] *= std::polar(1.0f, 2 * std::numbers::pi_v<float> * shifts[v]);
+  }
+  return stack;
+}
+
+/// The same in red, in parallel projection.
+Image draft_of_sheets(const StripedSurface& stack, int count) {
+  StyledSurface surface{.mesh = stack.mesh,
+                        .strokes = {strokes_of(stack)},
+                        .between = BetweenStrokes::discarded,
+                        .shading = false};
+  surface.strokes[0].color = {1, 0, 0};
+  surface.strokes[0].width = 1.2f / static_cast<float>(count);
+  StyledOptions options = styled_options();
+  options.render.quality = PictureQuality::interactive;
+  options.render.camera.projection = Projection::orthographic;
+  return draw_styled({surface}, options);
+}
+
+TEST(StyledPicture, DraftsFindTheNearestOfManySheetsWhateverTheirOrder) {
+  constexpr int kSheets = 6;
+  StripedSurface stack = stack_of_sheets(kSheets);
+  const Image draft = draft_of_sheets(stack, kSheets);
+  for (int y = 20; y < 100; ++y) {
+    for (int x = 50; x < 110; ++x) {
+      EXPECT_EQ(draft.at(x, y), (Pixel{255, 0, 0, 255})) << x << ", " << y;
+    }
+  }
+  std::ranges::reverse(stack.mesh.triangles);
+  EXPECT_EQ(draft_of_sheets(stack, kSheets).pixels, draft.pixels);
+}
+
+// There is room for so many triangles a pixel; what has none is left out.
+TEST(StyledPicture, DraftsOfMoreSheetsThanThereIsRoomForHaveSomeOfThem) {
+  constexpr int kSheets = 60;
+  const Image draft = draft_of_sheets(stack_of_sheets(kSheets), kSheets);
+  const auto red = std::ranges::count(draft.pixels, Pixel{255, 0, 0, 255});
+  EXPECT_GT(red, 160 * 120 / 20);
 }
 
 TEST(StyledPicture, WithoutStrokesBetweenTheySeeTheBackground) {

@@ -21,6 +21,7 @@ namespace brindle::tool {
 namespace {
 
 constexpr std::uint64_t kNothing = ~std::uint64_t{0};
+constexpr float kMostOfLines = 2;  // of drafts: how much coarser what hides lines may be
 
 const PictureOptions& picture_of(const LiveState& state) {
   return *state.parsed->arguments().picture;
@@ -223,7 +224,9 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, const DrawSettin
   if (settings.draft) smaller.occlusion = 0;
   if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
   Image image = in_full_size(styled->draw(smaller, settings.progress), options.render);
-  draw_on_top(image, *styled_picture, style, smaller, settings.progress);
+  // Coarser ones would have gaps.
+  const StyledOptions lines = reduced(options, std::min(reduction, kMostOfLines));
+  draw_on_top(image, *styled_picture, style, lines, settings.progress);
   return image;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/render/sliced_drawing.h"
@@ -64,14 +65,18 @@ std::vector<std::uint32_t> packed_colors(std::span<const TriangleColor> colors) 
 
 /// Direction, frequency and z of every corner.
 std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
-  std::vector<float> packed;
-  packed.reserve(18 * triangles.size());
-  for (const CornerWaves& corners : triangles) {
-    for (const auto& [wave, z] : corners) {
-      packed.insert(packed.end(), wave.direction.begin(), wave.direction.end());
-      packed.insert(packed.end(), {wave.frequency, z.real(), z.imag()});
+  std::vector<float> packed(18 * triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    float* out = &packed[18 * begin];
+    for (std::size_t t = begin; t < end; ++t) {
+      for (const auto& [wave, z] : triangles[t]) {
+        out = std::copy(wave.direction.begin(), wave.direction.end(), out);
+        *out++ = wave.frequency;
+        *out++ = z.real();
+        *out++ = z.imag();
+      }
     }
-  }
+  });
   return packed;
 }
 
