@@ -19,8 +19,8 @@ bool has_distinct_triangles(const GlSurface& surface) {
   return surface.has_triangle_colors() || !surface.has_normals();
 }
 
-}  // namespace
-
+/// The part of a target of `size` pixels where the box is seen: its lower left corner and size.
+/// All of it if the box reaches behind the camera.
 Eigen::Vector4i seen_part(const Eigen::AlignedBox3f& box, const Camera& camera,
                           const Eigen::Vector4f& tile, const Eigen::Vector2i& size) {
   Eigen::AlignedBox2f part;
@@ -44,6 +44,8 @@ Eigen::Vector4i seen_part(const Eigen::AlignedBox3f& box, const Camera& camera,
   result << lower.cast<int>(), (upper - lower).cast<int>();
   return result;
 }
+
+}  // namespace
 
 int SampleGroups::count(const GlSurface& surface, PictureQuality quality) {
   const bool few = quality == PictureQuality::interactive && !has_distinct_triangles(surface);

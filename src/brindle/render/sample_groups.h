@@ -8,11 +8,6 @@
 
 namespace brindle {
 
-/// The part of a target of `size` pixels where the box is seen: its lower left corner and size. All
-/// of it if the box reaches behind the camera.
-Eigen::Vector4i seen_part(const Eigen::AlignedBox3f& box, const Camera& camera,
-                          const Eigen::Vector4f& tile, const Eigen::Vector2i& size);
-
 /// Kept from picture to picture.
 class SampleGroups {
  public:

@@ -330,12 +330,7 @@ void StyledRenderer::State::draw_parts_once(const DrawnSurface& drawn, const Dra
   clear_samples(once, largest);
   bind_samples(once, part.size);
   list_triangles(drawn, drawing, part);
-  const Eigen::Vector4i seen =
-      seen_part(drawn.surface.box(), drawing.camera, part.transform, part.size);
-  glScissor(seen[0], seen[1], seen[2], seen[3]);
-  glEnable(GL_SCISSOR_TEST);
   draw_parts(drawn, drawing, part, 1, StyledPrograms::Parts::listed);
-  glDisable(GL_SCISSOR_TEST);
   bind_samples(visible, kVisibleSamples * part.size);
   const ShaderProgram& program = programs.spread();
   program.set("pixels", 0);
