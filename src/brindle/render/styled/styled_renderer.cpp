@@ -26,6 +26,7 @@ constexpr int kVisibleSamples =
     2;  // along the side of a light sample, as visible_samples.glsl has it
 constexpr GLuint kListsBinding = 4;
 constexpr std::size_t kListedInPixel = 8;  // triangles, on average over all of a draft
+constexpr int kMostListed = 1 << 19;       // pixels with lists, which take 100 bytes each
 constexpr GLuint kShadowUnit = 14;
 constexpr GLuint kSurroundingsUnit = 14;  // of surfaces, which the shadow is not laid on
 constexpr GLuint kColorMapUnit = 15;
@@ -329,8 +330,11 @@ void StyledRenderer::State::draw_parts_once(const DrawnSurface& drawn, const Dra
                                             const Part& part, const Eigen::Vector2i& largest) {
   clear_samples(once, largest);
   bind_samples(once, part.size);
-  list_triangles(drawn, drawing, part);
-  draw_parts(drawn, drawing, part, 1, StyledPrograms::Parts::listed);
+  // Where pixels are many, few triangles are smaller than they are.
+  const bool lists_pixels = part.size.x() <= kMostListed / part.size.y();
+  if (lists_pixels) list_triangles(drawn, drawing, part);
+  draw_parts(drawn, drawing, part, 1,
+             lists_pixels ? StyledPrograms::Parts::listed : StyledPrograms::Parts::drawn);
   bind_samples(visible, kVisibleSamples * part.size);
   const ShaderProgram& program = programs.spread();
   program.set("pixels", 0);
