@@ -412,7 +412,7 @@ std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const
       const auto same = [&](const TouchingEnd& one) {
         return one.other == neighbor.other && std::abs(one.periods - periods) < kElsewhere;
       };
-      if (itself || same(touch) || std::ranges::any_of(found, same)) continue;
+      if (itself || same(touch) || std::any_of(found.begin(), found.end(), same)) continue;
       found.push_back(neighbor);
     }
   }
