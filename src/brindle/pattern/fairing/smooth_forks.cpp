@@ -194,6 +194,7 @@ struct ForkMaker::Fork {
   std::vector<TrianglePoint> places;  ///< to the last one, which is on the other curve
   TouchingEnd touch;
   std::size_t choice = 0;  ///< how many ways were passed over for it
+  bool late = false;       ///< it was found when all others were there, and fits them
   bool smooth = true;      ///< it meets the other curve with no angle
 };
 
@@ -258,6 +259,7 @@ std::optional<std::size_t> ForkMaker::left_by(const TouchingEnd& touch) const {
 /// Of two forks in conflict the one that is led to what is left takes its next way, or goes; but
 /// the other one where that is straight and this is smooth, or this end stays as it is.
 void ForkMaker::solve_conflicts() {
+  all_are_there_ = true;
   bool changed = true;
   while (changed) {
     changed = false;
@@ -266,7 +268,9 @@ void ForkMaker::solve_conflicts() {
       if (!wrong) continue;
       const bool stays = !forks_[i] || (forks_[i]->smooth && !forks_[*wrong]->smooth);
       const std::size_t other = stays ? *wrong : i;
-      forks_[other] = fork(touches_[other], forks_[other]->choice + 1);
+      // The first time once more from the first choice on, as it now knows of the others.
+      forks_[other] = fork(touches_[other], forks_[other]->late ? forks_[other]->choice + 1 : 0);
+      if (forks_[other]) forks_[other]->late = true;
       changed = true;
     }
   }
@@ -295,6 +299,7 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double l
     fork.touch.segment = on.segment;
     fork.touch.periods = at - round * all;
   }
+  if (all_are_there_ && left_by(fork.touch)) return std::nullopt;
   return fork;
 }
 
@@ -370,6 +375,7 @@ std::optional<ForkMaker::Fork> ForkMaker::straight_on(const TouchingEnd& touch,
     if (met) {
       fork.touch = met->touch;
       if (turn_at_end(mesh, fork.places, touch.end, own, at) > kMostTurnAtEnd) return std::nullopt;
+      if (all_are_there_ && left_by(fork.touch)) return std::nullopt;
       return fork;
     }
     if ((position - before).squaredNorm() == 0) return std::nullopt;  // at a boundary

@@ -35,10 +35,10 @@ inline constexpr double kBeforeFork = 1;
 /// Leads curves smoothly to the ones that they touch. Going back from its end, a curve leaves its
 /// way at the first place where it runs along the other one, no nearer than 0.6 of 1/f, and from
 /// where it can go on along that one, nearer and nearer, until it meets it with no angle. Where
-/// there is no such place within 4/f, or the other curve ends before, leaves its own way or turns it
-/// by more than 30 degrees, it takes another neighbour, or another part of its own; where there is
-/// none, it goes straight on, or a little aside, to the first curve within 2/f. Where nothing is met
-/// there, it takes what turns it more, or else stays as it is.
+/// there is no such place within 4/f, or the other curve ends before, leaves its own way or turns
+/// it by more than 30 degrees, it takes another neighbour, or another part of its own; where there
+/// is none, it goes straight on, or a little aside, to the first curve within 2/f. Where nothing is
+/// met there, it takes what turns it more, or else stays as it is.
 class ForkMaker {
  public:
   /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
@@ -80,6 +80,7 @@ class ForkMaker {
   /// With the ends that touch nothing, as if they touched no segment of their own curve.
   std::vector<TouchingEnd> touches_;        // in order of lines and ends
   std::vector<std::optional<Fork>> forks_;  // of every touch
+  bool all_are_there_ = false;              // of them, but for those that must change
 };
 
 }  // namespace brindle
