@@ -106,7 +106,8 @@ class PairMerger {
         triangles_of_(triangles_of_edges(edges_, progress.part(0.2, 0.3))),
         index_(mesh_.triangle_count()),
         number_(mesh_.vertex_count(), kNoNumber),
-        best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()) {
+        best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()),
+        turns_(edges_.count()) {
     weigh_edges(options.weights, progress.part(0.3, 0.4));
     shift_edges(progress.part(0.4, 0.7));
     changed_.assign(mesh_.vertex_count(), true);
@@ -423,14 +424,12 @@ class PairMerger {
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
     for (Index i = 0; i < vertices.size(); ++i) entries.emplace_back(i, i, 1e-9);
+    for (const Crossed& crossed : way) turns_[crossed.edge] += crossed.turns;
     reported_for(edges.size(), progress.part(0, 0.2), [&](std::size_t number) {
       const Index e = edges[number];
       const int sign = forms_.sign(e);
       if (sign == 0) return;
-      double wanted = remainder(e);
-      for (const Crossed& crossed : way) {
-        if (crossed.edge == e) wanted += 2 * std::numbers::pi * crossed.turns;
-      }
+      const double wanted = remainder(e) + 2 * std::numbers::pi * turns_[e];
       const Index a = number_[edges_.vertices[e][0]], b = number_[edges_.vertices[e][1]];
       const double w = weight_[e];
       if (a != kNoNumber) {
@@ -445,6 +444,7 @@ class PairMerger {
       entries.emplace_back(a, b, -sign * w);
       entries.emplace_back(b, a, -sign * w);
     });
+    for (const Crossed& crossed : way) turns_[crossed.edge] = 0;
     progress.report(0.2);
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -550,6 +550,7 @@ class PairMerger {
   std::vector<Step> steps_;
   std::vector<double> weight_, shift_;
   std::vector<Index> edge_at_;
+  std::vector<int> turns_;     ///< of every edge: those of the way that is tried
   std::vector<bool> changed_;  ///< since all pairs were tried
   double energy_ = 0;
 };
@@ -613,10 +614,10 @@ MergedBranches merge_branches(const Surface& surface, TexturePattern& pattern,
                               const Progress& progress) {
   JobStages stages(progress, {{"stripes of U", 4}, {"stripes of V", 4}, {"texture", 2}});
   TexturePattern result = pattern;
-  MergedBranches merged = merge_branches(surface, result.u, merging, options.stripes,
-                                         stages.begin("stripes of U"));
-  const MergedBranches of_v = merge_branches(surface, result.v, merging, options.stripes,
-                                             stages.begin("stripes of V"));
+  MergedBranches merged =
+      merge_branches(surface, result.u, merging, options.stripes, stages.begin("stripes of U"));
+  const MergedBranches of_v =
+      merge_branches(surface, result.v, merging, options.stripes, stages.begin("stripes of V"));
   merged.pairs += of_v.pairs;
   merged.branches_before += of_v.branches_before;
   merged.branches_after += of_v.branches_after;
