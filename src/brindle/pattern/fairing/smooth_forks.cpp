@@ -244,12 +244,22 @@ ForkMaker::ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>&
 
 ForkMaker::~ForkMaker() = default;
 
+/// The first of a line's, and one beyond the last.
+std::array<std::size_t, 2> ForkMaker::touches_of(Index line) const {
+  const auto before = [](const TouchingEnd& touch, Index number) { return touch.line < number; };
+  const auto first = std::lower_bound(touches_.begin(), touches_.end(), line, before);
+  const auto last = std::lower_bound(first, touches_.end(), line + 1, before);
+  return {static_cast<std::size_t>(first - touches_.begin()),
+          static_cast<std::size_t>(last - touches_.begin())};
+}
+
 /// The fork by which the other curve leaves its way before it comes to where an end touches it.
 std::optional<std::size_t> ForkMaker::left_by(const TouchingEnd& touch) const {
   if (touch.segment == kNoSegment) return std::nullopt;
   const double all = unrolled(touch.other).periods();
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    if (!forks_[i] || touches_[i].line != touch.other) continue;
+  const auto [first, last] = touches_of(touch.other);
+  for (std::size_t i = first; i < last; ++i) {
+    if (!forks_[i]) continue;
     const double own = touches_[i].end == 0 ? touch.periods : all - touch.periods;
     if (own < forks_[i]->from_end + kBeforeFork + kStationStep) return i;
   }
@@ -459,26 +469,27 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch,
 
 std::array<double, 2> ForkMaker::forks_of(Index line) const {
   std::array<double, 2> lengths{};
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    if (forks_[i] && touches_[i].line == line) lengths[touches_[i].end] = forks_[i]->length;
+  const auto [first, last] = touches_of(line);
+  for (std::size_t i = first; i < last; ++i) {
+    if (forks_[i]) lengths[touches_[i].end] = forks_[i]->length;
   }
   return lengths;
 }
 
 std::size_t ForkMaker::smooth_forks_of(Index line) const {
+  const auto [first, last] = touches_of(line);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    count += forks_[i] && forks_[i]->smooth && touches_[i].line == line;
-  }
+  for (std::size_t i = first; i < last; ++i) count += forks_[i] && forks_[i]->smooth;
   return count;
 }
 
 std::vector<SurfaceWays::Piece> ForkMaker::forked(Index line) const {
   using Pieces = std::vector<SurfaceWays::Piece>;
   Pieces pieces = pieces_of(curves_.lines, line);
+  const auto [first, last] = touches_of(line);
   // From the last end to the first, so that segments keep their numbers.
-  for (std::size_t i = touches_.size(); i-- > 0;) {
-    if (!forks_[i] || touches_[i].line != line) continue;
+  for (std::size_t i = last; i-- > first;) {
+    if (!forks_[i]) continue;
     const bool at_start = touches_[i].end == 0;
     const UnrolledPlace& leaves = forks_[i]->leaves;
     const auto cut = pieces.begin() + static_cast<std::ptrdiff_t>(leaves.segment);

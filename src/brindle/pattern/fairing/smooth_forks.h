@@ -69,6 +69,7 @@ class ForkMaker {
   std::optional<Fork> straight_on(const TouchingEnd& touch, double aside) const;
   std::optional<Meeting> meeting(const TouchingEnd& touch, double own, const Eigen::Vector3d& from,
                                  const Eigen::Vector3d& to, const Eigen::Vector3d& upward) const;
+  std::array<std::size_t, 2> touches_of(Index line) const;
   std::optional<std::size_t> left_by(const TouchingEnd& touch) const;
   void solve_conflicts();
 
