@@ -33,7 +33,7 @@ struct Solving {
 /// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
 Slack slack_of(py::handle slack, py::handle calm);
 
-/// What of Python has: a dict, or None where no branches were to be merged.
+/// A dict, or None where no branches were to be merged.
 pybind11::object merged_of(const std::optional<brindle::MergedBranches>& merged);
 
 /// Python hands these around; nobody changes one.

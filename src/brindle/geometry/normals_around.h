@@ -10,6 +10,15 @@
 
 namespace brindle {
 
+/// Where a surface bends by more than 40 degrees between triangles, it has a crease: it is not
+/// rounded there, and outlines run along it.
+inline constexpr float kCosineOfCrease = 0.766f;
+
+/// Which corner of a triangle a vertex is.
+inline int corner_of(const Triangle& triangle, Index vertex) {
+  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+}
+
 /// As `vertex_normals` of normals.h, with what `vertex_triangles` found.
 std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around,
                                  const Progress& progress = {});

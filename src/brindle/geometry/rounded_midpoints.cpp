@@ -4,15 +4,6 @@
 #include <cmath>
 
 namespace brindle {
-namespace {
-
-constexpr float kCosineOfCrease = 0.766f;  // 40 degrees
-
-int corner_of(const Triangle& triangle, Index vertex) {
-  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-}
-
-}  // namespace
 
 RoundedMidpoints::RoundedMidpoints(const Mesh& mesh, const Progress& progress)
     : mesh_(mesh),

@@ -16,8 +16,6 @@
 namespace brindle {
 namespace {
 
-constexpr float kCosineOfCrease = 0.766f;  // 40 degrees
-
 /// Triangles round a vertex that creases part from its others: a fan. Numbered by its first
 /// triangle.
 struct FanCorner {
@@ -61,7 +59,7 @@ class FacingCorners {
     triangles.clear();
     for (const Index t : around) {
       const Triangle& triangle = mesh_.triangles[t];
-      const int c = triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+      const int c = corner_of(triangle, vertex);
       triangles.push_back({t, c, {triangle[(c + 1) % 3], triangle[(c + 2) % 3]}});
     }
   }
