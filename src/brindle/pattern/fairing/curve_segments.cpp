@@ -1,7 +1,5 @@
 #include "brindle/pattern/fairing/curve_segments.h"
 
-#include <cmath>
-
 #include <Eigen/Geometry>
 
 namespace brindle {
@@ -42,8 +40,7 @@ std::optional<CurveSegments::Crossing> CurveSegments::crossing(
   const Eigen::Vector3d way = to - from;
   const double size = upward.dot(way.cross(other));
   if (size == 0) return std::nullopt;
-  const Crossing found{segment, upward.dot(start.cross(way)) / size,
-                       upward.dot(start.cross(other)) / size};
+  const Crossing found{upward.dot(start.cross(way)) / size, upward.dot(start.cross(other)) / size};
   const auto within = [](double share) { return share >= 0 && share <= 1; };
   if (!within(found.share) || !within(found.along)) return std::nullopt;
   const Eigen::Vector3d apart = start + found.share * other - found.along * way;

@@ -38,7 +38,6 @@ class CurveSegments {
 
   /// Where a short straight way crosses a curve.
   struct Crossing {
-    CurveSegment segment;
     double share;  ///< of the segment
     double along;  ///< share of the way
   };
