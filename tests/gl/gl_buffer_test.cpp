@@ -34,6 +34,19 @@ TEST(GlBuffer, HoldsACopyOrZeros) {
   context.check_errors("the test");
 }
 
+TEST(GlBuffer, WhatIsWrittenOverZerosStays) {
+  const HeadlessContext context;
+  const std::vector<std::uint32_t> items(std::size_t{1} << 18, 7);
+  const auto bytes = static_cast<GLsizeiptr>(items.size() * sizeof items[0]);
+  const GlBuffer buffer =
+      make_buffer(static_cast<std::size_t>(bytes), nullptr, "zeros", GL_DYNAMIC_STORAGE_BIT);
+  glNamedBufferSubData(buffer, 0, bytes, items.data());
+  std::vector<std::uint32_t> read(items.size());
+  glGetNamedBufferSubData(buffer, 0, bytes, read.data());
+  EXPECT_EQ(read, items);
+  context.check_errors("the test");
+}
+
 TEST(GlBuffer, BeyondTheDriversLimitIsAnErrorThatSaysWhatWasMeant) {
   const HeadlessContext context;
   const std::string message =

@@ -168,8 +168,8 @@ TEST(Slice, CutsDiscsOfPoints) {
   const std::vector<float> radii(plate.mesh.vertex_count(), 0.1f);
   const SplatDrawing drawing{plate.mesh.positions, normals, radii, &plate.waves, plate.z};
   const Image whole = render_splats(drawing, plain_options());
-  // Discs that are cut are rounded in another way.
-  expect_left_half(whole, render_splats(drawing, sliced_by("x=50%")), 20);
+  // Discs that are cut are rounded in another way, by every driver in its own.
+  expect_left_half(whole, render_splats(drawing, sliced_by("x=50%")), 40);
 }
 
 /// A ball without its front half: its inner side is seen all over, with stripes on it, in drafts as

@@ -91,8 +91,10 @@ struct Studio {
   Renderer renderer;
   FragmentProbe probe;
 
+  /// Current again, should another test have made a context of its own.
   static Studio& shared() {
     static Studio studio;
+    studio.context.make_current();
     return studio;
   }
   Image draw(const SurfaceDrawing& drawing, const RenderOptions& options) {

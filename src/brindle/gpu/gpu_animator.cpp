@@ -6,6 +6,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/gl_fence.h"
 #include "brindle/gpu/frame_traffic.h"
 #include "brindle/gpu/gpu_hierarchy.h"
 #include "brindle/gpu/gpu_kernels.h"
@@ -75,6 +76,7 @@ struct Input {
   InputList<Vec3> positions, directions;
   InputList<float> frequencies;
   bool is_last = false;  ///< whether the last frame was solved from what is kept
+  GlFence read;          ///< when the last frame has read the buffers
 
   /// Whether the input differs from that of the last frame.
   bool compare(const FrameInput& now) {
@@ -84,6 +86,8 @@ struct Input {
     return differs || !is_last;
   }
   WaveBuffers upload(const FrameInput& now) {
+    // NVIDIA's driver lets small writes overtake a shader that still has to read what was there.
+    read.await();
     positions.upload(now.positions, "positions");
     directions.upload(now.directions, "directions");
     frequencies.upload(now.frequencies, "frequencies");
@@ -369,6 +373,7 @@ void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
   }
   s.keep();
   glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  s.input.read.set();
   s.dispatches = dispatch_count() - before;
   check_gl("keeping a frame on the GPU");
 }

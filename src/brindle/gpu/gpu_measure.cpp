@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/gl_fence.h"
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/waves/energy_sums.h"
 
@@ -16,7 +16,6 @@ constexpr unsigned kResultBinding = 0;
 constexpr unsigned kLastPhaseBinding = kGaugeBinding;
 constexpr GLint kSumPartCount = 0;
 constexpr GLint kResultNumber = 1;
-constexpr GLuint64 kPatience = 10'000'000'000;  // nanoseconds between two looks at a fence
 
 using Sums = std::array<float, 4>;  // energy, weight, angle, count
 
@@ -27,12 +26,8 @@ struct GpuMeasure::State {
   std::size_t part_count;
   GlBuffer parts, results;
   const volatile Sums* mapped;
-  std::array<GLsync, 2> fences{};
+  std::array<GlFence, 2> fences;
   unsigned begun = 0, ended = 0;
-
-  ~State() {
-    for (GLsync fence : fences) glDeleteSync(fence);
-  }
 };
 
 GpuMeasure::GpuMeasure(const GpuHierarchy& hierarchy) : state_(std::make_unique<State>()) {
@@ -62,17 +57,14 @@ void GpuMeasure::begin(const GpuHierarchy& hierarchy, GLuint last_phases) {
   glProgramUniform1ui(kernels.sum_parts.name(), kResultNumber, s.begun % 2);
   dispatch_one_group(kernels.sum_parts);
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
-  s.fences[s.begun % 2] = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  s.fences[s.begun % 2].set();
   ++s.begun;
 }
 
 std::optional<PhaseMeasure> GpuMeasure::end() {
   State& s = *state_;
   if (s.begun == s.ended) return std::nullopt;
-  GLsync& fence = s.fences[s.ended % 2];
-  while (glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience) == GL_TIMEOUT_EXPIRED) {
-  }
-  glDeleteSync(std::exchange(fence, nullptr));
+  s.fences[s.ended % 2].await();
   const volatile float* sums = reinterpret_cast<const volatile float*>(s.mapped + s.ended % 2);
   const EnergySums energies{sums[0], sums[1]};
   const double angle = sums[2], count = sums[3];
