@@ -67,8 +67,10 @@ TEST_F(FlatHierarchyTest, ColorsHoldEverySliceOnce) {
   for (const FlatLevel& level : flat.levels) {
     std::set<std::uint32_t> slices;
     for (std::uint32_t n = word(level.color_begin); n < word(level.color_begin + level.color_count);
-         ++n) {
+         n += 3) {
       EXPECT_TRUE(slices.insert(word(n)).second);
+      EXPECT_EQ(word(n + 1), word(level.columns + word(n)));
+      EXPECT_EQ(word(n + 2), word(level.columns + word(n) + 1));
     }
     EXPECT_EQ(slices.size(), level.slot_count / kLanes);
   }
@@ -85,8 +87,9 @@ TEST_F(FlatHierarchyTest, MembersAndTheirGaugeEntriesAreThoseOfTheAggregation) {
       ASSERT_EQ(word(fine.coarse_slots + slot), flat.levels[1].first_slot + a);
       // All couplings that lead back into the aggregate, and nothing else.
       std::size_t entries = 0;
-      for (std::uint32_t e = word(m + 1); e < word(m + 3); ++e, ++entries) {
-        ASSERT_TRUE(before.contains(flat.neighbors.at(word(e))));
+      for (std::uint32_t e = word(m + 1); e < word(m + 3); e += 2, ++entries) {
+        ASSERT_TRUE(before.contains(word(e + 1)));
+        ASSERT_EQ(flat.neighbors.at(word(e)), word(e + 1));
       }
       ASSERT_EQ(entries > 0, !before.empty());
       before.insert(slot);

@@ -221,6 +221,7 @@ Json to_json(const GpuFrameFigures& frame, double bandwidth) {
                {"milliseconds",
                 {{"device", to_json(frame.device)},
                  {"wall", to_json(frame.wall)},
+                 {"resident", to_json(frame.resident)},
                  {"picture", to_json(frame.picture)}}}};
   for (const GpuStage& stage : frame.stages) {
     json["stages"][stage.name] = {{"milliseconds", to_json(stage.time)}, {"bytes", stage.bytes}};
@@ -292,7 +293,8 @@ void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double ba
   out << "frame on the GPU           min ms    median     floor       MB\n";
   for (const GpuStage& stage : frame.stages) row("  " + stage.name, stage.time, stage.bytes);
   row("all stages", frame.device, bytes_of(frame));
-  row("until it has finished", frame.wall, 0);
+  row("until it has finished", frame.resident, 0);
+  row("input from the processor", frame.wall, 0);
   row("picture of 1920 x 1080", frame.picture, 0);
   out << formatted("%zu dispatches; topology %.1f ms, once; energy, branches, angle:",
                    frame.dispatches, frame.topology_milliseconds)

@@ -1,7 +1,9 @@
 #include "bench/gpu_measurements.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include <epoxy/gl.h>
@@ -9,6 +11,9 @@
 #include "bench/changing_input.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/gl/shader_program.h"
+#include "brindle/gpu/gpu_kernels.h"
+#include "brindle/gpu/stage_timer.h"
 #include "brindle/gpu_animator.h"
 #include "brindle/renderer.h"
 #include "input/gpu.h"
@@ -16,8 +21,23 @@
 namespace brindle::tool {
 namespace {
 
-constexpr std::size_t kCopiedBytes = std::size_t{64} << 20;
+// More than any device's cache holds, and no more than software Mesa's buffers do.
+constexpr std::size_t kCopiedBytes = std::size_t{128} << 20;
 constexpr int kCopies = 8;
+
+// A copy by a shader: glCopyNamedBufferSubData takes a copy engine, which some devices have for the
+// way to the processor and which is ten times as slow there.
+constexpr std::string_view kCopy = R"glsl(
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) restrict readonly buffer From { uvec4 from[]; };
+layout(std430, binding = 1) restrict writeonly buffer To { uvec4 to[]; };
+
+void main() {
+  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  const uint n = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (n < from.length()) to[n] = from[n];
+}
+)glsl";
 
 /// An animator for every field, all with their first frame behind them.
 std::vector<GpuAnimator> started_animators(const Device& device, const Subject& subject,
@@ -50,7 +70,30 @@ void add(std::vector<StageTime>& sums, const std::vector<StageTime>& stages) {
   for (std::size_t s = 0; s < sums.size(); ++s) sums[s].second += stages[s].second;
 }
 
-Sample sample_of(std::vector<GpuAnimator>& animators, const std::vector<ChangingInput>& inputs,
+/// The two inputs of a field, which take turns, on the device.
+class ResidentInput {
+ public:
+  explicit ResidentInput(const ChangingInput& input) {
+    for (int number = 0; number < 2; ++number) {
+      const FrameInput frame = input.frame(number);
+      buffers_.push_back({buffer_of(frame.positions, "positions"),
+                          buffer_of(frame.directions, "directions"),
+                          buffer_of(frame.frequencies, "frequencies")});
+    }
+  }
+  WaveBuffers frame(int number) const {
+    const auto& [positions, directions, frequencies] =
+        buffers_[static_cast<std::size_t>(number) % 2];
+    return {positions, directions, frequencies};
+  }
+
+ private:
+  std::vector<std::array<GlBuffer, 3>> buffers_;
+};
+
+/// A frame of every field, from inputs on either side.
+template <class Input>
+Sample sample_of(std::vector<GpuAnimator>& animators, const std::vector<Input>& inputs,
                  int number) {
   Sample sample;
   glFinish();
@@ -62,6 +105,18 @@ Sample sample_of(std::vector<GpuAnimator>& animators, const std::vector<Changing
   sample.wall = watch.lap();
   for (const GpuAnimator& animator : animators) add(sample.stages, animator.stage_milliseconds());
   return sample;
+}
+
+/// Devices that have rested take a while to come to their clock.
+template <class Frame>
+void warm_up(const Frame& frame) {
+  constexpr double kMilliseconds = 500;
+  Stopwatch watch;
+  double passed = 0;
+  while (passed < kMilliseconds) {
+    frame();
+    passed += watch.lap();
+  }
 }
 
 std::vector<GpuStage> stages_of(const std::vector<Sample>& samples,
@@ -105,15 +160,22 @@ GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
   progress.report("topology", 0);
   std::vector<GpuAnimator> animators = started_animators(device, subject, inputs);
   int number = 0;
-  const auto samples = samples_of(repetitions, [&] {
-    progress.report("frames", 0);
-    return sample_of(animators, inputs, ++number);
-  });
+  const auto measured = [&](const auto& given) {
+    const auto sample = [&] {
+      progress.report("frames", 0);
+      return sample_of(animators, given, ++number);
+    };
+    warm_up(sample);
+    return samples_of(repetitions, sample);
+  };
+  const auto wall = [](const Sample& sample) { return sample.wall; };
   GpuFrameFigures figures;
   figures.topology_milliseconds = animators[0].topology_milliseconds();
+  figures.wall = spread_of(measured(inputs), wall);
+  const auto samples = measured(std::vector<ResidentInput>(inputs.begin(), inputs.end()));
   figures.stages = stages_of(samples, animators);
   figures.device = spread_of(samples, [](const Sample& sample) { return sample.device(); });
-  figures.wall = spread_of(samples, [](const Sample& sample) { return sample.wall; });
+  figures.resident = spread_of(samples, wall);
   std::vector<std::vector<Complex>> z;
   for (const GpuAnimator& animator : animators) {
     figures.dispatches += animator.dispatches();
@@ -127,17 +189,21 @@ GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
 }
 
 double copy_bandwidth() {
+  constexpr std::size_t kVector = 16;
+  const ShaderProgram copy = ShaderProgram::compute({{"copy", kCopy}});
   const GlBuffer from = make_buffer(kCopiedBytes, nullptr, "copied bytes");
   const GlBuffer to = make_buffer(kCopiedBytes, nullptr, "copied bytes");
-  double best = 0;
-  for (int copy = 0; copy < kCopies; ++copy) {
-    glFinish();
-    Stopwatch watch;
-    glCopyNamedBufferSubData(from, to, 0, 0, static_cast<GLsizeiptr>(kCopiedBytes));
-    glFinish();
-    best = std::max(best, 2 * static_cast<double>(kCopiedBytes) / (watch.lap() / 1000));
+  bind_storage(0, from);
+  bind_storage(1, to);
+  std::vector<double> seconds;
+  for (int number = 0; number < kCopies; ++number) {
+    StageTimer timer;
+    timer.start();
+    dispatch(copy, kCopiedBytes / kVector);
+    timer.stage("copy");
+    seconds.push_back(timer.milliseconds()[0].second / 1000);
   }
-  return best;
+  return 2 * static_cast<double>(kCopiedBytes) / *std::ranges::min_element(seconds);
 }
 
 }  // namespace brindle::tool

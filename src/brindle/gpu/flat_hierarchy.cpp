@@ -37,14 +37,19 @@ class Words {
   std::vector<std::uint32_t>& words_;
 };
 
-/// For every colour the list of its slices.
+/// For every colour the list of its slices, three words each: its number, its first column and the
+/// end of its columns.
 void append_colors(Words& words, const SlicedLayout& layout, FlatLevel& level) {
   level.color_count = layout.color_count();
   level.color_begin = words.leave(std::size_t{level.color_count} + 1);
   for (Index color = 0; color < layout.color_count(); ++color) {
     words.set(level.color_begin + color, words.next());
     for (const SliceRange& range : layout.ranges_of(color)) {
-      for (Index slice = range.begin; slice < range.end; ++slice) words.push(slice);
+      for (Index slice = range.begin; slice < range.end; ++slice) {
+        words.push(slice);
+        words.push(level.first_column + layout.column_begin[slice]);
+        words.push(level.first_column + layout.column_begin[slice + 1]);
+      }
     }
   }
   words.set(level.color_begin + level.color_count, words.next());
@@ -66,7 +71,7 @@ std::vector<std::vector<Index>> gauge_entries(const LevelTopology& topology) {
 }
 
 /// Members of all aggregates, two words each: the slot, and where the list of entries that its
-/// gauge hangs on begins. The next member's begin is its end.
+/// gauge hangs on begins, each with its neighbour. The next member's begin is its end.
 void append_members(Words& words, const LevelTopology& topology, FlatLevel& level) {
   const Aggregation& aggregation = *topology.aggregation;
   const std::uint32_t members =
@@ -80,11 +85,14 @@ void append_members(Words& words, const LevelTopology& topology, FlatLevel& leve
     const Index slot = aggregation.member[m];
     words.set(members + 2 * m, level.first_slot + slot);
     words.set(members + 2 * m + 1, words.next());
-    words.append(entries[slot], [&](Index entry) { return first_entry + entry; });
+    for (const Index entry : entries[slot]) {
+      words.push(first_entry + entry);
+      words.push(level.first_slot + topology.layout->neighbor[entry]);
+    }
   }
   const std::uint32_t end = members + 2 * static_cast<std::uint32_t>(aggregation.member.size());
   words.set(end + 1, words.next());
-  level.gauge_entry_count = words.next() - (end + 2);
+  level.gauge_entry_count = (words.next() - (end + 2)) / 2;
 }
 
 /// The rounds name fine entries here: all couplings are brought into their gauges before sums

@@ -25,7 +25,7 @@ std::size_t sum_bytes(const GpuTopology& topology, std::size_t l) {
       fine.gauge_entry_count * (2 * kWord + kNumber) + fine_slots * (2 * kWord + kRow + kNumber);
   const std::size_t gauged = fine_entries * (kWord + 2 * kNumber) + fine_slots * (kRow + kNumber);
   const std::size_t sums = fine.source_count * kWord + fine_entries * kNumber +
-                           entries_of(topology, l + 1) * kNumber +
+                           entries_of(topology, l + 1) * 2 * kNumber +
                            fine_slots * (2 * kWord + kNumber + kRow) + coarse_slots * kRow;
   return gauges + gauged + sums;
 }
@@ -45,12 +45,8 @@ std::vector<StageBytes> frame_traffic(const GpuTopology& topology) {
   const std::size_t slots = topology.level(0).slot_count;
   std::size_t sums = 0, small = 0, sweeps = 0;
   for (std::size_t l = 0; l < topology.level_count(); ++l) {
-    if (l < topology.first_small_level()) {
-      sums += sum_bytes(topology, l);
-      sweeps += descent_bytes(topology, l);
-    } else {
-      small += sum_bytes(topology, l) + descent_bytes(topology, l);
-    }
+    sums += sum_bytes(topology, l);
+    (l < topology.first_small_level() ? sweeps : small) += descent_bytes(topology, l);
   }
   return {
       {"load", slots * (kWord + kVertexInput + 2 * kWave + 2 * kNumber)},

@@ -13,7 +13,10 @@ namespace {
 
 /// Uniform locations of the shaders.
 enum Location : GLint { kLevel = 0, kSlices = 1, kWorkCount = 2, kOverRelaxation = 3 };
-enum SmallLocation : GLint { kFirstLevel = 0, kStart = 1, kRenews = 2 };
+enum SmallLocation : GLint { kFirstLevel = 0, kRenewsGauges = 1, kStart = 1 };
+
+/// Invocations that share a row (kParts of shaders/gauge.glsl).
+constexpr std::size_t kPartsOfRow = 8;
 
 /// `Row` of shaders/couplings.glsl.
 struct Row {
@@ -30,9 +33,8 @@ void overwrite(const GlBuffer& buffer, const std::vector<Item>& items) {
 
 /// A buffer of so many times the same complex number.
 GlBuffer buffer_filled_with(Complex value, std::size_t count, const char* what) {
-  GlBuffer buffer = make_buffer(count * sizeof(Complex), nullptr, what, GL_DYNAMIC_STORAGE_BIT);
-  glClearNamedBufferData(buffer, GL_RG32F, GL_RG, GL_FLOAT, &value);
-  return buffer;
+  const std::vector<Complex> values(count, value);
+  return make_buffer(count * sizeof(Complex), values.data(), what, GL_DYNAMIC_STORAGE_BIT);
 }
 
 /// The rows of a level, and its B where there are any.
@@ -106,8 +108,9 @@ void GpuHierarchy::copy_phases(GLuint z) const {
 void GpuHierarchy::solve(StageTimer* timer) const {
   bind();
   renew_large(true);
+  renew_small(true);
   if (timer) timer->stage("sums");
-  work_on_small(kPeak, true);
+  descend_small(kPeak);
   if (timer) timer->stage("small levels");
   descend_large(kPeak);
   if (timer) timer->stage("sweeps");
@@ -143,7 +146,8 @@ void GpuHierarchy::correct() const {
     dispatch_on_level(kernels_->keep_phases, l, topology_->level(l).slot_count);
   }
   renew_large(false);
-  work_on_small(Complex(1), false);
+  renew_small(false);
+  descend_small(Complex(1));
   descend_large(Complex(1));
 }
 
@@ -164,22 +168,31 @@ void GpuHierarchy::dispatch_on_level(const ShaderProgram& kernel, std::size_t le
 }
 
 void GpuHierarchy::renew_large(bool renews_gauges) const {
-  for (std::size_t l = 0; l < topology_->first_small_level(); ++l) {
+  for (std::size_t l = 0; l < topology_->first_small_sums(); ++l) {
     if (l + 1 == topology_->level_count()) return;
+    const std::size_t slots = topology_->level(l).slot_count;
     const std::size_t aggregates = topology_->level(l + 1).slot_count;
     if (renews_gauges) dispatch_on_level(kernels_->gauges, l, aggregates);
-    dispatch_on_level(kernels_->gauge_rows, l, topology_->level(l).slot_count);
-    dispatch_on_level(kernels_->sums, l, aggregates);
+    dispatch_on_level(kernels_->gauge_rows, l, kPartsOfRow * slots);
+    dispatch_on_level(kernels_->sums, l, kPartsOfRow * aggregates);
   }
 }
 
-void GpuHierarchy::work_on_small(Complex start, bool renews_gauges) const {
+void GpuHierarchy::renew_small(bool renews_gauges) const {
+  const std::size_t first = topology_->first_small_sums();
+  if (first + 1 >= topology_->level_count()) return;
+  const GLuint kernel = kernels_->renew_small.name();
+  glProgramUniform1ui(kernel, kFirstLevel, static_cast<GLuint>(first));
+  glProgramUniform1i(kernel, kRenewsGauges, renews_gauges ? 1 : 0);
+  dispatch_one_group(kernels_->renew_small);
+}
+
+void GpuHierarchy::descend_small(Complex start) const {
   if (topology_->first_small_level() == topology_->level_count()) return;
-  const GLuint kernel = kernels_->small_levels.name();
+  const GLuint kernel = kernels_->descend_small.name();
   glProgramUniform1ui(kernel, kFirstLevel, static_cast<GLuint>(topology_->first_small_level()));
   glProgramUniform2f(kernel, kStart, start.real(), start.imag());
-  glProgramUniform1i(kernel, kRenews, renews_gauges ? 1 : 0);
-  dispatch_one_group(kernels_->small_levels);
+  dispatch_one_group(kernels_->descend_small);
 }
 
 void GpuHierarchy::descend_large(Complex start) const {
@@ -193,13 +206,16 @@ void GpuHierarchy::descend_large(Complex start) const {
     }
     const LevelSweeps planned = level.planned_sweeps();
     for (int number = 0; number < planned.count; ++number) {
-      glProgramUniform1f(kernels_->sweep.name(), kOverRelaxation,
-                         planned.over_relaxation_of(number));
-      for (const GpuTopology::Color& color : topology_->colors(l)) {
-        set_color(kernels_->sweep, color);
-        dispatch_on_level(kernels_->sweep, l, color.slot_count);
-      }
+      sweep(l, planned.over_relaxation_of(number));
     }
+  }
+}
+
+void GpuHierarchy::sweep(std::size_t l, float over_relaxation) const {
+  glProgramUniform1f(kernels_->sweep.name(), kOverRelaxation, over_relaxation);
+  for (const GpuTopology::Color& color : topology_->colors(l)) {
+    set_color(kernels_->sweep, color);
+    dispatch_on_level(kernels_->sweep, l, color.slot_count);
   }
 }
 

@@ -54,8 +54,10 @@ class GpuHierarchy {
   void correct() const;
   void reset_gauges() const;
   void renew_large(bool renews_gauges) const;
-  void work_on_small(Complex start, bool renews_gauges) const;
+  void renew_small(bool renews_gauges) const;
+  void descend_small(Complex start) const;
   void descend_large(Complex start) const;
+  void sweep(std::size_t level, float over_relaxation) const;
   void dispatch_on_level(const ShaderProgram& kernel, std::size_t level,
                          std::size_t invocations) const;
 

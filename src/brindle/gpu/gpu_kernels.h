@@ -35,7 +35,8 @@ struct GpuKernels {
   ShaderProgram gauge_rows;
   ShaderProgram sums;
   ShaderProgram keep_phases;
-  ShaderProgram small_levels;
+  ShaderProgram renew_small;
+  ShaderProgram descend_small;
   ShaderProgram prolong;
   ShaderProgram sweep;
   ShaderProgram relax;

@@ -10,6 +10,10 @@
 namespace brindle {
 namespace {
 
+/// Sums of levels with fewer slots are made by one group: for larger ones a dispatch a step takes
+/// less time (docs/gpu.md).
+constexpr Index kSmallSums = 1024;
+
 /// The uniform block `Levels` of shaders/levels.glsl.
 struct LevelTable {
   std::array<FlatLevel, FlatHierarchy::kMostLevels> levels;
@@ -29,7 +33,7 @@ std::vector<GpuTopology::Color> colors_of(const FlatHierarchy& flat, const FlatL
   std::vector<GpuTopology::Color> colors(level.color_count);
   for (std::size_t c = 0; c < colors.size(); ++c) {
     const std::uint32_t begin = flat.topology[level.color_begin + c];
-    colors[c] = {begin, (flat.topology[level.color_begin + c + 1] - begin) * kLanes};
+    colors[c] = {begin, (flat.topology[level.color_begin + c + 1] - begin) / 3 * kLanes};
   }
   return colors;
 }
@@ -38,7 +42,6 @@ std::vector<GpuTopology::Color> colors_of(const FlatHierarchy& flat, const FlatL
 
 GpuTopology::GpuTopology(const FlatHierarchy& flat)
     : levels_(flat.levels),
-      first_small_(flat.levels.size()),
       node_count_(flat.node_count),
       slot_count_(flat.slot_count),
       entry_count_(flat.neighbors.size()),
@@ -47,7 +50,14 @@ GpuTopology::GpuTopology(const FlatHierarchy& flat)
       topology_(buffer_of(flat.topology, "topology")),
       neighbors_(buffer_of(flat.neighbors, "neighbours")) {
   for (const FlatLevel& level : levels_) colors_.push_back(colors_of(flat, level));
-  while (first_small_ > 0 && levels_[first_small_ - 1].slot_count < kSmallLevel) --first_small_;
+  first_small_ = first_below(kSmallLevel);
+  first_small_sums_ = first_below(kSmallSums);
+}
+
+std::size_t GpuTopology::first_below(Index slots) const {
+  std::size_t first = levels_.size();
+  while (first > 0 && levels_[first - 1].slot_count < slots) --first;
+  return first;
 }
 
 void GpuTopology::bind() const {

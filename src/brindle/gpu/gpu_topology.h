@@ -28,9 +28,12 @@ class GpuTopology {
   const FlatLevel& level(std::size_t l) const { return levels_[l]; }
   const std::vector<Color>& colors(std::size_t l) const { return colors_[l]; }
 
-  /// The first of the levels that one group works on together; `level_count()` if the coarsest is
+  /// The first of the levels that one group descends together; `level_count()` if the coarsest is
   /// too large for that.
   std::size_t first_small_level() const { return first_small_; }
+
+  /// The first of those whose gauges and sums one group makes.
+  std::size_t first_small_sums() const { return first_small_sums_; }
 
   std::size_t node_count() const { return node_count_; }
   std::size_t slot_count() const { return slot_count_; }    ///< of all levels
@@ -38,9 +41,12 @@ class GpuTopology {
   std::size_t finest_entries() const { return finest_entries_; }
 
  private:
+  /// The first level from which on all have fewer slots.
+  std::size_t first_below(Index slots) const;
+
   std::vector<FlatLevel> levels_;
   std::vector<std::vector<Color>> colors_;
-  std::size_t first_small_;
+  std::size_t first_small_, first_small_sums_;
   std::size_t node_count_, slot_count_, entry_count_, finest_entries_;
   GlBuffer level_table_, topology_, neighbors_;
 };

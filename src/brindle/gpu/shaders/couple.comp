@@ -14,6 +14,16 @@ vec2 unit(float turns) {
   return vec2(cos(radians), sin(radians));
 }
 
+// Sets B of an entry of the row that begins at `first`; rows are filled in ascending order. Few
+// rows reflect: only those are written. `reflects` tells whether this one does so far.
+void set_reflecting(uint first, uint entry, vec2 b, inout bool reflects) {
+  if (!reflects && b != vec2(0)) {
+    reflects = true;
+    for (uint before = first; before < entry; before += kLanes) reflecting[before] = vec2(0);
+  }
+  if (reflects) reflecting[entry] = b;
+}
+
 void main() {
   const uint i = invocation();
   const Level level = levels[0];

@@ -1,7 +1,7 @@
 // Couplings, anchors and neighbours of all rows.
 
 #ifndef BETWEEN_INVOCATIONS
-#define BETWEEN_INVOCATIONS
+#define BETWEEN_INVOCATIONS restrict
 #endif
 
 // A node of a level: the words that all threads of its row need at once.
@@ -22,14 +22,4 @@ uint first_entry(Level level, uint slot) {
 
 uint end_entry(Level level, uint slot) {
   return topology[level.columns + slot / kLanes + 1u] * kLanes;
-}
-
-// Sets B of an entry of the row that begins at `first`; rows are filled in ascending order. Few
-// rows reflect: only those are written. `reflects` tells whether this one does so far.
-void set_reflecting(uint first, uint entry, vec2 b, inout bool reflects) {
-  if (!reflects && b != vec2(0)) {
-    reflects = true;
-    for (uint before = first; before < entry; before += kLanes) reflecting[before] = vec2(0);
-  }
-  if (reflects) reflecting[entry] = b;
 }

@@ -5,14 +5,15 @@
 void renew_gauges(Level level, uint aggregate) {
   const uint begin = topology[level.member_begin + aggregate];
   const uint end = topology[level.member_begin + aggregate + 1u];
-  // Two words a member, its slot and its first entry in a list; the reference keeps its gauge 1.
+  // Two words a member, its slot and where its list of entries and their neighbours begins; the
+  // reference keeps its gauge 1.
   for (uint member = begin + 2u; member < end; member += 2u) {
     const uint slot = topology[member];
     const bool reflects = rows[slot].reflects != 0u;
     vec2 plain = vec2(0), conjugated = vec2(0);
-    for (uint e = topology[member + 1u]; e < topology[member + 3u]; ++e) {
+    for (uint e = topology[member + 1u]; e < topology[member + 3u]; e += 2u) {
       const uint entry = topology[e];
-      const uvec2 bits = gauge[neighbor[entry]];
+      const uvec2 bits = gauge[topology[e + 1u]];
       const vec2 from = uintBitsToFloat(bits);
       const vec2 a = times(direct[entry], from);
       const vec2 b = reflects ? times(reflecting[entry], conjugate(from)) : vec2(0);
@@ -26,17 +27,31 @@ void renew_gauges(Level level, uint aggregate) {
   }
 }
 
+// Eight invocations share a row and take every eighth of its entries.
+const uint kParts = 8u;
+
+struct RowPart {
+  uint slot;
+  uint part;
+};
+
+// What the n-th invocation works on: neighbours have neighbouring slots.
+RowPart row_part(uint n) {
+  return RowPart(n / (kLanes * kParts) * kLanes + n % kLanes, n / kLanes % kParts);
+}
+
 // Couplings of one row between the gauges at their ends, into scratch: direct ones, and where the
 // row reflects, reflecting ones `scratch_size` later. The conjugate bit says that a result adds to
 // B of the coarser level, the lowest bit of the imaginary part that there is a second one.
-void gauge_row(Level level, uint slot) {
-  const uint i = level.first_slot + slot;
+void gauge_row(Level level, RowPart here) {
+  const uint i = level.first_slot + here.slot;
   const bool reflects = rows[i].reflects != 0u;
   const uvec2 bits_i = gauge[i];
   const vec2 g_i = conjugate(uintBitsToFloat(bits_i));
   const bool conjugated = conjugate_bit(bits_i);
-  const uint end = end_entry(level, slot);
-  for (uint entry = first_entry(level, slot); entry < end; entry += kLanes) {
+  const uint end = end_entry(level, here.slot);
+  uint entry = first_entry(level, here.slot) + here.part * kLanes;
+  for (; entry < end; entry += kParts * kLanes) {
     const uvec2 bits_j = gauge[neighbor[entry]];
     const vec2 g_j = uintBitsToFloat(bits_j);
     const bool differ = conjugated != conjugate_bit(bits_j);
@@ -50,6 +65,9 @@ void gauge_row(Level level, uint slot) {
     gauged[scratch_size + place] = with_conjugate_bit(conjugated ? conjugate(c) : c, !differ);
   }
 }
+
+// Rows of the coarser level reflect if one of their entries does (`sum_row`).
+void begin_row(Level coarse, uint aggregate) { rows[coarse.first_slot + aggregate].reflects = 0u; }
 
 // A and B of a coarse entry: sums over those of the fine entries that the rounds name.
 struct EntrySum {
@@ -94,14 +112,15 @@ vec2 anchor_sum(Level level, uint aggregate) {
 }
 
 // One row of the coarser level.
-void sum_row(Level fine, Level coarse, uint aggregate) {
-  const uint first = first_entry(coarse, aggregate), end = end_entry(coarse, aggregate);
-  bool reflects = false;
-  for (uint entry = first; entry < end; entry += kLanes) {
+void sum_row(Level fine, Level coarse, RowPart here) {
+  const uint i = coarse.first_slot + here.slot, end = end_entry(coarse, here.slot);
+  if (here.part == 0u) rows[i].anchor = anchor_sum(fine, here.slot);
+  uint entry = first_entry(coarse, here.slot) + here.part * kLanes;
+  for (; entry < end; entry += kParts * kLanes) {
     const uint rounds = fine.source_begin + entry / kLanes - coarse.first_column;
-    const EntrySum sum = entry_sum(topology[rounds], topology[rounds + 1u], aggregate % kLanes);
+    const EntrySum sum = entry_sum(topology[rounds], topology[rounds + 1u], here.slot % kLanes);
     direct[entry] = sum.a;
-    set_reflecting(first, entry, sum.b, reflects);
+    reflecting[entry] = sum.b;
+    if (sum.b != vec2(0)) rows[i].reflects = 1u;
   }
-  rows[coarse.first_slot + aggregate] = Row(anchor_sum(fine, aggregate), 0.0, uint(reflects));
 }

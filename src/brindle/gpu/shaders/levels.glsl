@@ -15,7 +15,7 @@ struct Level {
   uint coarse_slots;  // one word a slot: the slot of its aggregate
   uint member_begin;  // one word a slot of the coarser level and one more: its first member
   uint source_begin;  // one word a column of the coarser level and one more: its first round
-  uint color_begin;   // one word a colour and one more: its first slice in a list
+  uint color_begin;   // one word a colour and one more: its first slice in a list of three words each
   uint color_count;
   uint sweeps;
   float over_relaxation;  // of all sweeps but the last

@@ -8,7 +8,7 @@ layout(std430, binding = 5) readonly buffer LastPhases { vec2 last_z[]; };
 vec4 measure_slot(uint slot) {
   const Row row = rows[slot];
   if (row.degree <= 0.0) return vec4(0);
-  const vec2 t = pull(levels[0], slot, row.reflects != 0u);
+  const vec2 t = pull(levels[0], row_work(levels[0], slot), row.reflects != 0u);
   const float energy = 0.5 * (row.degree - dot(z[slot], t));
   const vec2 turned = times(z[slot], conjugate(last_z[slot]));
   const float angle = turned == vec2(0) ? 0.0 : abs(atan(turned.y, turned.x));

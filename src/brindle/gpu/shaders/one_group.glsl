@@ -1,6 +1,3 @@
-// First file of shaders that run in one group, whose invocations read from buffers what others of
-// them wrote.
-
-#define BETWEEN_INVOCATIONS coherent
+// First file of shaders that run in one group.
 
 layout(local_size_x = 1024) in;

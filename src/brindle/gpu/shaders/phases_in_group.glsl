@@ -1,5 +1,6 @@
 // Phases of a level that one group works on alone: near at hand.
-shared vec2 z_here[4096];
+const uint kMostHere = 4096u;
+shared vec2 z_here[kMostHere];
 
 vec2 phase_at(Level level, uint slot_of_all) { return z_here[slot_of_all - level.first_slot]; }
 

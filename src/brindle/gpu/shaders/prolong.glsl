@@ -1,8 +1,7 @@
 // Prolongation (twin: prolong_slices of phases/sliced_kernels_portable.cpp).
 
-void prolong_slot(Level level, uint slot) {
-  const vec2 coarse_z = z[topology[level.coarse_slots + slot]];
+// The phase of a slot whose aggregate has the phase `coarse_z`.
+vec2 prolonged_phase(Level level, uint slot, vec2 coarse_z) {
   const uvec2 bits = gauge[level.first_slot + slot];
-  set_phase(level, slot, times(uintBitsToFloat(bits),
-                               conjugate_bit(bits) ? conjugate(coarse_z) : coarse_z));
+  return times(uintBitsToFloat(bits), conjugate_bit(bits) ? conjugate(coarse_z) : coarse_z);
 }
