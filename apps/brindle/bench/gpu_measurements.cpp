@@ -12,8 +12,6 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/gpu/gpu_kernels.h"
-#include "brindle/gpu/stage_timer.h"
 #include "brindle/gpu_animator.h"
 #include "brindle/renderer.h"
 #include "input/gpu.h"
@@ -24,6 +22,8 @@ namespace {
 // More than any device's cache holds, and no more than software Mesa's buffers do.
 constexpr std::size_t kCopiedBytes = std::size_t{128} << 20;
 constexpr int kCopies = 8;
+// Groups of 64 vectors of 16 bytes.
+constexpr GLuint kCopyRows = 4, kCopyColumns = kCopiedBytes / (64 * 16 * kCopyRows);
 
 // A copy by a shader: glCopyNamedBufferSubData takes a copy engine, which some devices have for the
 // way to the processor and which is ten times as slow there.
@@ -35,7 +35,7 @@ layout(std430, binding = 1) restrict writeonly buffer To { uvec4 to[]; };
 void main() {
   const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   const uint n = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-  if (n < from.length()) to[n] = from[n];
+  to[n] = from[n];
 }
 )glsl";
 
@@ -189,21 +189,27 @@ GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
 }
 
 double copy_bandwidth() {
-  constexpr std::size_t kVector = 16;
   const ShaderProgram copy = ShaderProgram::compute({{"copy", kCopy}});
   const GlBuffer from = make_buffer(kCopiedBytes, nullptr, "copied bytes");
   const GlBuffer to = make_buffer(kCopiedBytes, nullptr, "copied bytes");
-  bind_storage(0, from);
-  bind_storage(1, to);
-  std::vector<double> seconds;
-  for (int number = 0; number < kCopies; ++number) {
-    StageTimer timer;
-    timer.start();
-    dispatch(copy, kCopiedBytes / kVector);
-    timer.stage("copy");
-    seconds.push_back(timer.milliseconds()[0].second / 1000);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, from);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, to);
+  glUseProgram(copy.name());
+  std::array<GLuint, 2> marks{};  // software Mesa knows times, but not how much of it has passed
+  glCreateQueries(GL_TIMESTAMP, 2, marks.data());
+  std::vector<GLuint64> nanoseconds(kCopies);
+  for (GLuint64& time : nanoseconds) {
+    GLuint64 begin = 0, end = 0;
+    glQueryCounter(marks[0], GL_TIMESTAMP);
+    glDispatchCompute(kCopyColumns, kCopyRows, 1);
+    glQueryCounter(marks[1], GL_TIMESTAMP);
+    glGetQueryObjectui64v(marks[0], GL_QUERY_RESULT, &begin);
+    glGetQueryObjectui64v(marks[1], GL_QUERY_RESULT, &end);
+    time = end - begin;
   }
-  return 2 * static_cast<double>(kCopiedBytes) / *std::ranges::min_element(seconds);
+  glDeleteQueries(2, marks.data());
+  return 2e9 * static_cast<double>(kCopiedBytes) /
+         static_cast<double>(*std::ranges::min_element(nanoseconds));
 }
 
 }  // namespace brindle::tool
