@@ -94,8 +94,8 @@ TEST(MeshRepair, JoinsNothingThatIsNaN) {
 }
 
 TEST(MeshRepair, IsDescribedInWords) {
-  EXPECT_EQ(describe({}), "");
-  EXPECT_NE(describe({.triangles_degenerate = 3}).find("3 triangles without area"),
+  EXPECT_EQ(describe(MeshRepair{}), "");
+  EXPECT_NE(describe(MeshRepair{.triangles_degenerate = 3}).find("3 triangles without area"),
             std::string::npos);
 }
 

@@ -6,6 +6,8 @@
 
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
+#include "brindle/render/parsed_words.h"
+#include "brindle/shapes.h"
 #include "render/test_drawings.h"
 
 namespace brindle {
@@ -105,6 +107,56 @@ TEST(Renderer, FramesOtherPointsIfToldTo) {
   const auto seen = image.triangle.size() - static_cast<std::size_t>(std::ranges::count(
                                                 image.triangle, FragmentImage::kNoTriangle));
   EXPECT_NEAR(static_cast<double>(seen), 57 * 57, 300);
+}
+
+/// What a new renderer draws that frames these points.
+Image drawn_anew(const StripedSurface& surface, std::span<const Vec3> framed,
+                 const RenderOptions& options) {
+  Renderer renderer;
+  SurfaceDrawing drawing = surface.drawing();
+  drawing.framed = framed;
+  renderer.upload(drawing);
+  return renderer.draw(options);
+}
+
+TEST(Renderer, PicturesOneAfterTheOtherAreThoseOfNewRenderers) {
+  Studio::shared();
+  StripedSurface surface = plane_wave(make_shape("torus,resolution=16"), Vec3::UnitX(), 5);
+  std::vector<Vec3> framed = surface.mesh.positions;
+  RenderOptions options = plain_options();
+  options.camera.elevation_deg = 20;
+  Renderer renderer;
+  renderer.upload(surface.drawing());
+  Image last = renderer.draw(options);
+  const auto expect_change = [&](const char* what) {
+    const Image image = renderer.draw(options);
+    EXPECT_EQ(image.pixels, drawn_anew(surface, framed, options).pixels) << what;
+    EXPECT_NE(image.pixels, last.pixels) << what;
+    EXPECT_EQ(renderer.draw(options).pixels, image.pixels) << what;
+    last = image;
+  };
+  for (Complex& z : surface.z) z *= Complex(0, 1);
+  renderer.update({.z = surface.z});
+  expect_change("phases");
+  options.camera.azimuth_deg = 50;
+  expect_change("another view");
+  options.camera.slice = parse_slice("x=50%");
+  expect_change("a slice");
+  options.camera.slice = parse_slice("x=60%");
+  expect_change("another slice");
+  options.camera.slice.reset();
+  expect_change("no slice");
+  for (Vec3& position : surface.mesh.positions) position.y() *= 0.5f;
+  surface.waves.positions = surface.mesh.positions;
+  renderer.update({.positions = surface.mesh.positions});
+  expect_change("moved vertices");
+  options.quality = PictureQuality::interactive;
+  options.width += 40;
+  expect_change("a wider draft");
+  surface = plane_wave(make_shape("sphere,resolution=12"), Vec3::UnitX(), 5);
+  framed = surface.mesh.positions;
+  renderer.upload(surface.drawing());
+  expect_change("another surface");
 }
 
 TEST(Renderer, FlippedWavesGiveTheSamePicture) {

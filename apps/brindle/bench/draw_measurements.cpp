@@ -14,7 +14,10 @@
 namespace brindle::tool {
 namespace {
 
-/// A picture of a given quality over and over.
+/// What turns a camera so little that pictures look alike, and are drawn anew all the same.
+constexpr float kTurn = 0.01f;  // degrees
+
+/// A picture of a given quality over and over, from a camera that turns.
 Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
                     const Repetitions& repetitions) {
   options.quality = quality;
@@ -24,6 +27,7 @@ Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQual
   small.width = small.height = 16;
   renderer.draw(small);
   return spread_of(samples_of(repetitions, [&] {
+    options.camera.azimuth_deg += kTurn;
     Stopwatch watch;
     renderer.draw(options);
     return watch.lap();
@@ -34,10 +38,11 @@ Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQual
 Spread visible_time(const GlSurface& surface, const RenderOptions& options, int side,
                     VisibleTriangles::Hidden hidden, const Repetitions& repetitions) {
   VisibleTriangles visible;
-  const Camera camera =
-      framed_camera(surface.points(), options.camera, options.width, options.height);
+  CameraView view = options.camera;
   const Eigen::Vector2i size(side * options.width, side * options.height);
   return spread_of(samples_of(repetitions, [&] {
+    view.azimuth_deg += kTurn;
+    const Camera camera = framed_camera(surface.points(), view, options.width, options.height);
     Stopwatch watch;
     visible.draw(surface, camera, {1, 1, 0, 0}, size, size, hidden);
     glFinish();

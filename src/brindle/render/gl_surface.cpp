@@ -1,6 +1,7 @@
 #include "brindle/render/gl_surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -80,6 +81,12 @@ std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
   return packed;
 }
 
+/// Also in contexts on other threads.
+std::uint64_t next_geometry() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 Eigen::AlignedBox3f box_of(std::span<const Vec3> positions) {
   Eigen::AlignedBox3f box;
   for (const Vec3& position : positions) box.extend(position);
@@ -147,6 +154,7 @@ void GlSurface::upload(const SurfaceDrawing& drawing) {
   points_ = drawing.framed.empty()
                 ? points_of_triangles(drawing.mesh)
                 : std::vector<Vec3>(drawing.framed.begin(), drawing.framed.end());
+  geometry_ = next_geometry();
   box_ = box_of(drawing.mesh.positions);
   hidden_side_ = brindle::hidden_side(drawing.mesh);
   vertex_count_ = drawing.mesh.vertex_count();
@@ -172,6 +180,7 @@ void GlSurface::upload(const SurfaceDrawing& drawing) {
 void GlSurface::update(const DrawingChange& change) {
   check_change(change, vertex_count_, triangle_count_);
   if (!change.positions.empty()) {
+    geometry_ = next_geometry();
     box_ = box_of(change.positions);
     hidden_side_ = HiddenSide::none;
     renew(kPositions, change.positions, "positions");

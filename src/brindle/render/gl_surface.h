@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -48,6 +49,8 @@ class GlSurface {
   std::span<const Vec3> points() const { return points_; }
   /// Around all vertices.
   const Eigen::AlignedBox3f& box() const { return box_; }
+  /// Another number for other triangles or vertices, of this or any other surface.
+  std::uint64_t geometry() const { return geometry_; }
   /// Of the mesh as it was uploaded; none once vertices have moved.
   HiddenSide hidden_side() const { return hidden_side_; }
 
@@ -70,6 +73,7 @@ class GlSurface {
   std::vector<Vec3> points_;
   Eigen::AlignedBox3f box_;
   HiddenSide hidden_side_ = HiddenSide::none;
+  std::uint64_t geometry_ = 0;
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
   std::array<GlBuffer, kParts> buffers_;

@@ -1,12 +1,25 @@
 #include "brindle/render/visible_triangles.h"
 
 #include <array>
+#include <utility>
 
 namespace brindle {
+
+bool ShownPart::Surface::operator==(const Surface& other) const {
+  const Camera& a = camera;
+  const Camera& b = other.camera;
+  return geometry == other.geometry && a.origin == b.origin &&
+         a.view_from_world == b.view_from_world && a.clip_from_view == b.clip_from_view &&
+         a.slice.has_value() == b.slice.has_value() &&
+         (!a.slice || a.slice->coeffs() == b.slice->coeffs());
+}
 
 void VisibleTriangles::draw(const GlSurface& surface, const Camera& camera,
                             const Eigen::Vector4f& tile, const Eigen::Vector2i& size,
                             const Eigen::Vector2i& viewport, Hidden hidden) {
+  ShownPart shown{{{surface.geometry(), camera}}, tile, size, viewport, hidden == Hidden::left_out};
+  if (shown == shown_) return;
+  shown_ = {};
   constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
   constexpr float kFarthest = 1;
   fit_target(samples_, {GL_R32UI}, true, kSamples * size.x(), kSamples * size.y());
@@ -19,6 +32,7 @@ void VisibleTriangles::draw(const GlSurface& surface, const Camera& camera,
   surface.draw(program_, camera, tile);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
+  shown_ = std::move(shown);
 }
 
 void leave_out_hidden_side(const GlSurface& surface, const Camera& camera) {

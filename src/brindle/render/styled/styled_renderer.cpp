@@ -219,9 +219,11 @@ struct StyledRenderer::State {
   StyledPrograms programs;
   TiledPicture picture;
   Target visible, once;  ///< what samples show, and what pixels do
+  ShownPart shown;       ///< by `visible`
   GlBuffer lists;        ///< of pixels' triangles, as listed_triangles.glsl has them
   std::size_t list_words = 0;
   Target surroundings;  ///< what samples of all the picture show, coarser
+  ShownPart shown_surroundings;
   SampleGroups groups;
   GlVertexArray no_attributes = no_vertex_attributes();
   std::vector<DrawnSurface> surfaces;
@@ -231,6 +233,8 @@ struct StyledRenderer::State {
   void measure();
   Drawing drawing(const Camera& camera, const StyledOptions& options,
                   const Progress& progress) const;
+  ShownPart part_to_show(const Drawing& drawing, const Part& part,
+                         const Eigen::Vector2i& largest) const;
   void draw_visible(const Drawing& drawing, const Part& part, const Eigen::Vector2i& largest);
   void draw_parts(const DrawnSurface& drawn, const Drawing& drawing, const Part& part, int samples,
                   StyledPrograms::Parts parts);
@@ -245,9 +249,24 @@ struct StyledRenderer::State {
   void set_picture(const ShaderProgram& program, const Drawing& drawing, const Part& part) const;
 };
 
+/// What the first pass is to show; what surfaces discard hangs on more than that.
+ShownPart StyledRenderer::State::part_to_show(const Drawing& drawing, const Part& part,
+                                              const Eigen::Vector2i& largest) const {
+  ShownPart result{
+      {}, part.transform, largest, part.size, drawing.quality() == PictureQuality::interactive};
+  for (const DrawnSurface& drawn : surfaces) {
+    if (drawn.style.discards()) return {};
+    result.surfaces.push_back({drawn.surface.geometry(), drawing.camera_of(drawn)});
+  }
+  return result;
+}
+
 /// The first pass: which triangle of which surface each sample shows.
 void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& part,
                                          const Eigen::Vector2i& largest) {
+  ShownPart to_show = part_to_show(drawing, part, largest);
+  if (!to_show.surfaces.empty() && to_show == shown) return;
+  shown = {};
   clear_samples(visible, kVisibleSamples * largest);
   const bool draft = drawing.quality() == PictureQuality::interactive;
   for (const DrawnSurface& drawn : surfaces) {
@@ -266,6 +285,7 @@ void StyledRenderer::State::draw_visible(const Drawing& drawing, const Part& par
     glDisable(GL_DEPTH_TEST);
     drawing.pause();
   }
+  shown = std::move(to_show);
 }
 
 /// The first pass over a surface that is discarded in parts, with so many samples along a pixel's
@@ -406,9 +426,13 @@ void StyledRenderer::State::draw_surroundings(const Drawing& drawing) {
   };
   const Eigen::Vector2i size(side(render.width), side(render.height));
   const Part all{tile_transform({0, 0, render.width, render.height}, render), size, {0, 0}};
-  std::swap(visible, surroundings);
+  const auto swap_targets = [this] {
+    std::swap(visible, surroundings);
+    std::swap(shown, shown_surroundings);
+  };
+  swap_targets();
   draw_visible(drawing, all, size);
-  std::swap(visible, surroundings);
+  swap_targets();
 }
 
 /// The second pass: the light of each surface where it is seen, on top of nothing.
