@@ -95,7 +95,8 @@ def was_held_up(binaries, target, row):
     """Whether all that was found is an input that took too long, and does not when it runs again:
     then others had the processor."""
     found = re.findall(r"Test unit written to (\S+)", row["said"])
-    if not found or not all(pathlib.Path(path).name.startswith("timeout-") for path in found):
+    late = ("timeout-", "slow-unit-")
+    if not found or not all(pathlib.Path(path).name.startswith(late) for path in found):
         return False
     if any(output_of([binaries / "fuzzer", path, *LIMITS], target)[0] != 0 for path in found):
         return False
