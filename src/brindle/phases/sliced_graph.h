@@ -120,7 +120,8 @@ struct SlicedCouplings {
   /// B of an entry, zero where there is none.
   Complex reflecting_at(const SlicedLayout& layout, Index slice, std::size_t entry) const;
   /// Appends to the list of a slice; entries must come in ascending order.
-  void append_reflecting(const SlicedLayout& layout, Index slice, ReflectingCoupling coupling) {
+  void append_reflecting(const SlicedLayout& layout, Index slice,
+                         const ReflectingCoupling& coupling) {
     reflecting[std::size_t{layout.column_begin[slice]} * kLanes + reflecting_count[slice]++] =
         coupling;
   }
