@@ -17,23 +17,6 @@ namespace {
 /// What turns a camera so little that pictures look alike, and are drawn anew all the same.
 constexpr float kTurn = 0.01f;  // degrees
 
-/// A picture of a given quality over and over, from a camera that turns.
-Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
-                    const Repetitions& repetitions) {
-  options.quality = quality;
-  // The first picture of all waits for the driver to compile shaders, which may take so long that
-  // no other run would be left.
-  RenderOptions small = options;
-  small.width = small.height = 16;
-  renderer.draw(small);
-  return spread_of(samples_of(repetitions, [&] {
-    options.camera.azimuth_deg += kTurn;
-    Stopwatch watch;
-    renderer.draw(options);
-    return watch.lap();
-  }));
-}
-
 /// The first pass alone, for so many evaluations along the side of a pixel.
 Spread visible_time(const GlSurface& surface, const RenderOptions& options, int side,
                     VisibleTriangles::Hidden hidden, const Repetitions& repetitions) {
@@ -51,6 +34,22 @@ Spread visible_time(const GlSurface& surface, const RenderOptions& options, int 
 }
 
 }  // namespace
+
+Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
+                    const Repetitions& repetitions) {
+  options.quality = quality;
+  // The first picture of all waits for the driver to compile shaders, which may take so long that
+  // no other run would be left.
+  RenderOptions small = options;
+  small.width = small.height = 16;
+  renderer.draw(small);
+  return spread_of(samples_of(repetitions, [&] {
+    options.camera.azimuth_deg += kTurn;
+    Stopwatch watch;
+    renderer.draw(options);
+    return watch.lap();
+  }));
+}
 
 DrawFigures measure_draw(const Subject& subject, int width, int height,
                          const Repetitions& repetitions, const Progress& progress) {

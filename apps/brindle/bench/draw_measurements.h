@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/measurements.h"
+#include "brindle/renderer.h"
 
 namespace brindle::tool {
 
@@ -17,5 +18,10 @@ struct DrawFigures {
 /// Throws Error if no OpenGL context is to be had.
 DrawFigures measure_draw(const Subject& subject, int width, int height,
                          const Repetitions& repetitions, const Progress& progress);
+
+/// A picture of a given quality over and over, from a camera that turns: nothing of the last one is
+/// of use.
+Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
+                    const Repetitions& repetitions);
 
 }  // namespace brindle::tool

@@ -9,6 +9,7 @@
 #include <epoxy/gl.h>
 
 #include "bench/changing_input.h"
+#include "bench/draw_measurements.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/shader_program.h"
@@ -135,8 +136,8 @@ std::vector<GpuStage> stages_of(const std::vector<Sample>& samples,
   return stages;
 }
 
-Spread picture_time(const Subject& subject, const GpuAnimator& animator,
-                    const Repetitions& repetitions) {
+Spread picture_of_frame(const Subject& subject, const GpuAnimator& animator,
+                        const Repetitions& repetitions) {
   Renderer renderer;
   renderer.upload({.mesh = subject.surface.mesh,
                    .normals = subject.surface.normals,
@@ -145,12 +146,7 @@ Spread picture_time(const Subject& subject, const GpuAnimator& animator,
   RenderOptions options;
   options.width = 1920;
   options.height = 1080;
-  return spread_of(samples_of(repetitions, [&] {
-    options.camera.azimuth_deg += 0.01f;  // nothing of the last picture is of use
-    Stopwatch watch;
-    renderer.draw(options);
-    return watch.lap();
-  }));
+  return picture_time(renderer, options, options.quality, repetitions);
 }
 
 }  // namespace
@@ -184,7 +180,7 @@ GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
   }
   figures.quality = quality_of(subject, inputs, number, z);
   progress.report("picture", 0);
-  figures.picture = picture_time(subject, animators[0], repetitions);
+  figures.picture = picture_of_frame(subject, animators[0], repetitions);
   device.check_errors("measuring frames on the GPU");
   return figures;
 }

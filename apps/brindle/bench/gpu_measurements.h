@@ -20,7 +20,7 @@ struct GpuStage {
 struct GpuFrameFigures {
   double topology_milliseconds = 0;  ///< on the processor, once for all fields
   std::vector<GpuStage> stages;
-  Spread device;    ///< sum of all stages, as those of input that is on the device already
+  Spread device;    ///< sum of all stages, of input that is on the device already
   Spread wall;      ///< from the call until the device has finished, input from the processor
   Spread resident;  ///< the same of input that is on the device already
   Spread picture;   ///< of the first field in 1920 x 1080, from its buffer, and its way back

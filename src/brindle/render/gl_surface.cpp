@@ -31,9 +31,8 @@ void renew_buffer(GlBuffer& buffer, std::span<const std::byte> items, const char
   if (buffer != 0) glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &size);
   if (static_cast<std::size_t>(size) != items.size()) {
     buffer = GlBuffer();  // gives its memory back first
-    buffer = make_buffer(items.size(), nullptr, what, GL_DYNAMIC_STORAGE_BIT);
-  }
-  if (!items.empty()) {
+    buffer = make_buffer(items.size(), items.data(), what, GL_DYNAMIC_STORAGE_BIT);
+  } else if (!items.empty()) {
     glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(items.size()), items.data());
   }
 }
