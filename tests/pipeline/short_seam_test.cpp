@@ -145,6 +145,49 @@ TEST(ShortSeam, IsCloseToTheShortestOfAll) {
   EXPECT_LT(sum, 1.03 * least) << least;
 }
 
+/// The first vertex for which this is the greatest.
+template <class Height>
+Index highest(const Mesh& mesh, const Height& height) {
+  return static_cast<Index>(std::ranges::max_element(mesh.positions, {}, height) -
+                            mesh.positions.begin());
+}
+
+/// Puts all edges near a vertex into the seam that have no node in common, and returns their
+/// number.
+int crowd_around(Index vertex, std::vector<SeamEdge>& edges, const Neighbors& at) {
+  const std::vector<int> distance = distances_from(vertex, edges, at);
+  std::vector<std::uint8_t> taken(at.size());
+  taken[vertex] = 1;
+  int count = 0;
+  for (SeamEdge& edge : edges) {
+    const auto [a, b] = edge.nodes;
+    if (taken[a] || taken[b] || distance[a] > 7 || distance[b] > 7) continue;
+    taken[a] = taken[b] = 1;
+    edge.in_seam = true;
+    ++count;
+  }
+  return count;
+}
+
+// One end of each crowd has no partner there, and the other crowd is farther away than all of its
+// own.
+TEST(ShortSeam, EndsOfTwoCrowdsThatAreFarApartFindEachOther) {
+  const Mesh mesh = make_shape("sphere,resolution=16");
+  std::vector<SeamEdge> edges = edges_of(mesh);
+  const Neighbors at = edges_at_nodes(edges, mesh.vertex_count());
+  const Index top = highest(mesh, [](const Vec3& p) { return p.z(); });
+  const Index bottom = highest(mesh, [](const Vec3& p) { return -p.z(); });
+  const Index aside = highest(mesh, [](const Vec3& p) { return p.x() - 0.3f * p.z(); });
+  const int pairs = crowd_around(top, edges, at) + crowd_around(bottom, edges, at);
+  ASSERT_GT(pairs, 80);
+  add_path(bottom, aside, edges, at);
+  add_path(aside, top, edges, at);
+  const int direct = distances_from(bottom, edges, at)[top];
+  ASSERT_GT(length(edges), static_cast<std::size_t>(pairs + direct));
+  turn(edges, shortening_turns(edges, mesh.vertex_count(), mesh.triangle_count()));
+  EXPECT_LE(length(edges), static_cast<std::size_t>(pairs + direct));
+}
+
 TEST(ShortSeam, OneThatRunsAroundAHandleStaysThere) {
   const Mesh mesh = make_shape("torus,resolution=32");
   std::vector<SeamEdge> edges = edges_of(mesh);

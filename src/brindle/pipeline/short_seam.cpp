@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "brindle/base/compressed_rows.h"
+#include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/ranges.h"
 
@@ -13,9 +15,6 @@ namespace brindle {
 namespace {
 
 constexpr Index kNone = std::numeric_limits<Index>::max();
-
-/// Each end of a seam is offered so many of its nearest fellows.
-constexpr std::size_t kNearest = 24;
 
 /// An edge at an item, and the item at its other end.
 struct Way {
@@ -26,66 +25,73 @@ struct Way {
 /// The ways from every item.
 using Ways = CompressedRows<Way>;
 
-/// `ends(edge)` are the two items of an edge.
+/// `ends(e)` are the two items of edge e.
 template <class Ends>
-Ways ways_between(std::span<const SeamEdge> edges, std::size_t items, const Ends& ends) {
+Ways ways_between(std::size_t edge_count, std::size_t items, const Ends& ends) {
   return compressed_rows<Way>(items, [&](const auto& add) {
-    for (Index e = 0; e < edges.size(); ++e) {
-      const auto [a, b] = ends(edges[e]);
+    for (Index e = 0; e < edge_count; ++e) {
+      const auto [a, b] = ends(e);
       add(a, {e, b});
       add(b, {e, a});
     }
   });
 }
 
-std::array<Index, 2> nodes_of(const SeamEdge& edge) { return edge.nodes; }
-std::array<Index, 2> triangles_of(const SeamEdge& edge) { return edge.triangles; }
-
-/// Breadth-first search from one node, over and over without clearing all.
+/// Breadth-first searches from one node after another. A node has a mark alone, so that those of
+/// a large surface stay in the cache.
 class Search {
  public:
-  explicit Search(const Ways& at_node) : at_node_(at_node), found_(at_node.size()) {}
+  explicit Search(const Ways& at_node) : at_node_(at_node), found_in_(at_node.size()) {}
 
   /// Calls `visit(node, steps)` for nodes in the order of their distance until it returns false.
   template <class Visit>
   void run(Index start, const Visit& visit) {
     ++round_;
-    queue_.assign(1, start);
-    found_[start] = {round_, 0, kNone, kNone};
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-      const Index node = queue_[next];
-      const Index steps = found_[node].steps;
+    found_.assign(1, {start, kNone, kNone});
+    found_in_[start] = round_;
+    Index steps = 0;
+    std::size_t ring_end = 1;  // those found before are `steps` away
+    for (std::size_t next = 0; next < found_.size(); ++next) {
+      if (next == ring_end) {
+        ++steps;
+        ring_end = found_.size();
+      }
+      const Index node = found_[next].node;
       if (!visit(node, steps)) return;
       for (const Way& way : at_node_.of(node)) {
-        if (found_[way.to].round == round_) continue;
-        found_[way.to] = {round_, steps + 1, way.edge, node};
-        queue_.push_back(way.to);
+        if (found_in_[way.to] == round_) continue;
+        found_in_[way.to] = round_;
+        found_.push_back({way.to, way.edge, static_cast<Index>(next)});
       }
     }
   }
 
   /// The edges of a shortest path; empty if there is none.
   std::vector<Index> path(Index from, Index to) {
+    Index place = 0;
     bool found = false;
-    run(from, [&](Index node, Index) { return !(found = node == to); });
+    run(from, [&](Index node, Index) {
+      found = node == to;
+      if (!found) ++place;
+      return !found;
+    });
     std::vector<Index> edges;
-    for (Index node = to; found && node != from; node = found_[node].before) {
-      edges.push_back(found_[node].by_edge);
+    for (; found && place != 0; place = found_[place].before) {
+      edges.push_back(found_[place].by_edge);
     }
     return edges;
   }
 
  private:
   struct Found {
-    Index round = kNone;  ///< the last one that came here
-    Index steps = 0;
-    Index by_edge = kNone;
-    Index before = kNone;
+    Index node;
+    Index by_edge;
+    Index before;  ///< place in `found_` of the node that it was found from
   };
 
   const Ways& at_node_;
-  std::vector<Found> found_;
-  std::vector<Index> queue_;
+  std::vector<Index> found_in_;  ///< by node: the last round that came there
+  std::vector<Found> found_;     ///< in this round, in the order of their distance
   Index round_ = 0;
 };
 
@@ -110,41 +116,69 @@ struct Near {
   Index steps;
 };
 
-/// Of every end its kNearest nearest fellows, in ascending order of their numbers.
-std::vector<std::vector<Near>> nearest_ends(const std::vector<Index>& ends, const Ways& at_node,
-                                            const Progress& progress) {
-  std::vector<Index> number(at_node.size(), kNone);
-  for (Index i = 0; i < ends.size(); ++i) number[ends[i]] = i;
-  std::vector<std::vector<Near>> near(ends.size());
-  // Where there are few ends, each is far from the next: the search goes over all nodes.
-  constexpr std::size_t kFew = 2 * kNearest;
-  const bool few = ends.size() < kFew;
-  const std::size_t ends_per_task = few ? 1 : 16, ends_per_report = few ? 2 : 256;
-  const auto search_from = [&](std::size_t begin, std::size_t end) {
-    Search search(at_node);
-    for (auto i = static_cast<Index>(begin); i < end; ++i) {
-      search.run(ends[i], [&](Index node, Index steps) {
-        if (number[node] != kNone && number[node] != i) near[i].push_back({number[node], steps});
-        return near[i].size() < kNearest;
-      });
-      ranges::sort(near[i], {}, &Near::end);
-    }
-  };
-  parallel_for(ends.size(), progress, search_from, ends_per_task, ends_per_report);
-  return near;
-}
+/// Looks for ends around ends.
+class EndSearch {
+ public:
+  EndSearch(const std::vector<Index>& ends, const Ways& at_node)
+      : ends_(ends), at_node_(at_node), number_(at_node.size(), kNone) {
+    for (Index i = 0; i < ends.size(); ++i) number_[ends[i]] = i;
+    of_thread_.resize(thread_capacity());
+  }
 
-/// Pairs of ends with small sums of distances.
+  /// Of each of these ends all fellows within its reach, in ascending order of their numbers.
+  void find(std::span<const Index> around, std::span<const Index> reach,
+            std::span<std::vector<Near>> near, const Progress& progress) {
+    constexpr std::size_t kEndsPerReport = 16;
+    parallel_for(
+        around.size(), progress,
+        [&](std::size_t begin, std::size_t end) {
+          std::optional<Search>& own = of_thread_.at(thread_number());
+          if (!own) own.emplace(at_node_);
+          for (std::size_t n = begin; n < end; ++n) {
+            near[around[n]] = around_one(around[n], reach[around[n]], *own);
+          }
+        },
+        1, kEndsPerReport);
+  }
+
+ private:
+  std::vector<Near> around_one(Index i, Index reach, Search& search) const {
+    std::vector<Near> near;
+    search.run(ends_[i], [&](Index node, Index steps) {
+      if (steps > reach) return false;
+      if (number_[node] != kNone && number_[node] != i) near.push_back({number_[node], steps});
+      return true;
+    });
+    ranges::sort(near, {}, &Near::end);
+    return near;
+  }
+
+  const std::vector<Index>& ends_;
+  const Ways& at_node_;
+  std::vector<Index> number_;  ///< of the end at a node
+  std::vector<std::optional<Search>> of_thread_;
+};
+
+/// Pairs of ends with small sums of distances: near ones first, then two pairs swap partners where
+/// that makes both ways together shorter. They can only do so where two of their ends are nearer to
+/// each other than both ways together, so that an end has to know the fellows within less than
+/// twice its own way, and no others.
 class Matching {
  public:
   Matching(const std::vector<Index>& ends, const Ways& at_node, const Progress& progress)
-      : ends_(ends), partner_(ends.size(), kNone), near_(nearest_ends(ends, at_node, progress)) {
-    pair_near_ones_first();
-    while (swap_partners()) {
-    }
+      : ends_(ends),
+        partner_(ends.size(), kNone),
+        way_(ends.size()),
+        reach_(ends.size()),
+        near_(ends.size()),
+        search_(ends, at_node) {
+    pair_near_ones_first(static_cast<Index>(at_node.size()), progress.part(0, 0.6));
+    do {
+      look_around(progress.part(0.6, 1));
+    } while (swap_partners());
   }
 
-  /// Numbers of nodes. Ends whose fellows are all too far away stay alone.
+  /// Numbers of nodes. An end from which no other one is reached stays alone.
   std::vector<std::pair<Index, Index>> pairs() const {
     std::vector<std::pair<Index, Index>> result;
     for (Index i = 0; i < partner_.size(); ++i) {
@@ -167,35 +201,59 @@ class Matching {
     return steps ? steps : distance_from(j, i);
   }
 
-  void join(Index i, Index j) {
+  void join(Index i, Index j, Index steps) {
     partner_[i] = j;
     partner_[j] = i;
+    way_[i] = way_[j] = steps;
   }
 
-  void pair_near_ones_first() {
+  /// Reaches farther and farther from ends that are alone.
+  void pair_near_ones_first(Index nodes, const Progress& progress) {
+    constexpr Index kFirstReach = 8;
+    std::vector<Index> alone(ends_.size());
+    std::iota(alone.begin(), alone.end(), Index{0});
+    const auto count = static_cast<double>(ends_.size());
+    for (Index reach = kFirstReach; !alone.empty() && reach / 2 < nodes; reach *= 2) {
+      for (const Index i : alone) reach_[i] = reach;
+      search_.find(alone, reach_, near_,
+                   progress.part(1 - static_cast<double>(alone.size()) / count, 1));
+      join_nearest(alone);
+      std::erase_if(alone, [&](Index i) { return partner_[i] != kNone; });
+    }
+  }
+
+  void join_nearest(std::span<const Index> alone) {
     std::vector<std::array<Index, 3>> candidates;
-    for (Index i = 0; i < near_.size(); ++i) {
+    for (const Index i : alone) {
       for (const auto& [j, steps] : near_[i]) candidates.push_back({steps, i, j});
     }
     ranges::sort(candidates.begin(), candidates.end());
     for (const auto& [steps, i, j] : candidates) {
-      if (partner_[i] == kNone && partner_[j] == kNone) join(i, j);
+      if (partner_[i] == kNone && partner_[j] == kNone) join(i, j, steps);
     }
   }
 
-  /// Lets two pairs swap partners where that shortens both paths together.
+  void look_around(const Progress& progress) {
+    std::vector<Index> shortsighted;
+    for (Index i = 0; i < ends_.size(); ++i) {
+      if (partner_[i] == kNone || reach_[i] + 1 >= 2 * way_[i]) continue;
+      reach_[i] = 2 * way_[i] - 1;
+      shortsighted.push_back(i);
+    }
+    search_.find(shortsighted, reach_, near_, progress);
+  }
+
+  /// Lets two pairs swap partners where that shortens both ways together.
   bool swap_partners() {
     bool swapped = false;
     for (Index i = 0; i < near_.size(); ++i) {
       for (const auto& [j, steps] : near_[i]) {
         const Index k = partner_[i], l = partner_[j];
         if (k == kNone || l == kNone || k == j) continue;
-        const auto between_others = distance(k, l), before_i = distance(i, k),
-                   before_j = distance(j, l);
-        if (!between_others || !before_i || !before_j) continue;
-        if (steps + *between_others >= *before_i + *before_j) continue;
-        join(i, j);
-        join(k, l);
+        const auto between_others = distance(k, l);
+        if (!between_others || steps + *between_others >= way_[i] + way_[j]) continue;
+        join(i, j, steps);
+        join(k, l, *between_others);
         swapped = true;
       }
     }
@@ -204,7 +262,10 @@ class Matching {
 
   const std::vector<Index>& ends_;
   std::vector<Index> partner_;
+  std::vector<Index> way_;    ///< steps to the partner
+  std::vector<Index> reach_;  ///< steps within which all fellows are known
   std::vector<std::vector<Near>> near_;
+  EndSearch search_;
 };
 
 /// 1 for edges that are in the old seam or on the new paths, but not on both.
@@ -252,11 +313,46 @@ std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
   return parts;
 }
 
-/// The triangles on one side of a set of edges (1), if the set is the border between two sides.
-std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_triangle,
+/// Triangles that are connected without crossing an edge of any part are one region: whatever parts
+/// surround, they surround whole regions. There are few where seams are short.
+struct Regions {
+  std::vector<Index> of_triangle;           ///< numbered in the order of their first triangles
+  std::vector<std::array<Index, 2>> sides;  ///< of every edge of a part, the regions beside it
+  Index count = 0;
+};
+
+/// Numbers the edges of the parts as `Regions::sides` has them.
+Regions regions_between(std::span<const SeamEdge> edges, std::size_t triangle_count,
+                        std::vector<std::vector<Index>>& parts) {
+  std::vector<std::uint8_t> in_part(edges.size());
+  for (const std::vector<Index>& part : parts) {
+    for (const Index e : part) in_part[e] = 1;
+  }
+  MergedSets sets(triangle_count);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!in_part[e]) sets.merge(edges[e].triangles[0], edges[e].triangles[1]);
+  }
+  Regions regions;
+  regions.of_triangle.resize(triangle_count);
+  for (Index t = 0; t < triangle_count; ++t) {
+    const Index first = sets.of(t);
+    regions.of_triangle[t] = first == t ? regions.count++ : regions.of_triangle[first];
+  }
+  for (std::vector<Index>& part : parts) {
+    for (Index& e : part) {
+      const auto [a, b] = edges[e].triangles;
+      regions.sides.push_back({regions.of_triangle[a], regions.of_triangle[b]});
+      e = static_cast<Index>(regions.sides.size() - 1);
+    }
+  }
+  return regions;
+}
+
+/// The regions on one side of a set of edges (1), if the set is the border between two sides.
+std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_region,
                                                   const std::vector<std::uint8_t>& border) {
   constexpr std::uint8_t kUnknown = 2;
-  const std::size_t count = at_triangle.size();
+  const std::size_t count = at_region.size();
   std::vector<std::uint8_t> side(count, kUnknown);
   std::vector<Index> queue;
   for (Index start = 0; start < count; ++start) {
@@ -264,9 +360,9 @@ std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_triangle,
     side[start] = 0;
     queue.assign(1, start);
     for (std::size_t next = 0; next < queue.size(); ++next) {
-      const Index t = queue[next];
-      for (const Way& way : at_triangle.of(t)) {
-        const std::uint8_t wanted = side[t] ^ border[way.edge];
+      const Index region = queue[next];
+      for (const Way& way : at_region.of(region)) {
+        const std::uint8_t wanted = side[region] ^ border[way.edge];
         if (side[way.to] == kUnknown) {
           side[way.to] = wanted;
           queue.push_back(way.to);
@@ -281,43 +377,56 @@ std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_triangle,
 
 using Parts = std::span<const std::vector<Index>>;
 
-/// Turns the triangles that the parts surround: all parts at once, or else in halves down to single
+/// Turns the regions that the parts surround: all parts at once, or else in halves down to single
 /// parts, of which some surround nothing.
-void turn_inside(std::size_t edge_count, const Ways& at_triangle, Parts parts,
+void turn_inside(std::size_t edge_count, const Ways& at_region, Parts parts,
                  std::vector<std::uint8_t>& turned) {
   if (parts.empty()) return;
   std::vector<std::uint8_t> border(edge_count);
   for (const std::vector<Index>& part : parts) {
     for (const Index e : part) border[e] = 1;
   }
-  if (const auto side = one_side(at_triangle, border)) {
-    for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= (*side)[t];
+  if (const auto side = one_side(at_region, border)) {
+    for (std::size_t region = 0; region < turned.size(); ++region) {
+      turned[region] ^= (*side)[region];
+    }
   } else if (parts.size() > 1) {
-    turn_inside(edge_count, at_triangle, parts.first(parts.size() / 2), turned);
-    turn_inside(edge_count, at_triangle, parts.subspan(parts.size() / 2), turned);
+    turn_inside(edge_count, at_region, parts.first(parts.size() / 2), turned);
+    turn_inside(edge_count, at_region, parts.subspan(parts.size() / 2), turned);
   }
+}
+
+/// The triangles that the parts surround (1), as far as they surround any.
+std::vector<std::uint8_t> surrounded_by(std::vector<std::vector<Index>> parts,
+                                        std::span<const SeamEdge> edges,
+                                        std::size_t triangle_count) {
+  const Regions regions = regions_between(edges, triangle_count, parts);
+  const Ways at_region =
+      ways_between(regions.sides.size(), regions.count, [&](Index e) { return regions.sides[e]; });
+  std::vector<std::uint8_t> of_region(regions.count);
+  turn_inside(regions.sides.size(), at_region, parts, of_region);
+  std::vector<std::uint8_t> turned(triangle_count);
+  for (std::size_t t = 0; t < triangle_count; ++t) turned[t] = of_region[regions.of_triangle[t]];
+  return turned;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> shortening_turns(std::span<const SeamEdge> edges, std::size_t node_count,
                                            std::size_t triangle_count, const Progress& progress) {
-  std::vector<std::uint8_t> turned(triangle_count);
-  if (ranges::none_of(edges, &SeamEdge::in_seam)) return turned;
-  const Ways at_node = ways_between(edges, node_count, nodes_of);
+  if (ranges::none_of(edges, &SeamEdge::in_seam)) return std::vector<std::uint8_t>(triangle_count);
+  const Ways at_node =
+      ways_between(edges.size(), node_count, [&](Index e) { return edges[e].nodes; });
+  progress.report(0.2);
   std::vector<std::vector<Index>> parts =
-      connected_parts(edges, at_node, difference_to_paths(edges, at_node, progress.part(0.2, 0.7)));
+      connected_parts(edges, at_node, difference_to_paths(edges, at_node, progress.part(0.2, 0.8)));
   progress.report(0.8);
   std::erase_if(parts, [&](const std::vector<Index>& part) {
     const auto in_seam = ranges::count_if(part, [&](Index e) { return edges[e].in_seam; });
     return 2 * static_cast<std::size_t>(in_seam) <= part.size();
   });
-  if (!parts.empty()) {
-    const Ways at_triangle = ways_between(edges, triangle_count, triangles_of);
-    progress.report(0.9);
-    turn_inside(edges.size(), at_triangle, parts, turned);
-  }
-  return turned;
+  if (parts.empty()) return std::vector<std::uint8_t>(triangle_count);
+  return surrounded_by(std::move(parts), edges, triangle_count);
 }
 
 }  // namespace brindle
