@@ -77,13 +77,17 @@ std::string explanation(const CLI::ParseError& error, const std::vector<Command>
   return wrong + "; commands are: " + names + "\nbrindle: 'brindle --help' tells more";
 }
 
+void finish_output() {
+  std::cout.flush();
+  if (!std::cout) throw Error("cannot write to standard output");
+}
+
 int run(const std::vector<Command>& commands) {
   try {
     for (const Command& command : commands) {
       if (command.app->parsed()) command.run();
     }
-    std::cout.flush();
-    if (!std::cout) throw Error("cannot write to standard output");
+    finish_output();
     return kDone;
   } catch (const CLI::ParseError& error) {
     return fail(kWrongUsage, error.what());
@@ -116,7 +120,9 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    return app.exit(success) == 0 ? kDone : kFailed;
+    const int status = app.exit(success);
+    finish_output();
+    return status == 0 ? kDone : kFailed;
   } catch (const CLI::ParseError& error) {
     return fail(kWrongUsage, explanation(error, commands, app, argc > 1 ? argv[1] : ""));
   }

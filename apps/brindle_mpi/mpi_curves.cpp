@@ -156,18 +156,18 @@ JoinedFamily make_family(const char* name, StripeCurves curves, const PiecePatte
     family.curves = longer_than(family.curves, static_cast<double>(least));
     family.short_curves = all - family.curves.lines.count();
   }
-  family.lengths = curve_lengths(family.curves.lines);
   if (arguments.line_width) {
     family.coverage = measure_joined_coverage(*patterns.surface, family.curves.lines,
                                               arguments.line_width->on(diagonal));
   }
   reshape(family.curves.lines, arguments, diagonal);
+  family.lengths = curve_lengths(family.curves.lines);
   return family;
 }
 
 nlohmann::ordered_json to_json(const JoinedFamily& family) {
   const Polylines& lines = family.curves.lines;
-  const CurveLengths lengths = curve_lengths(lines);
+  const CurveLengths& lengths = family.lengths;
   nlohmann::ordered_json json = {{"energy", family.energy},
                                  {"branches", family.branches},
                                  {"field_singularities", family.field_singularities},

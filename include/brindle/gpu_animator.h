@@ -69,7 +69,7 @@ class GpuAnimator {
   void frame(const WaveBuffers& input, const Progress& progress = {});
 
   /// With slack: the frequencies that the last frame's phases are of, one per vertex, until the
-  /// next frame, and what they have become. Empty without.
+  /// next frame, and what they have become. Empty without, and after a frame from buffers.
   std::span<const float> frequencies() const;
   const FrequencyChange& frequency_change() const;
 

@@ -73,7 +73,8 @@ class YieldingFrequency {
   std::span<const float> solve(std::span<const Vec3> positions, std::span<const Vec3> directions,
                                std::span<const float> wanted, const Progress& progress = {});
 
-  /// Makes the last result the one to start from. Cannot fail after `solve`.
+  /// Makes the last result the one to start from. Does nothing where there is none that was not
+  /// kept: before `solve`, after one that failed, or once slack is another. Cannot fail.
   void keep();
 
   /// Another one for the same surface and slack, with nothing kept.

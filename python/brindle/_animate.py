@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import Error, check_slack, flag, number, whole_number, word
+from ._arguments import Error, check_slack, flag, kept_property, number, whole_number, word
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:
@@ -148,7 +147,7 @@ class PatternFrames:
         self.surface: Surface = as_surface(surface)
         self._core = _core.PatternFrames(self.surface._core)
 
-    @cached_property
+    @kept_property
     def triangles(self) -> "NDArray[np.uint32]":
         """(m, 4) the buffer of triangles: three vertices and 0, which no frame changes."""
         return self._core.triangles()

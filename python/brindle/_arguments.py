@@ -5,7 +5,8 @@ from __future__ import annotations
 import numbers
 import os
 import warnings
-from typing import Any, Mapping
+from functools import cached_property, wraps
+from typing import TYPE_CHECKING, Any, Mapping
 
 from . import _core
 
@@ -19,6 +20,29 @@ Cancelled.__doc__ = """A job that a progress function stopped by returning False
 class PatternWarning(UserWarning):
     """What is probably not meant: waves that are missing, stripes too fine for the mesh, arrays
     that a file cannot hold."""
+
+
+def frozen(value: Any) -> Any:
+    """The same, its arrays read-only: in dictionaries and tuples, too."""
+    if hasattr(value, "flags"):
+        value.flags.writeable = False
+    elif isinstance(value, dict):
+        for array in value.values():
+            frozen(array)
+    elif isinstance(value, tuple):
+        for part in value:
+            frozen(part)
+    return value
+
+
+if TYPE_CHECKING:
+    kept_property = cached_property
+else:
+    class kept_property(cached_property):
+        """A cached property: what an object keeps is read-only."""
+
+        def __init__(self, function):
+            super().__init__(wraps(function)(lambda owner: frozen(function(owner))))
 
 
 def path_of(path: Any) -> str:

@@ -7,8 +7,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from . import _core
-from ._arguments import (count_and_frequency, flag, number, one_of_both, path_of, solving, warn,
-                         whole_number)
+from ._arguments import (count_and_frequency, flag, kept_property, number, one_of_both, path_of,
+                         solving, warn, whole_number)
 from ._stripes import Field, Stripes, defaults_of, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
 
@@ -45,12 +45,12 @@ class Curves:
         """How many curves there are."""
         return len(self._core.closed)
 
-    @cached_property
+    @kept_property
     def points(self) -> "NDArray[np.floating]":
         """(k, 3) points on the surface, curve after curve."""
         return placed(self._core.local_points, self.stripes.surface.origin)
 
-    @cached_property
+    @kept_property
     def edges(self) -> "NDArray[np.int32]":
         """(l, 2) numbers of points that are joined; closed curves come back to their first one."""
         return self._core.edges()
@@ -70,7 +70,7 @@ class Curves:
         """(count,) whether a curve comes back to its first point, which is not repeated."""
         return self._core.closed
 
-    @cached_property
+    @kept_property
     def lengths(self) -> "NDArray[np.float64]":
         """(count,) with the way back of closed curves."""
         return self._core.lengths()
@@ -168,7 +168,7 @@ class Samples:
     def __repr__(self) -> str:
         return f"<brindle.Samples: {self.count}>"
 
-    @cached_property
+    @kept_property
     def _columns(self) -> "dict[str, NDArray[Any]]":
         return self._core.columns()
 
@@ -177,7 +177,7 @@ class Samples:
         """k."""
         return self._core.count
 
-    @cached_property
+    @kept_property
     def points(self) -> "NDArray[np.floating]":
         """(k, 3) positions on the surface."""
         return placed(self._columns["points"], self.surface.origin)

@@ -8,8 +8,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (check_scalar, count_and_frequency, described, flag, number, options_of,
-                         path_of, solving, warn, whole_number, word)
+from ._arguments import (check_scalar, count_and_frequency, described, flag, kept_property, number,
+                         options_of, path_of, solving, warn, whole_number, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
@@ -208,29 +208,29 @@ class Stripes:
         """(n, 3) unit tangent vectors, zero where there is no wave. Shares memory."""
         return self._core.directions
 
-    @cached_property
+    @kept_property
     def corner_phases(self) -> "NDArray[np.float32]":
         """(m, 3) lifted phases at the corners of triangles, in radians, linear in the triangle; NaN
         where a triangle has none (a singularity of the field, a corner without wave)."""
         return self._core.corner_phases()
 
-    @cached_property
+    @kept_property
     def branches(self) -> "NDArray[np.int8]":
         """(m,) 1 in triangles where a stripe begins or ends, singularities of the field among them;
         0 elsewhere."""
         return self._core.branches()
 
-    @cached_property
+    @kept_property
     def branch_indices(self) -> "NDArray[np.int8]":
         """(m,) what the phase gains around each triangle, over 2 pi; 0 in singularities."""
         return self._core.branch_indices()
 
-    @cached_property
+    @kept_property
     def singularities(self) -> "NDArray[np.bool_]":
         """(m,) True in triangles whose corners' directions cannot be oriented alike."""
         return self._core.kinds() == 2
 
-    @cached_property
+    @kept_property
     def angle_errors(self) -> "NDArray[np.float32]":
         """(m,) degrees between the phase's gradient and the field; -1 in irregular triangles."""
         return self._core.angle_errors()
@@ -240,13 +240,13 @@ class Stripes:
         """Every figure about the pattern, with the keys of the tool's ``--report``."""
         return json.loads(self._core.report(self._said))
 
-    @cached_property
+    @kept_property
     def point_data(self) -> "dict[str, NDArray[Any]]":
         """Named arrays of a row per vertex, those of the tool's mesh files: phase (radians; NaN
         where there is no wave), direction, frequency, branch, sin_phase, valid, original_id."""
         return self._core.point_arrays()
 
-    @cached_property
+    @kept_property
     def cell_data(self) -> "dict[str, NDArray[Any]]":
         """Named arrays of a row per triangle: branch, corner_phase."""
         return self._core.cell_arrays()
@@ -337,8 +337,8 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     them instead.
 
     ``stripes``: so many along the bounding box's diagonal (40 unless ``frequency`` is given).
-    ``frequency``: stripes per unit length, a number, an array (n,), where NaN means no wave, or the
-    name of one.
+    ``frequency``: stripes per unit length, a number, an array (n,), where NaN means no wave
+    (of vectors (n, 3) the length counts), or the name of one.
 
     ``solver``: "multilevel", "relaxation", "averaged" or "global" (where built with CHOLMOD).
     ``phase_shift``: "aligned", "common_source" or "trapezoid". ``weights``: "paper" or

@@ -8,7 +8,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import Error, count_and_frequency, flag, one_of_both, path_of, solving, warn
+from ._arguments import (Error, count_and_frequency, flag, kept_property, one_of_both, path_of,
+                         solving, warn)
 from ._curves import placed
 from ._stripes import Field, Stripes, defaults_of, fitting, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -29,7 +30,7 @@ class TexturedMesh:
         self._texture = texture
         self.surface = surface
 
-    @cached_property
+    @kept_property
     def vertices(self) -> "NDArray[np.floating]":
         """(n', 3)."""
         return placed(self._core.local_vertices, self._core.origin)
@@ -55,7 +56,7 @@ class TexturedMesh:
         """(m',): the triangle of the surface that a triangle is or is part of."""
         return self._core.triangle_origins
 
-    @cached_property
+    @kept_property
     def _arrays(self) -> "tuple[dict[str, NDArray[Any]], dict[str, NDArray[Any]]]":
         return self._core.arrays()
 
@@ -124,7 +125,7 @@ class Texture:
     def __repr__(self) -> str:
         return f"<brindle.Texture on {self.surface!r}>"
 
-    @cached_property
+    @kept_property
     def corner_uv(self) -> "NDArray[np.float32]":
         """(m, 3, 2) coordinates at the corners of triangles, linear in each, one tile a unit.
         Along edges they agree up to whole tiles and, where the field cannot be oriented, a turn.

@@ -26,6 +26,7 @@ struct AnimatorData {
   double phase_step = 0;
   bool unchanged = false;
   FrameMilliseconds milliseconds;
+  double topology_milliseconds = 0;
   std::atomic<bool> busy{false};
 
   AnimatorData(SurfacePointer on, StripeAnimator with)
@@ -106,14 +107,17 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
       waves.directions(),
       frequency_table.is_number ? everywhere(data, frequency_table) : waves.frequencies()};
   Complex* target = phases.mutable_data();
+  FrameResult result;
   Job(progress).run([&](const Progress& reports) {
-    const FrameResult result = data.animator.frame(input, reports);
+    result = data.animator.frame(input, reports);
     std::copy(result.z.begin(), result.z.end(), target);
-    data.phase_step = result.phase_step;
-    data.unchanged = result.unchanged;
-    data.milliseconds = result.milliseconds;
-    data.frequencies.assign(result.frequencies.begin(), result.frequencies.end());
   });
+  // With Python's lock again, which whoever reads these holds.
+  data.phase_step = result.phase_step;
+  data.unchanged = result.unchanged;
+  data.milliseconds = result.milliseconds;
+  data.topology_milliseconds = data.animator.topology_milliseconds();
+  data.frequencies.assign(result.frequencies.begin(), result.frequencies.end());
   return phases;
 }
 
@@ -143,6 +147,10 @@ py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle d
   }
   const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> numbers_64(
       numbers.array);
+  if (numbers.array.ndim() > 1) {
+    throw Error("vertices: expected an array (k,), got one of " +
+                std::to_string(numbers.array.ndim()) + " dimensions");
+  }
   const std::size_t count = numbers.is_number ? 1 : numbers.view.rows();
   if (vectors.size() != count || (!strengths.is_number && weight.size() != count)) {
     throw Error("anchors: vertices, directions and weights must have as many rows");
@@ -188,9 +196,8 @@ void bind_animator(py::module_& module) {
                                times["solve"] = data.milliseconds.solve;
                                return times;
                              })
-      .def_property_readonly(
-          "topology_milliseconds",
-          [](const AnimatorData& data) { return data.animator.topology_milliseconds(); })
+      .def_property_readonly("topology_milliseconds",
+                             [](const AnimatorData& data) { return data.topology_milliseconds; })
       .def("frequencies",
            [](const AnimatorData& data) {
              std::vector<float> copy = data.frequencies;

@@ -41,6 +41,12 @@ py::array unmasked(py::handle object);
 /// Throws Error, naming the remedy, for whole numbers of which some are masked: they have no NaN.
 void refuse_masked(py::handle object, const std::string& what);
 
+/// Throws Error for an array without a row, which to the library would be as good as none.
+void check_not_empty(const Table& table, const std::string& what);
+
+/// The numbers of such a table, one a row.
+std::vector<float> some_numbers_of(const Table& table, const std::string& what);
+
 /// Throws Error unless there is a row per vertex.
 void check_rows(const Table& table, std::size_t rows, const std::string& what);
 

@@ -60,7 +60,7 @@ MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::ha
                                                           : direction_of(vector, normals[i]);
   }
   if (confidence.is_none()) return measured;
-  measured.confidence = numbers_of(table_of(confidence, "confidence").view, "confidence");
+  measured.confidence = some_numbers_of(table_of(confidence, "confidence"), "confidence");
   for (float& number : measured.confidence) {
     if (!std::isfinite(number)) number = 0;
   }
@@ -79,7 +79,11 @@ py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::hand
     if (!std::isfinite(frequency)) frequency = 0;
   }
   MeasuredField before{data.last, {}};
-  if (!last.is_none()) before.directions = vectors_of(table_of(last, "last").view, "last");
+  if (!last.is_none()) {
+    const Table table_of_last = table_of(last, "last");
+    check_not_empty(table_of_last, "last");
+    before.directions = vectors_of(table_of_last.view, "last");
+  }
   DetailedField seen;
   Job(progress).run(
       [&](const Progress& reports) { seen = data.detail.frame(measured, waves, before, reports); });

@@ -77,6 +77,7 @@ void check_smooth(const SmoothFieldOptions& options, bool points) {
   saying_in_pythons_words([&] {
     check_number("--curvature-anchor", options.curvature_anchor);
     check_number("--feature-anchor", options.feature_anchor);
+    check_number("--feature-angle", options.feature_angle_deg);
     brindle::check_smooth_field(given, options.curvature_anchor, options.feature_anchor);
     if (points) brindle::check_triangle_options(given);
   });

@@ -40,12 +40,15 @@ FrequenciesIn::FrequenciesIn(py::handle given, std::size_t vertices, const std::
   if (table.is_number) {
     everywhere_.assign(vertices, numbers_of(table.view, what).front());
   } else {
+    check_not_empty(table, what);
     rows_ = RowsIn<float>(table.array, what);
   }
 }
 
 RowsIn<Vec3> rows_if_given(py::handle given, const std::string& what) {
-  return given.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(given, what);
+  if (given.is_none()) return {};
+  check_not_empty(table_of(given, what), what);
+  return {given, what};
 }
 
 }  // namespace brindle::python

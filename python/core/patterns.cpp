@@ -297,14 +297,14 @@ Slack slack_of(py::handle slack, py::handle calm) {
   Slack result;
   if (!slack.is_none()) {
     const Table table = table_of(slack, "slack");
-    std::vector<float> numbers = numbers_of(table.view, "slack");
+    std::vector<float> numbers = some_numbers_of(table, "slack");
     if (table.is_number) {
       result.everywhere = numbers.front();
     } else {
       result.by_vertex = std::move(numbers);
     }
   }
-  if (!calm.is_none()) result.calm = numbers_of(table_of(calm, "calm").view, "calm");
+  if (!calm.is_none()) result.calm = some_numbers_of(table_of(calm, "calm"), "calm");
   return result;
 }
 
@@ -357,7 +357,7 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
-    origin.weight.values = numbers_of(table_of(weight, "field_weight").view, "field_weight");
+    origin.weight.values = some_numbers_of(table_of(weight, "field_weight"), "field_weight");
   }
 }
 

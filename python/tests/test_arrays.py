@@ -118,6 +118,20 @@ def test_results_share_memory(torus):
             array[0] = 0
 
 
+def test_what_objects_keep_is_read_only(torus):
+    pattern = brindle.stripes(torus, stripes=10)
+    texture, curves = brindle.texture(torus, stripes=10), pattern.curves()
+    samples = brindle.samples(torus, stripes=10)
+    kept = [pattern.branches, pattern.branch_indices, pattern.corner_phases, pattern.angle_errors,
+            pattern.singularities, *pattern.point_data.values(), *pattern.cell_data.values(),
+            texture.corner_uv, *texture.mesh().point_data.values(), texture.mesh().vertices,
+            curves.points, curves.edges, curves.lengths, samples.points, *samples.directions,
+            brindle.PatternFrames(torus).triangles]
+    assert len(kept) > 20 and not any(array.flags.writeable for array in kept)
+    branches = pattern.branches.copy()
+    branches[:] = 0  # a copy is the caller's
+
+
 def test_results_outlive_their_owner():
     surface = brindle.shape("torus", resolution=30)
     p = brindle.stripes(surface, surface.smooth_field(), stripes=5)

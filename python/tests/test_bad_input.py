@@ -227,6 +227,44 @@ def test_animator(torus):
         brindle.Animator(torus, lambda_=-1)
 
 
+def test_empty_arrays_are_not_left_out(torus):
+    directions, f = torus.smooth_field(), torus.frequency_of(10)
+    for nothing in ([], np.empty(0), np.empty((0, 3))):
+        for given in ({"slack": nothing}, {"slack": 0.2, "calm": nothing},
+                      {"field_detail": 1, "field_weight": nothing}):
+            with pytest.raises(brindle.Error, match=f"{list(given)[-1]}: the array is empty"):
+                brindle.stripes(torus, directions, stripes=10, **given)
+        for name in ("normals", "frequencies_v", "positions"):
+            with pytest.raises(brindle.Error, match=f"{name}: the array is empty"):
+                brindle.TextureAnimator(torus).frame(directions, f, **{name: nothing})
+        for name in ("confidence", "last"):
+            with pytest.raises(brindle.Error, match=f"{name}: the array is empty"):
+                brindle.FieldDetail(torus).frame(directions, f, **{name: nothing})
+        with pytest.raises(brindle.Error, match="positions: the array is empty"):
+            brindle.Animator(torus).frame(directions, f, nothing)
+
+
+def test_angles_of_features(torus):
+    with pytest.raises(brindle.Error, match="feature_angle: expected a finite number, zero or more"):
+        torus.smooth_field(feature_anchor=1, feature_angle=-1)
+
+
+def test_field_detail_keeps_its_last_frame(torus):
+    f, vectors = torus.frequency_of(20), np.cross([0, 0, 1], torus.vertices)
+    detail, undisturbed = brindle.FieldDetail(torus, 0.3), brindle.FieldDetail(torus, 0.3)
+    for each in (detail, undisturbed):
+        each.frame(vectors, f)
+    figures, other = detail.figures, vectors[:, ::-1]
+    with pytest.raises(brindle.Error, match="there is no datum"):
+        detail.frame(np.full_like(vectors, np.nan), f)
+    calls = []
+    with pytest.raises(brindle.Cancelled):
+        detail.frame(other, f, progress=lambda *report: calls.append(report) or len(calls) < 3)
+    assert detail.figures == figures
+    for seen, expected in zip(detail.frame(other, f), undisturbed.frame(other, f)):
+        assert np.array_equal(seen, expected)
+
+
 def test_field_animator(torus):
     animator = brindle.FieldAnimator(torus)
     for vertices, directions in (([torus.vertex_count], [[1, 0, 0]]), ([-1], [[1, 0, 0]]),
@@ -235,6 +273,8 @@ def test_field_animator(torus):
             animator.frame(vertices, directions)
     with pytest.raises(TypeError):
         animator.frame([0.5], [[1, 0, 0]])
+    with pytest.raises(brindle.Error, match="2 dimensions"):
+        brindle.FieldAnimator(torus).frame([[0, 1], [2, 3]], [[0, 0, 1], [0, 1, 0]])
 
 
 def test_files(tmp_path, torus):

@@ -281,6 +281,26 @@ TEST_F(Curves, MeasuresWhatAMakerAsksFor) {
   expect_refusal(2, "--line-width", {"curves", cylinder, "--line-width", "0"});
 }
 
+TEST_F(Curves, LengthsAreThoseOfTheCurvesThatAreWritten) {
+  for (const Arguments& more : {Arguments{"--resample", "3%"}, Arguments{"--simplify", "2%"}}) {
+    const Json v = report(more).at("u");
+    const Json& lengths = v.at("lengths");
+    EXPECT_NEAR(lengths.at("closed").get<double>() + lengths.at("open").get<double>(),
+                v.at("length").get<double>(), 1e-5);
+    EXPECT_NE(v.at("length"), report({}).at("u").at("length"));
+  }
+}
+
+TEST_F(Curves, TakeTextureCoordinatesAlong) {
+  ASSERT_EQ(run({"stripe", "shape:torus,resolution=16", "--uv", "--output", "a.ply"}).exit_code, 0);
+  for (const char* command : {"curves", "sample"}) {
+    ASSERT_EQ(run({command, "a.ply", "--stripes", "6", "--output", "b.ply"}).exit_code, 0);
+    const ToolResult info = run({"info", "b.ply"});
+    EXPECT_EQ(info.exit_code, 0) << info.err;
+    EXPECT_NE(info.out.find("uv"), std::string::npos) << info.out;
+  }
+}
+
 TEST_F(Curves, WindAsTheyAreAskedTo) {
   const std::string tube = "shape:tube,radius=0.2,bend=30,resolution=48";
   const Arguments slanted = {

@@ -126,6 +126,10 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"stripe", "--view", "branches"},
       {"stripe", "--stripe-width", "0.3"},
       {"stripe", "--stripe-width", "0.3", "--texture", "dots", "--output", "a.png"},
+      {"stripe", "--stripe-width", "0.3", "--view", "angle_error", "--output", "a.png"},
+      {"stripe", "--colors", "f00,0f0", "--view", "branches", "--output", "a.png"},
+      {"stripe", "--quality", "interactive", "--output", "a.svg"},
+      {"curves", "--colors", "f00,0f0", "--lines", "v", "--output", "a.svg"},
       {"stripe", "--tiles", "whole", "--output", "a.png"},
       {"stripe", "--tiles", "cut", "--texture", "dots", "--report", "a.json"},
       {"stripe", "--tiles", "whole", "--texture", "dots", "--output", "a.glb"},
@@ -179,7 +183,7 @@ TEST_F(Options, WithAnEffectAreTaken) {
        "--compare-from-scratch"},
       {"animate", "--frames", "2", "--along", "--scene", "brush"},
 #ifdef BRINDLE_HAS_GL
-      {"stripe", "--camera", "10,10", "--up", "y", "--size", "64x48", "--colors", "f00,0f0",
+      {"stripe", "--camera", "10,10", "--up", "y", "--size", "64x48", "--colors", "f00,0f0,fff",
        "--view", "branches", "--stripe-width", "0.3", "--output", "a.png"},
       {"stripe", "--texture", "dots", "--colors", "f00,0f0", "--output", "a.glb"},
       {"stripe", "--texture", "dots", "--tiles", "cut", "--output", "a.ply"},
@@ -209,6 +213,24 @@ TEST_F(Options, WithAnEffectAreTaken) {
   }
   EXPECT_EQ(run({"stripe", "mesh.obj", "--field", "field.csv", "--rotate", "5"}).exit_code, 0);
 }
+
+#ifdef BRINDLE_HAS_GL
+TEST_F(Options, OfOtherSurfacesThatContradictAreRefused) {
+  const auto refused = [&](const std::string& style, const std::string& why) {
+    expect_refusal(2, why,
+                   {"stripe", kShape, "--size", "64x48", "--output", "a.png", "--with",
+                    "shape:sphere,radius=0.3" + style});
+  };
+  const std::string one = "more than one of @opaque, @striped and @discarded";
+  for (const std::string style : {"@striped@opaque", "@opaque@striped", "@discarded@striped"}) {
+    refused(style, one);
+  }
+  refused("@#ff0000@#00ff00", "more than one colour");
+  refused("@striped@stripes=3@stripes=4", "more than one @stripes");
+  refused("@1,0,0@0,1,0", "more than one place");
+  refused("@untinted", "nothing is tinted; add --depth-cue");
+}
+#endif
 
 TEST_F(Options, ThatAreMistypedAreGuessed) {
   expect_refusal(2, "did you mean '--stripes'?", {"stripe", kShape, "--stirpes", "20"});

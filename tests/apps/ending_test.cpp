@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,6 +66,29 @@ TEST_F(Ending, OfTheTerminalDoesNotEndWhatNohupStarted) {
   waitpid(tool, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 128 + SIGTERM);
+}
+
+TEST_F(Ending, OfAJobWhosePipeNobodyReads) {
+  for (const std::string name : {"pipe.ply", "pipe.json"}) {
+    ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
+    const pid_t tool = fork();
+    if (tool == 0) {
+      const int messages = open((folder / "messages").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      dup2(messages, STDERR_FILENO);
+      const std::string path = (folder / name).string();
+      execl(BRINDLE_TOOL, BRINDLE_TOOL, "stripe", "shape:torus,resolution=12", "--quiet",
+            name == "pipe.ply" ? "--output" : "--report", path.c_str(), nullptr);
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    int status = 0;
+    EXPECT_EQ(waitpid(tool, &status, WNOHANG), 0) << "it waits for a reader";
+    kill(tool, SIGTERM);
+    waitpid(tool, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status)) << name;
+    EXPECT_EQ(WEXITSTATUS(status), 128 + SIGTERM);
+    EXPECT_EQ(content(folder / "messages"), "brindle: cancelled\n");
+  }
 }
 
 TEST_F(Ending, AtTheLimitOfSizesIsAMessage) {

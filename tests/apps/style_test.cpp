@@ -415,7 +415,7 @@ TEST_F(StyleTool, AgreementIsThatOfTheFileThatIsWritten) {
   };
   EXPECT_LT(far_from_drawn(from_file), 30);
   EXPECT_GT(far_from_drawn(plain), 600);
-  expect_refusal(1, "--field-detail", with({"--width-by", "agreement"}));
+  expect_refusal(2, "--field-detail", with({"--width-by", "agreement"}));
 }
 
 TEST_F(StyleTool, BadValuesAreRefused) {

@@ -203,6 +203,23 @@ TEST_F(OutputFile, PipeIsWrittenTo) {
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
+// Of a pipe that nobody reads, and of one whose reader stands still.
+TEST_F(OutputFile, PipeMayBeCancelled) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const bool is_read : {false, true}) {
+    const int reader = is_read ? open(pipe.c_str(), O_RDONLY | O_NONBLOCK) : -1;
+    int reports = 0;
+    const Progress progress([&](const ProgressReport&) { return ++reports < 3; });
+    const std::string much(1 << 22, 'x');  // more than the system keeps of a pipe
+    EXPECT_THROW(write_file(
+                     pipe, [&](OutputStream& out) { out << much; }, progress),
+                 Cancelled);
+    EXPECT_EQ(reports, 3);
+    if (is_read) close(reader);
+  }
+}
+
 TEST(OutputFileDevice, FullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   try {

@@ -10,6 +10,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/written_arrays.h"
 #include "test_folder.h"
 
 namespace brindle {
@@ -156,6 +157,20 @@ TEST_F(CsvArrays, WhatIsNoWholeArrayStaysApart) {
 TEST_F(CsvArrays, NamesMayHoldSeparatorsAndWordsFormNoArray) {
   EXPECT_EQ(arrays("\"a,b\",\"say \"\"c\"\"\",block\n1,2,left\n3,4,\"5\"\n"),
             (std::vector<DataArray>{doubles("a,b", 1, {1, 3}), doubles("say \"c\"", 1, {2, 4})}));
+}
+
+/// Between quotation marks a name may be anything, and those that Brindle writes are.
+TEST_F(CsvArrays, NamesMayLookLikeNumbers) {
+  for (const std::string name : {"2024", "nan", "-1", "1e3", "a;b", "a\tb", "3 d", ";"}) {
+    const std::string text = "x," + csv_name(name) + ",y\n1,2,3\n4,5,6\n";
+    EXPECT_EQ(arrays(text),
+              (std::vector<DataArray>{doubles("x", 1, {1, 4}), doubles(name, 1, {2, 5}),
+                                      doubles("y", 1, {3, 6})}))
+        << text;
+  }
+  EXPECT_NE(error_of("x,2024\n1,2\n").find("between quotation marks"), std::string::npos);
+  // Rows of numbers may stand between them, too.
+  EXPECT_EQ(read("\"1\",\"2\",\"3\"\n\"-4\",\"5.5\",\"6\"\n"), kRows);
 }
 
 TEST_F(CsvArrays, NumbersAreTheNearestDoublesAndEmptyCellsNaN) {

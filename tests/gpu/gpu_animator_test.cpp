@@ -243,6 +243,63 @@ TEST_F(GpuAnimatorTest, TurningDirectionsRoundIsNoChangeOfThePattern) {
   EXPECT_LT(animator.measure_now()->phase_step, 0.02);
 }
 
+float farthest_apart(std::span<const Complex> a, std::span<const Complex> b) {
+  float farthest = 0;
+  for (std::size_t v = 0; v < a.size(); ++v) farthest = std::max(farthest, std::abs(a[v] - b[v]));
+  return farthest;
+}
+
+/// Momenta are turned with the phases, and forgotten with the last frame; what is not known of
+/// given phases begins at the peak. Few iterations round alike on both devices.
+TEST_F(GpuAnimatorTest, ThePapersModeFollowsLastPhasesAsOnTheProcessor) {
+  auto s = wavy_surface("torus,resolution=40", kAxis, 15);
+  AnimatorOptions options = options_with(0);
+  options.solver = FrameSolver::relaxation;
+  options.iterations = 3;
+  const WaveSet first = s.waves;
+  std::vector<Complex> given = solve_phases(s.graph()).z;
+  for (std::size_t v = 0; v < given.size(); ++v) {
+    if (first.positions[v].x() > 0) given[v] = 0;
+  }
+  StripeAnimator cpu(s.neighborhood, options);
+  GpuAnimator gpu(device.solver.kernels(), s.neighborhood, options);
+  for (int round = 0; round < 2; ++round) {
+    cpu.set_last_phases(given);
+    gpu.set_last_phases(given);
+    for (int number = 0; number < 4; ++number) {
+      SCOPED_TRACE(number);
+      const auto expected = cpu.frame(input_of(s.waves)).z;
+      gpu.frame(input_of(s.waves));
+      EXPECT_LT(farthest_apart(gpu.read_phases(), expected), 2e-3f);
+      flip_half(s.waves, 2 + number);
+      s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
+    }
+    cpu.restart();
+    gpu.restart();
+  }
+}
+
+TEST_F(GpuAnimatorTest, FramesFromBuffersComeBetweenThoseWithSlack) {
+  auto s = wavy_surface("torus,resolution=40", kAxis, 15);
+  AnimatorOptions options = options_with(0.1f);
+  options.slack = 0.2f;
+  GpuAnimator animator(device.solver.kernels(), surface_with(s), options);
+  animator.set_slack(0);
+  const WaveSet first = s.waves;
+  animator.frame(input_of(first));
+  EXPECT_EQ(animator.frequencies().size(), first.frequencies.size());
+  for (float& f : s.waves.frequencies) f *= 1.3f;
+  const GlBuffer positions = application_buffer(s.waves.positions);
+  const GlBuffer directions = application_buffer(s.waves.directions);
+  const GlBuffer frequencies = application_buffer(s.waves.frequencies);
+  animator.frame(WaveBuffers{positions, directions, frequencies});
+  const std::vector<Complex> others = animator.read_phases();
+  EXPECT_TRUE(animator.frequencies().empty());
+  EXPECT_TRUE(animator.frame(input_of(first)));
+  EXPECT_GT(farthest_apart(animator.read_phases(), others), 0.1f);
+  EXPECT_FALSE(animator.frequencies().empty());
+}
+
 TEST_F(GpuAnimatorTest, SiblingSolvesItsOwnFieldOnTheSameTopology) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   GpuAnimator u(device.solver.kernels(), surface.neighborhood);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -46,6 +47,9 @@ struct OfStripes {
     const auto chosen = a.frame(input).frequencies;
     return {{chosen.begin(), chosen.end()}};
   }
+  static void heard(StripeAnimator& animator, const FrameInput& input, const Progress& progress) {
+    animator.frame(input, progress);
+  }
   static StripeAnimator made(const Surface& surface, const AnimatorOptions& options = {}) {
     return StripeAnimator(surface, options);
   }
@@ -65,6 +69,13 @@ struct OfTextures {
     const auto u = frame.u.stripes.frequencies, v = frame.v.stripes.frequencies;
     return {{u.begin(), u.end()}, {v.begin(), v.end()}};
   }
+  static void heard(TextureAnimator& animator, const FrameInput& input, const Progress& progress) {
+    animator.frame({input, {}, {}}, progress);
+  }
+  static void with_normals(TextureAnimator& animator, const FrameInput& input,
+                           std::span<const Vec3> normals) {
+    animator.frame({.u = input, .normals = normals});
+  }
   static TextureAnimator made(const Surface& surface, const AnimatorOptions& options = {}) {
     return TextureAnimator(surface, {.stripes = options});
   }
@@ -81,6 +92,13 @@ struct OfCrosses {
   static std::vector<std::vector<float>> frequencies(CrossAnimator& a, const FrameInput& input) {
     const auto chosen = a.frame({input, {}}).stripes.frequencies;
     return {{chosen.begin(), chosen.end()}};
+  }
+  static void heard(CrossAnimator& animator, const FrameInput& input, const Progress& progress) {
+    animator.frame({input, {}}, progress);
+  }
+  static void with_normals(CrossAnimator& animator, const FrameInput& input,
+                           std::span<const Vec3> normals) {
+    animator.frame({.waves = input, .normals = normals});
   }
   static CrossAnimator made(const Surface& surface, const AnimatorOptions& options = {}) {
     return CrossAnimator(surface, options);
@@ -116,6 +134,64 @@ TYPED_TEST(EveryAnimator, TakesAnotherSlackFromFrameToFrame) {
   auto without = TypeParam::made(turning.surface);
   EXPECT_THROW(without.set_slack(0.1f), Error);
   EXPECT_THROW(animator.set_slack(-1), Error);
+}
+
+/// Over two frames of which each turns crosses so far that they are matched afresh.
+TYPED_TEST(EveryAnimator, ProgressOfAFrameNeverFalls) {
+  Turning turning;
+  for (const float slack : {0.0f, 0.2f}) {
+    AnimatorOptions options;
+    options.slack = slack;
+    options.cycles = 2;
+    auto animator = TypeParam::made(turning.surface, options);
+    for (const int number : {0, 20}) {
+      double done = 0;
+      std::vector<std::string> stages;
+      TypeParam::heard(animator, turning.frame(number), Progress([&](const ProgressReport& report) {
+                         std::vector<std::string> now;
+                         for (const JobStage& stage : report.stages) now.push_back(stage.name);
+                         EXPECT_TRUE(stages.empty() || now == stages) << report.step;
+                         EXPECT_FALSE(now.empty());
+                         EXPECT_GE(report.fraction, done) << report.step;
+                         EXPECT_LE(report.fraction, 1);
+                         stages = now;
+                         done = report.fraction;
+                         return true;
+                       }));
+      EXPECT_GT(done, 0);
+    }
+  }
+}
+
+/// Normals that a frame was given are that frame's.
+template <class Kind>
+struct AnimatorWithNormals : testing::Test {};
+using KindsWithNormals = testing::Types<OfTextures, OfCrosses>;
+TYPED_TEST_SUITE(AnimatorWithNormals, KindsWithNormals);
+
+TYPED_TEST(AnimatorWithNormals, FramesWithoutThemHaveThoseOfTheSurface) {
+  Turning turning;
+  const Surface& surface = turning.surface;
+  std::vector<Vec3> tilted = surface.normals;
+  DirectionField along(tilted.size());
+  for (std::size_t i = 0; i < tilted.size(); ++i) {
+    const Vec3& d = turning.field[i];
+    tilted[i] = (tilted[i] + 0.3f * d).normalized();
+    along[i] = (d - d.dot(tilted[i]) * tilted[i]).normalized();
+  }
+  const FrameInput leaning{surface.mesh.positions, along, turning.frequencies};
+  for (const float slack : {0.0f, 0.2f}) {
+    AnimatorOptions options;
+    options.slack = slack;
+    auto used = TypeParam::made(surface, options), fresh = TypeParam::made(surface, options);
+    const auto first = TypeParam::next(fresh, turning.frame(0));
+    TypeParam::next(used, turning.frame(0));
+    TypeParam::with_normals(used, leaning, tilted);  // at the same place
+    TypeParam::next(used, turning.frame(0));
+    used.restart();
+    EXPECT_EQ(TypeParam::next(used, turning.frame(0)), first);
+    EXPECT_THROW(TypeParam::next(used, leaning), Error) << "not along the surface's own";
+  }
 }
 
 template <class Kind>
@@ -183,6 +259,20 @@ TEST(CrossAnimatorOfLastPhases, FollowsThoseOfAnotherAnimator) {
   Phases bad = last;
   bad[0] = 2;
   EXPECT_THROW(given.set_last_phases(frame.cover, bad), Error);
+
+  // As many vertices and triangles, but others.
+  Mesh renumbered = turning.surface.mesh;
+  std::ranges::reverse(renumbered.triangles);
+  CrossAnimator of_renumbered(make_surface(renumbered));
+  EXPECT_THROW(of_renumbered.set_last_phases(frame.cover, last), Error);
+  CrossCover incomplete = frame.cover;
+  incomplete.waves.positions.pop_back();
+  const CrossFrameResult expected = first.frame({turning.frame(2), {}});
+  const Phases as_expected = copy_of(expected.stripes.z);
+  CrossAnimator goes_on_alone(turning.surface);
+  for (const int number : {0, 1}) goes_on_alone.frame({turning.frame(number), {}});
+  EXPECT_THROW(goes_on_alone.set_last_phases(incomplete, last), Error);
+  EXPECT_EQ(copy_of(goes_on_alone.frame({turning.frame(2), {}}).stripes.z), as_expected);
 }
 
 }  // namespace

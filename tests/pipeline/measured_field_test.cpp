@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/threads.h"
+#include "progress_reports.h"
 
 namespace brindle {
 namespace {
@@ -310,6 +312,55 @@ TEST(FieldDetail, RefusesWhatItCannotTake) {
   EXPECT_NO_THROW(frame({truth.field, {}}));
   const Progress stop([](const ProgressReport&) { return false; });
   EXPECT_THROW(detail.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
+}
+
+/// What is seen of the next frame, and of figures.
+struct SeenDetail {
+  DirectionField directions;
+  std::vector<float> agreement;
+  double turned;
+  std::size_t singularities_of_data;
+  bool operator==(const SeenDetail&) const = default;
+};
+
+SeenDetail see(FieldDetail& detail, const Truth& truth, const DirectionField& data) {
+  const DetailedField field = detail.frame({data, {}}, truth.frequencies);
+  const FieldDetailFigures figures = detail.figures();
+  return {field.directions, field.agreement, figures.turned_mean_deg,
+          figures.singularities_of_data};
+}
+
+TEST(FieldDetail, AFrameThatFailsLeavesNothingBehind) {
+  const Truth truth("torus,resolution=40");
+  for (const std::optional<std::size_t> singularities :
+       {std::optional<std::size_t>(), std::optional<std::size_t>(0)}) {
+    const FieldDetailOptions options{.periods = 0.3f, .singularities = singularities};
+    const DirectionField first = noisy(truth, 10, 1), second = noisy(truth, 60, 2);
+    FieldDetail undisturbed(truth.surface, options);
+    const SeenDetail a = see(undisturbed, truth, first);
+    const double turned = undisturbed.figures().turned_mean_deg;
+    const SeenDetail b = see(undisturbed, truth, noisy(truth, 10, 3));
+    testing_support::Reports all;
+    FieldDetail(truth.surface, options).frame({second, {}}, truth.frequencies, {}, all.progress());
+    for (const int k : testing_support::reports_to_cancel(all.count())) {
+      SCOPED_TRACE(k);
+      FieldDetail detail(truth.surface, options);
+      testing_support::Reports of_first(k), of_later(k);
+      EXPECT_THROW(detail.frame({second, {}}, truth.frequencies, {}, of_first.progress()),
+                   Cancelled);
+      EXPECT_THROW(detail.figures(), Error);
+      EXPECT_EQ(see(detail, truth, first), a);
+      try {
+        detail.frame({second, {}}, truth.frequencies, {}, of_later.progress());
+        break;  // it goes on from the last field, and may make fewer reports
+      } catch (const Cancelled&) {
+      }
+      const DirectionField nothing(truth.field.size(), Vec3::Zero());
+      EXPECT_THROW(detail.frame({nothing, {}}, truth.frequencies), Error);
+      EXPECT_EQ(detail.figures().turned_mean_deg, turned);
+      EXPECT_EQ(see(detail, truth, noisy(truth, 10, 3)), b);
+    }
+  }
 }
 
 TEST(FieldDetailSingularities, AreUndoneInPairsWhereTheyAreAlone) {

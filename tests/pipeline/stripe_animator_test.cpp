@@ -181,6 +181,32 @@ Seen see(StripeAnimator& animator, const FrameInput& input, const Progress& prog
 }
 
 /// Three inputs that differ in everything, and animators for them.
+/// The momenta of the paper's mode are turned with the phases.
+TEST(StripeAnimator, TurningDirectionsRoundInAnyFrameLeavesThePattern) {
+  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+    AnimatorOptions options = with_lambda(0.1f);
+    options.solver = solver;
+    WavySurface plain = wavy_surface("torus,resolution=60", kAxis, 20);
+    StripeAnimator as_given(plain.neighborhood, options), turned(plain.neighborhood, options);
+    for (int number = 0; number < 6; ++number) {
+      SCOPED_TRACE(number);
+      WavySurface other = plain;
+      const std::vector<std::uint8_t> flipped =
+          number % 2 == 1 ? flip_half(other.waves, 3)
+                          : std::vector<std::uint8_t>(plain.waves.positions.size());
+      const auto z = as_given.frame(input_of(plain)).z;
+      const auto of_turned = turned.frame(input_of(other)).z;
+      float farthest = 0;
+      for (std::size_t v = 0; v < z.size(); ++v) {
+        const Complex expected = flipped[v] ? -std::conj(z[v]) : z[v];
+        farthest = std::max(farthest, std::abs(of_turned[v] - expected));
+      }
+      EXPECT_LT(farthest, 1e-3f);
+      plain.waves.directions = rotated(plain.waves.directions, plain.normals, 0.02f);
+    }
+  }
+}
+
 struct Interrupted : testing::TestWithParam<std::tuple<FrameSolver, int>> {
   WavySurface first = wavy_surface("torus,resolution=60", kAxis, 20);
   WavySurface second = first, third = first;
@@ -265,6 +291,22 @@ TEST_P(Interrupted, FrameAfterARestartLeavesItRestarted) {
   const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
   cancel_everywhere(third, restarted, [&](StripeAnimator& cancelled) {
     EXPECT_EQ(cancelled.energy(), energy);
+    EXPECT_EQ(see(cancelled, input_of(first)), a);
+    EXPECT_EQ(see(cancelled, input_of(second)), b);
+  });
+}
+
+TEST_P(Interrupted, FirstFrameLeavesGivenPhases) {
+  StripeAnimator before = animator();
+  const std::vector<Complex> last = see(before, input_of(second)).z;
+  const auto given = [&] {
+    StripeAnimator started = animator();
+    started.set_last_phases(last);
+    return started;
+  };
+  StripeAnimator undisturbed = given();
+  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
+  cancel_everywhere(third, given, [&](StripeAnimator& cancelled) {
     EXPECT_EQ(see(cancelled, input_of(first)), a);
     EXPECT_EQ(see(cancelled, input_of(second)), b);
   });

@@ -53,6 +53,31 @@ void expect_like_quality(const PatternQuality& a, const PatternQuality& b) {
   EXPECT_NEAR(a.spacing_error_mean, b.spacing_error_mean, 0.1 * b.spacing_error_mean);
 }
 
+/// Its vertices have masses of a millionth.
+TEST(StripePattern, MayHaveAComponentThatIsTinyBesideTheOther) {
+  Mesh mesh = make_shape("torus,resolution=24");
+  const Mesh large = mesh;
+  const auto first = static_cast<Index>(large.vertex_count());
+  for (const Vec3& p : large.positions) mesh.positions.push_back(1e-6f * p + Vec3(3, 0, 0));
+  for (const Triangle& t : large.triangles) {
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const Surface surface = make_surface(mesh);
+  const DirectionField field = projected_direction_field(Vec3(0.3f, 0.2f, 1), surface.normals);
+  for (const Solver solver :
+       {Solver::multilevel, Solver::relaxation, Solver::averaged, Solver::global}) {
+    if (!is_available(solver)) continue;
+    for (const float frequency : {0.5f, 5.0f, 20.0f}) {
+      StripeOptions options;
+      options.solver.solver = solver;
+      const StripePattern pattern = stripe_pattern(surface, field, frequency, options);
+      EXPECT_LT(pattern.solution.energy, 0.2) << name_of(solver) << frequency;
+      EXPECT_TRUE(std::ranges::all_of(
+          pattern.solution.z, [](const Complex& z) { return std::abs(std::abs(z) - 1) < 1e-3f; }));
+    }
+  }
+}
+
 TEST(StripePattern, OfAFlatPlaneHasNoEnergyAndNoBranch) {
   const Surface plane = make_surface(make_shape("plane,resolution=60"));
   for (const float stripes : {5.0f, 60.0f, 300.0f}) {

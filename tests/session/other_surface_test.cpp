@@ -22,7 +22,7 @@ TEST(OtherSurface, ReadsWhatItWrites) {
   }
   const OtherSurfaceChoice named = parse_other_surface("--with", "x@steelblue@opaque");
   EXPECT_EQ(parse_other_surface("--with", text_of(named)), named);
-  EXPECT_EQ(text_of(parse_other_surface("--with", "x@texture=dots@discarded@opaque")),
+  EXPECT_EQ(text_of(parse_other_surface("--with", "x@texture=dots@discarded")),
             "x@discarded@texture=dots");
 }
 
@@ -32,6 +32,11 @@ TEST(OtherSurface, RefusesWhatHasNoEffect) {
                            "x@stripe-width=0.2",
                            "x@stripe-color=red",
                            "x@striped@texture=dots",
+                           "x@striped@opaque",
+                           "x@discarded@striped",
+                           "x@texture=dots@texture=plus",
+                           "x@red@#00ff00",
+                           "x@1,0,0@0,1,0",
                            "x@texture=dots@stripe-width=0.2",
                            "x@striped@color-by=height@stripe-color=red",
                            "x@discarded@color-by=height@#ffffff",

@@ -231,6 +231,30 @@ TEST(YieldingFrequency, IsTheSameForEveryNumberOfThreads) {
 }
 #endif  // BRINDLE_HAS_TBB
 
+TEST(YieldingFrequency, KeepsOnlyWhatWasFound) {
+  auto s = wavy_surface("torus,resolution=40", kAxis, 20);
+  YieldingFrequency once(surface_of(s), 0.2f), again(surface_of(s), 0.2f);
+  again.keep();  // nothing
+  const auto next = [&](YieldingFrequency& yielding) {
+    yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+    yielding.keep();
+    return FrequencyField(yielding.frequencies().begin(), yielding.frequencies().end());
+  };
+  const FrequencyField first = next(once);
+  EXPECT_EQ(next(again), first);
+  again.keep();
+  EXPECT_TRUE(std::ranges::equal(again.frequencies(), first));
+  s.waves.directions = rotated(s.waves.directions, s.normals, 0.1f);
+  const Progress stop([](const ProgressReport&) { return false; });
+  again.restart();
+  EXPECT_THROW(again.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies, stop),
+               Cancelled);
+  again.keep();
+  EXPECT_TRUE(std::ranges::equal(again.frequencies(), first));
+  once.restart();
+  EXPECT_EQ(next(again), next(once));
+}
+
 TEST(YieldingFrequency, FramesKeepUpWithFieldsThatTurn) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
   YieldingFrequency yielding(surface_of(s), 0.2f);

@@ -3,6 +3,7 @@
 /// library reads its words; all else follows from the field's type and the table of options.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -21,6 +22,22 @@ template <class Field>
 struct ValueOf<std::optional<Field>> {
   using Type = Field;
 };
+
+/// Refuses what is no whole number of this type in words that say which there are.
+template <class Number>
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        Number ignored{};
+        if (CLI::detail::lexical_cast(text, ignored)) return std::string();
+        const std::string range =
+            std::is_signed_v<Number>
+                ? ""
+                : " from 0 to " + std::to_string(std::numeric_limits<Number>::max());
+        return "expected a whole number" + range + ", got '" + text + "'";
+      },
+      "");
+}
 
 /// Adds an option for a field. Enumerations have the words of the option's row in their order.
 class AddField {
@@ -42,8 +59,10 @@ class AddField {
       add_number_option(*app_, option, field);
     } else if constexpr (std::is_same_v<Value, Length>) {
       add_length_option(*app_, option, field);
+    } else if constexpr (std::is_integral_v<Value>) {
+      app_->add_option(option, field)->check(whole_number<Value>());
     } else {
-      app_->add_option(option, field);  // a whole number or text
+      app_->add_option(option, field);  // text
     }
   }
 

@@ -399,7 +399,9 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     device.check_errors("solving on the GPU");
     if (picture) picture->finish();
     empty.say(display);
-    if (!arguments.report.empty()) write_json(arguments.report, to_json(report));
+    if (!arguments.report.empty()) {
+      write_json(arguments.report, to_json(report), display.progress());
+    }
   }
   if (arguments.quiet) return;
   print_report(std::cout, report);

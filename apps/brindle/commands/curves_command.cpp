@@ -29,7 +29,8 @@ void write(CurveOutput kind, const std::string& path, const CLI::App& command,
            const CurvesArguments& arguments, const CurvesJob& job, ProgressDisplay& display) {
   const Preparation& prepared = job.prepared;
   if (kind == CurveOutput::report) {
-    return write_report(path, command, prepared.surface.mesh, to_json(job, *arguments.picture));
+    return write_report(path, command, prepared.surface.mesh, to_json(job, *arguments.picture),
+                        display.progress());
   }
   write_curves(kind, path, {arguments, prepared.surface, prepared.arrays, job.families}, display);
 }

@@ -104,7 +104,8 @@ void write(SampleOutput kind, const std::string& path, const CLI::App& command,
                              display.progress());
     }
     case SampleOutput::report:
-      return write_report(path, command, mesh, to_json(job, *arguments.picture));
+      return write_report(path, command, mesh, to_json(job, *arguments.picture),
+                          display.progress());
   }
 }
 

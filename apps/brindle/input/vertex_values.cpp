@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/formatted.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -55,6 +56,9 @@ std::vector<float> scalar_values(const std::string& option, const DataArray& arr
     double value = numbers[columns * v];
     if (columns == 3) value = std::hypot(value, numbers[3 * v + 1], numbers[3 * v + 2]);
     values[v] = std::isfinite(value) ? static_cast<float>(value) : kNone;
+    if (!std::isinf(values[v])) continue;
+    throw Error(option + ": '" + array.name + "' is " + formatted("%g", value) + " at vertex " +
+                std::to_string(v) + "; numbers reach up to 3.4e38, take a larger unit");
   }
   return values;
 }
@@ -115,9 +119,10 @@ VertexValues heights(const Surface& surface, const Viewpoint* viewpoint) {
 
 VertexValues agreement_values(const std::string& option, const ValueSource& source) {
   if (source.agreement.empty()) {
-    throw Error(option +
-                ": there is no 'agreement' of data here; pictures of a measured field have "
-                "it, with --field-detail");
+    throw CLI::ValidationError(
+        option,
+        "there is no 'agreement' of data here; pictures of a measured field have it, with "
+        "--field-detail");
   }
   return {{source.agreement.begin(), source.agreement.end()}, std::string(kAgreement)};
 }

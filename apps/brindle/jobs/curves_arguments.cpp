@@ -52,6 +52,11 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
   }
   if (!picture && has(files, CurveOutput::drawing)) {
     refuse_given(command, {"--quality"}, "a drawing of lines has but one; add --output FILE.png");
+    if (arguments.traced == TracedWaves::v) {
+      refuse_given(command, {"--colors"},
+                   "a drawing has lines alone, and those of V have a colour of their own; add "
+                   "--output FILE.png");
+    }
     refuse_light_option(command, arguments.waves,
                         "a drawing of lines shows no light; add --output FILE.png");
   }

@@ -73,7 +73,6 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
   if (family.curves.lines.count() == 0)
     listener.note(why_no_curves(family.name, family.short_curves));
   Polylines& lines = family.curves.lines;
-  family.lengths = curve_lengths(lines);
   if (arguments.line_width) {
     listener.stage("coverage");
     const CurveCoverage coverage =
@@ -83,6 +82,7 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
   }
   listener.stage("points");
   reshape(lines, arguments, diagonal, listener.progress());
+  family.lengths = curve_lengths(lines);
 }
 
 // Solved, noted and traced.

@@ -84,6 +84,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
     return output.kind != OutputKind::picture || is_drawing(output);
   });
   if (!alone) return;
+  refuse_given(command, {"--quality"}, "a drawing has but one; it is for .png");
   refuse_for_outlines(command, arguments.style);
   if (!arguments.style.by_light()) {
     refuse_light_option(command, arguments.waves,
@@ -116,7 +117,15 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
     }
   }
   if (!shows_stripes(*arguments.picture)) {
+    const PictureOptions& picture = *arguments.picture;
     refuse_style_options(command, "--view has colours of its own");
+    const bool has_background = picture.render.background_center == picture.render.background_edge;
+    if (!has_background) {
+      refuse_given(command, {"--colors"}, "--view has colours of its own, but for a background");
+    }
+    if (picture.view == View::angle_error) {
+      refuse_given(command, {"--stripe-width"}, "angle errors are shown without stripes");
+    }
   }
   if (texture) {
     if (arguments.waves.cross) refuse_style_options(command, "crosses are drawn as they are");

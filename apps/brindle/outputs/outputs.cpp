@@ -120,7 +120,7 @@ void write_output(const Output& output, const MadeMesh& made, const Report& repo
     case OutputKind::mesh:
       return write_made_mesh(output.path, made, picture, listener);
     case OutputKind::report:
-      return write_json(output.path, to_json(report));
+      return write_json(output.path, to_json(report), listener.progress());
   }
 }
 
@@ -129,15 +129,17 @@ void refuse_output(const std::filesystem::path& path, const std::string& why) {
 }
 
 void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
-                  const nlohmann::ordered_json& report) {
+                  const nlohmann::ordered_json& report, const Progress& progress) {
   nlohmann::ordered_json json = invocation_of(command);
   json["kind"] = kind_of(mesh);
   json.update(report);
-  write_json(path, json);
+  write_json(path, json, progress);
 }
 
-void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
-  write_file(path, [&](OutputStream& out) { out << json_text(json, 2) << '\n'; });
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json,
+                const Progress& progress) {
+  write_file(
+      path, [&](OutputStream& out) { out << json_text(json, 2) << '\n'; }, progress);
 }
 
 }  // namespace brindle::tool

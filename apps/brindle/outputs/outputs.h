@@ -66,9 +66,10 @@ void check_drawing_file(const std::filesystem::path& path);
 
 /// Writes a report behind `invocation_of` the command and the kind of surface that it worked on.
 void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
-                  const nlohmann::ordered_json& report);
+                  const nlohmann::ordered_json& report, const Progress& progress);
 
-/// Writes indented JSON.
-void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);
+/// Writes indented JSON. `progress` hears of a pipe that nobody reads.
+void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json,
+                const Progress& progress = {});
 
 }  // namespace brindle::tool

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "brindle/base/formatted.h"
+#include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 
 namespace brindle::tool {
@@ -38,6 +39,10 @@ void print_written(std::ostream& out, std::span<const fs::path> files) {
   std::uintmax_t size = 0;
   for (const fs::path& file : files) size += size_of(file);
   out << "wrote " << shown(files.front().native());
+  if (files.size() == 1 && is_device(files.front())) {
+    out << '\n';
+    return;
+  }
   if (files.size() > 1) out << " to " << shown(files.back().native());
   out << " (" << (files.size() > 1 ? formatted("%zu files, ", files.size()) : "") << readable(size)
       << ")\n";

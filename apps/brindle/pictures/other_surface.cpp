@@ -112,6 +112,33 @@ std::string hex_color(const Color& color) {
   return formatted("#%02x%02x%02x", channel(color.red), channel(color.green), channel(color.blue));
 }
 
+namespace {
+
+/// Of what there is one, such as a colour, the kind that a part is of; empty for any other.
+std::string kind_of_part(const std::string& part) {
+  if (part == "opaque" || part == "striped" || part == "discarded") {
+    return "one of @opaque, @striped and @discarded";
+  }
+  if (part == "outlined" || part == "untinted" || part == "whole") return "";
+  const std::size_t equals = part.find('=');
+  if (equals != part.npos) return "one @" + part.substr(0, equals);
+  return part.find(',') != part.npos ? "one place" : "one colour";
+}
+
+void refuse_repeated(const std::string& option, const std::string& text,
+                     const std::vector<std::string>& parts) {
+  std::vector<std::string> kinds;
+  for (const std::string& part : parts) {
+    const std::string kind = kind_of_part(part);
+    if (!kind.empty() && std::ranges::find(kinds, kind) != kinds.end()) {
+      throw CLI::ValidationError(option, "'" + text + "' has more than " + kind + ": leave one");
+    }
+    kinds.push_back(kind);
+  }
+}
+
+}  // namespace
+
 OtherSurfaceChoice parse_other_surface(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split(text, '@');
   OtherSurfaceChoice choice;
@@ -120,6 +147,7 @@ OtherSurfaceChoice parse_other_surface(const std::string& option, const std::str
   for (std::size_t i = 1; i < parts.size(); ++i) {
     if (!take_part(option, parts[i], choice)) wrong_usage(option, kOtherSurfaceForm, text);
   }
+  refuse_repeated(option, text, {parts.begin() + 1, parts.end()});
   const bool alone = choice.between == BetweenStrokes::discarded;
   if (alone && choice.tile.empty()) choice.striped = true;
   const std::string why = effectless_part(choice);

@@ -42,8 +42,7 @@ void set_size(RenderOptions& render, const std::string& option, const std::strin
 void set_camera(RenderOptions& render, const std::string& option, const std::string& text) {
   const auto view = parse_camera_view(text, render.camera.up);
   if (!view) {
-    wrong_usage(option, "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90",
-                text);
+    wrong_usage(option, kCameraViewForm, text);
   }
   render.camera = *view;
 }

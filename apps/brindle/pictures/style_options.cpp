@@ -298,6 +298,11 @@ void check_others(const CLI::App& command, const StyleOptions& options) {
     throw CLI::ValidationError(
         "--with", "@outlined has no effect here: --outline draws the silhouettes of all surfaces");
   }
+  const bool tinted = std::ranges::all_of(options.others, &OtherSurfaceChoice::tinted);
+  if (!tinted && options.depth_cue == DepthCue::none) {
+    throw CLI::ValidationError("--with",
+                               "@untinted has no effect here: nothing is tinted; add --depth-cue");
+  }
   const bool whole = std::ranges::any_of(options.others, &OtherSurfaceChoice::whole);
   if (!whole) return;
   if (!is_given(command, "--slice")) {

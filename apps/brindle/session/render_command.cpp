@@ -197,7 +197,11 @@ void run_render(const CLI::App& command, const RenderArguments& arguments) {
   LivePattern pattern;
   {
     ProgressDisplay display(arguments.quiet);
-    pattern.update(document, Follow::afresh, display.progress());
+    try {
+      pattern.update(document, Follow::afresh, display.progress());
+    } catch (const CLI::ValidationError& error) {  // of the session, not of the command line
+      throw Error(shown(arguments.session) + ": " + error.what());
+    }
     for (const std::string& note : pattern.state()->notes) display.note(note);
     write_outputs(arguments, pattern.state(), display);
   }

@@ -20,7 +20,7 @@ namespace brindle::tool {
 namespace {
 
 /// Options that sessions do not have, and what there is instead.
-constexpr std::array<std::pair<const char*, const char*>, 9> kElsewhere = {{
+constexpr std::array<std::pair<const char*, const char*>, 11> kElsewhere = {{
     {"camera", "the session's camera says where from"},
     {"size", "the session's size says it"},
     {"quality", "pictures are fast while something moves and careful when it rests"},
@@ -29,6 +29,8 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kElsewhere = {{
     {"report", "a session has one picture"},
     {"quiet", "a session has one picture"},
     {"uv", "a session has one picture, and no mesh is written"},
+    {"min-area", "drawings of sessions leave out what is below 0.1 square pixels"},
+    {"between-stripes", "it is called --between there"},
     {"help", "a session does not ask"},
 }};
 

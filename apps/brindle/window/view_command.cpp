@@ -133,9 +133,7 @@ SessionDocument document_of(const ViewArguments& arguments) {
   if (!arguments.camera.empty()) {
     const auto view = parse_camera_view(arguments.camera);
     if (!view) {
-      wrong_usage("--camera",
-                  "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90",
-                  arguments.camera);
+      wrong_usage("--camera", kCameraViewForm, arguments.camera);
     }
     document.camera = *view;
   }

@@ -57,7 +57,7 @@ InputFile::InputFile(const fs::path& path, Progress progress)
   remaining_ = fs::file_size(path, error);
   if (error) fail("cannot be read: " + error.message());
   size_ = remaining_;
-  if (remaining_ == 0) fail("is empty; export the mesh again");
+  if (remaining_ == 0) fail("is empty; write it again");
   buffer_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kFirstSize, remaining_)));
 }
 

@@ -86,10 +86,22 @@ void write_to(system::Descriptor descriptor, const fs::path& path,
   if (out.bad()) fail(path, out.reason());
 }
 
+/// Waits until somebody reads a pipe, as long as nobody cancels.
+system::Descriptor open_device(const fs::path& path, const Progress& progress) {
+  std::error_code ignored;
+  const bool is_pipe = fs::is_fifo(path, ignored);
+  for (;;) {
+    const system::Descriptor descriptor = system::open_device(path);
+    if (descriptor >= 0) return descriptor;
+    if (!is_pipe || !system::is_not_ready(errno)) fail(path, errno);
+    progress.report("waiting for a reader of " + shown(path.string()), 0);
+    system::wait_a_moment();
+  }
+}
+
 void write_device(const fs::path& path, const std::function<void(OutputStream&)>& write,
                   const Progress& progress) {
-  const system::Descriptor descriptor = system::open_device(path);
-  if (descriptor < 0) fail(path, errno);
+  const system::Descriptor descriptor = open_device(path, progress);
   try {
     write_to(descriptor, path, write, progress);
   } catch (...) {

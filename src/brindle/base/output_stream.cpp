@@ -47,6 +47,9 @@ void OutputStream::write_all(const char* bytes, std::size_t count) {
       count -= static_cast<std::size_t>(written);
       passed_ += static_cast<std::size_t>(written);
       since_report_ += static_cast<std::size_t>(written);
+    } else if (written < 0 && system::is_not_ready(errno)) {
+      system::wait_a_moment();
+      since_report_ = kPart;  // so that who waits can cancel
     } else if (written == 0 || errno != EINTR) {
       reason_ = written == 0 ? EIO : errno;
     }

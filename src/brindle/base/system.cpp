@@ -42,6 +42,10 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 Descriptor open_device(const fs::path& path) { return _wopen(path.c_str(), _O_WRONLY | _O_BINARY); }
 
+bool is_not_ready(int) { return false; }
+
+void wait_a_moment() { Sleep(20); }
+
 Descriptor open_unnamed(const fs::path&) {
   errno = ENOSYS;
   return -1;
@@ -116,8 +120,14 @@ bool load_library(const char* name) { return LoadLibraryA(name) != nullptr; }
 #else
 
 Descriptor open_device(const fs::path& path) {
-  return open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  return open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
 }
+
+bool is_not_ready(int reason) {
+  return reason == ENXIO || reason == EAGAIN || reason == EWOULDBLOCK;
+}
+
+void wait_a_moment() { usleep(20'000); }
 
 constexpr mode_t kMode = 0666;  // less what the user's mask forbids
 

@@ -10,8 +10,12 @@ namespace brindle::system {
 /// The number of an open file; below 0 if there is none, and errno says why.
 using Descriptor = int;
 
-/// Of what is there: a device, a pipe.
+/// Of what is there: a device, a pipe. Nothing waits: see `is_not_ready`.
 Descriptor open_device(const std::filesystem::path& path);
+/// Whether errno says that a pipe has no reader yet, or one that is behind.
+bool is_not_ready(int reason);
+/// Some hundredths of a second.
+void wait_a_moment();
 /// A file in `folder` that has no name yet. None where the system or its file system knows no such.
 Descriptor open_unnamed(const std::filesystem::path& folder);
 /// A file under a name that nothing has yet.

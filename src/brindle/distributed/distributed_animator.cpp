@@ -280,7 +280,8 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
   // Given phases are of this frame's directions: there is nothing to turn.
   const bool loaded_new =
       load_waves(s.finest().layout(), yielded.positions, yielded.directions, yielded.frequencies,
-                 s.next_waves(), s.waves, s.has_given ? std::span<Complex>() : std::span(s.last_z));
+                 s.next_waves(), s.waves, s.has_given ? std::span<Complex>() : std::span(s.last_z),
+                 s.momentum.m);
   // To a rank without vertices nothing changes.
   const bool changed = s.ranks().any(loaded_new && s.surface->graph.own > 0);
   if (s.has_given) {
@@ -384,6 +385,7 @@ void DistributedStripeAnimator::take_back() {
   if (s.has_frame) {
     Level& finest = s.finest();
     turn_phases(s.waves, s.next_waves(), s.last_z);
+    turn_phases(s.waves, s.next_waves(), s.momentum.m);
     couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
     to_slots(finest.layout(), s.z_by_node, finest.z);
   } else {

@@ -492,14 +492,6 @@ void write_header(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
   out << "end_header\n";
 }
 
-/// The row of every array.
-void put_rows(BinaryOutput& binary, std::span<const DataArray> arrays, std::size_t row) {
-  for (const DataArray& array : arrays) {
-    put_row(binary, array, row);
-    if (is_uv(array)) put_row(binary, array, row);
-  }
-}
-
 }  // namespace
 
 RawMesh read_ply(const std::filesystem::path& path, const Progress& progress) {
@@ -518,13 +510,13 @@ void write_ply(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
   BinaryOutput binary(out);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     put_position(binary, mesh.positions[v], mesh.origin);
-    put_rows(binary, arrays.points, v);
+    for (const DataArray& array : arrays.points) put_ply_row(binary, array, v);
   }
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     constexpr unsigned char kThree = 3;
     binary.put(&kThree, 1);
     binary.put(mesh.triangles[t].data(), 3);
-    put_rows(binary, arrays.cells, t);
+    for (const DataArray& array : arrays.cells) put_ply_row(binary, array, t);
   }
 }
 

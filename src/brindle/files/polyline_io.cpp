@@ -118,7 +118,7 @@ void write_ply_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
       binary.put(lines.normals_of(line)[i].data(), 3);
       binary.put(number);
       binary.put(static_cast<unsigned char>(kind));
-      for (const DataArray& array : arrays) put_row(binary, array, first + i);
+      for (const DataArray& array : arrays) put_ply_row(binary, array, first + i);
     }
     ++number;
   });

@@ -88,7 +88,7 @@ void write_ply(OutputStream& out, std::span<const Sample> samples, const Eigen::
     put_position(binary, sample.position, origin);
     binary.put(numbers_of(sample).data() + 3, kNumbers - 3);
     binary.put(sample.triangle);
-    for (const DataArray& array : arrays) put_row(binary, array, row);
+    for (const DataArray& array : arrays) put_ply_row(binary, array, row);
   }
 }
 

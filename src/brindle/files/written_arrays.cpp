@@ -12,6 +12,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_extension.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -335,7 +336,9 @@ void refuse_array(const std::filesystem::path& path, const std::string& left_out
 }
 
 std::string csv_name(std::string_view name) {
-  if (name.find_first_of(",;\"\t\r\n ") == std::string_view::npos) return std::string(name);
+  const bool parts = name.find_first_of(",;\"\t\r\n ") != std::string_view::npos;
+  const bool looks_like_number = name.find_first_of("0123456789+-.") == 0 || parse_number(name);
+  if (!parts && !looks_like_number) return std::string(name);
   std::string quoted = "\"";
   for (const char c : name) {
     if (c == '"') quoted += c;
@@ -360,6 +363,13 @@ void put_ply_properties(OutputStream& out, const DataArray& array) {
   if (is_color(array)) names = {"red", "green", "blue"};
   if (is_uv(array)) names = {"texture_u", "texture_v", "s", "t"};
   for (const std::string& name : names) out << "property " << type << ' ' << name << '\n';
+}
+
+void put_ply_row(BinaryOutput& binary, const DataArray& array, std::size_t row) {
+  const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
+  for (int copy = 0; copy < (is_uv(array) ? 2 : 1); ++copy) {
+    binary.put(array.bytes.data() + row * size, size);
+  }
 }
 
 }  // namespace brindle

@@ -46,12 +46,9 @@ std::string csv_name(std::string_view name);
 /// The numbers of a row, each behind a comma.
 void put_csv_row(TextOutput& text, const DataArray& array, std::size_t row);
 
-/// The header's lines for one array of fitting names and types.
+/// The lines of a .ply file's header for one array of fitting names and types, and what they say of
+/// a row: "uv" is there twice.
 void put_ply_properties(OutputStream& out, const DataArray& array);
-
-inline void put_row(BinaryOutput& binary, const DataArray& array, std::size_t row) {
-  const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
-  binary.put(array.bytes.data() + row * size, size);
-}
+void put_ply_row(BinaryOutput& binary, const DataArray& array, std::size_t row);
 
 }  // namespace brindle

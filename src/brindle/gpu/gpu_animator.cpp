@@ -131,6 +131,7 @@ struct GpuAnimator::State {
   bool has_frame = false;   ///< whether a frame has come to its end
   bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
+  bool forgets_momenta = false;  ///< before the next frame
 
   bool follows() const { return has_last || !given_z.empty(); }
 
@@ -239,7 +240,8 @@ void GpuAnimator::State::solve(const Progress& progress) {
     if (relaxation) relaxation->clear();
     return;
   }
-  hierarchy->copy_phases(turned_z);
+  if (forgets_momenta) relaxation->clear();
+  relaxation->follow(*hierarchy, turned_z, waves, next_waves);
   const std::size_t colors = topology->colors(0).size();
   for (int i = 0; i < options.iterations; ++i) relaxation->iterate(*hierarchy, colors);
   timer.stage("relaxation");
@@ -256,6 +258,7 @@ void GpuAnimator::State::keep() {
   std::swap(waves, next_waves);
   input.is_last = false;
   has_last = has_frame = true;
+  forgets_momenta = false;
   given_z.clear();
   ++frames;
 }
@@ -312,7 +315,7 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check_frame_input(input, s.neighborhood->node_count());
   const bool may_stay = s.has_last && s.given_z.empty();
-  if (may_stay && s.yielding.is_kept(input)) {
+  if (may_stay && s.input.is_last && s.yielding.is_kept(input)) {
     s.timer.start();
     return false;
   }
@@ -378,9 +381,14 @@ void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
   check_gl("keeping a frame on the GPU");
 }
 
-std::span<const float> GpuAnimator::frequencies() const { return state_->yielding.frequencies(); }
+std::span<const float> GpuAnimator::frequencies() const {
+  return state_->input.is_last ? state_->yielding.frequencies() : std::span<const float>();
+}
 
-const FrequencyChange& GpuAnimator::frequency_change() const { return state_->yielding.change(); }
+const FrequencyChange& GpuAnimator::frequency_change() const {
+  static const FrequencyChange none;
+  return state_->input.is_last ? state_->yielding.change() : none;
+}
 
 unsigned GpuAnimator::phases() const { return state_->z_by_node; }
 
@@ -436,6 +444,7 @@ void GpuAnimator::set_slack(const Slack& slack) {
 
 void GpuAnimator::restart() {
   state_->has_last = false;
+  state_->forgets_momenta = true;
   state_->given_z.clear();
   state_->yielding.restart();
 }

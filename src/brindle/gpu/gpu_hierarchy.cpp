@@ -100,11 +100,6 @@ void GpuHierarchy::upload_phases(std::span<const Complex> z) {
   glNamedBufferSubData(z_, 0, static_cast<GLsizeiptr>(z.size_bytes()), z.data());
 }
 
-void GpuHierarchy::copy_phases(GLuint z) const {
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glCopyNamedBufferSubData(z, z_, 0, 0, topology_->level(0).slot_count * sizeof(Complex));
-}
-
 void GpuHierarchy::solve(StageTimer* timer) const {
   bind();
   renew_large(true);

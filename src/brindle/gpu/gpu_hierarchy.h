@@ -25,9 +25,6 @@ class GpuHierarchy {
   /// Copies phases of the finest level, one a slot.
   void upload_phases(std::span<const Complex> z);
 
-  /// The same from a buffer.
-  void copy_phases(GLuint z) const;
-
   /// Renews all gauges and sums from the couplings of the finest level and descends to it
   /// (`renew`, then `descend`). Stages: "sums", "small levels", "sweeps".
   void solve(StageTimer* timer = nullptr) const;

@@ -53,6 +53,9 @@ GpuKernels::GpuKernels()
                                     "couplings.glsl", "phase_buffer.glsl", "phases_in_buffer.glsl",
                                     "sweep.glsl", "level_work.glsl", "color_work.glsl",
                                     "sweep.comp"})),
+      follow_phases(
+          ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl", "wave.glsl",
+                                  "phase_buffer.glsl", "follow_phases.comp"})),
       relax(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
                                     "couplings.glsl", "phase_buffer.glsl", "phases_in_buffer.glsl",
                                     "sweep.glsl", "color_work.glsl", "parts.glsl", "group_sum.glsl",

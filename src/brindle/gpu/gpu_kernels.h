@@ -39,6 +39,7 @@ struct GpuKernels {
   ShaderProgram descend_small;
   ShaderProgram prolong;
   ShaderProgram sweep;
+  ShaderProgram follow_phases;
   ShaderProgram relax;
   ShaderProgram judge_iteration;
   ShaderProgram to_nodes;

@@ -20,6 +20,9 @@ constexpr unsigned kCommandBinding = 1;
 constexpr unsigned kMomentumBinding = kGaugeBinding;
 constexpr unsigned kPartBinding = kScratchBinding;
 
+/// Where follow_phases.comp binds what is not of the levels.
+enum FollowBinding : unsigned { kFollowedWaves = 1, kFollowedLastWaves = 2, kFollowedPhases = 3 };
+
 /// Uniform locations of relax.comp and judge_iteration.comp.
 enum RelaxLocation : GLint { kStrength = 3, kFirstPart = 4 };
 enum JudgeLocation : GLint { kPartCount = 0, kCommandCount = 1, kEpsilon = 2 };
@@ -48,6 +51,16 @@ GpuRelaxation::GpuRelaxation(const GpuHierarchy& hierarchy, float strength) : st
 void GpuRelaxation::clear() const {
   if (momenta_ == 0) return;
   glClearNamedBufferData(momenta_, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuRelaxation::follow(const GpuHierarchy& hierarchy, unsigned phases, unsigned last_waves,
+                           unsigned waves) const {
+  hierarchy.bind();
+  bind_storage(kFollowedWaves, waves);
+  bind_storage(kFollowedLastWaves, last_waves);
+  bind_storage(kFollowedPhases, phases);
+  bind_storage(kMomentumBinding, momenta_);
+  dispatch(hierarchy.kernels().follow_phases, hierarchy.topology().level(0).slot_count);
 }
 
 void GpuRelaxation::iterate(const GpuHierarchy& hierarchy, std::size_t colors) const {

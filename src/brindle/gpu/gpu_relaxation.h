@@ -19,6 +19,11 @@ class GpuRelaxation {
   /// Forgets the momenta.
   void clear() const;
 
+  /// Lets iterations go on at these phases by slot, and momenta from the last waves to these ones.
+  /// All are names of buffers.
+  void follow(const GpuHierarchy& hierarchy, unsigned phases, unsigned last_waves,
+              unsigned waves) const;
+
   /// One iteration over the first `colors` colours, a dispatch each; does nothing once `judge` has
   /// found convergence.
   void iterate(const GpuHierarchy& hierarchy, std::size_t colors) const;

@@ -15,6 +15,7 @@ PhaseSolution solve_global(const PhaseGraph&, std::span<const float>, const Solv
 
 #else
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/CholmodSupport>
@@ -35,6 +36,10 @@ using Vector = Eigen::VectorXd;
 /// Added to the energy matrix, as a share of its mean diagonal, to make it positive definite.
 constexpr double kShift = 1e-7;
 
+/// At least so much of a node's own weights, where its mass is next to nothing: rounding takes
+/// less.
+constexpr double kLeastShift = 1e-11;
+
 /// One real 2x2 block a coupling, lower triangle only: A z has [[re, -im], [im, re]], B conj(z) has
 /// [[re, im], [im, -re]].
 void add_coupling(std::vector<Eigen::Triplet<double, SuiteSparse_long>>& entries, Index i, Index j,
@@ -50,7 +55,8 @@ std::vector<double> weight_sums(const PhaseGraph& graph) {
   std::vector<double> sums(graph.node_count());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
-      sums[i] += std::abs(graph.coupling[edge]);
+      // In double precision, as the matrix has it: rounded down it might not be definite.
+      sums[i] += std::abs(std::complex<double>(graph.coupling[edge]));
     }
   }
   return sums;
@@ -76,7 +82,9 @@ Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass,
   reported_for(nodes, progress.part(0, 0.4), [&](std::size_t node) {
     const auto i = static_cast<Index>(node);
     // A node without couplings stands alone, whatever its phase.
-    const double diagonal = weights[i] > 0 ? weights[i] + shift * mass_of(mass, i) : 1.0;
+    const double shifted =
+        weights[i] + std::max(shift * mass_of(mass, i), kLeastShift * weights[i]);
+    const double diagonal = weights[i] > 0 ? shifted : 1.0;
     entries.emplace_back(2 * i, 2 * i, diagonal);
     entries.emplace_back(2 * i + 1, 2 * i + 1, diagonal);
     for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
@@ -143,9 +151,11 @@ PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
   stages.begin("global: Cholesky factor");
   if (factor.info() == Eigen::Success) factor.factorize(matrix);
   if (factor.info() != Eigen::Success) {
+    const bool is_memory = factor.cholmod().status == CHOLMOD_OUT_OF_MEMORY;
     throw Error("the global solver could not factorise the energy matrix of " +
-                std::to_string(graph.node_count()) +
-                " nodes; free some memory or use the multilevel solver");
+                std::to_string(graph.node_count()) + " nodes; " +
+                (is_memory ? "free some memory, or" : "its weights are too far apart;") +
+                " take another solver");
   }
   const Vector masses = mass_vector(graph, mass);
   Vector x = start_vector(graph, options.seed);

@@ -23,7 +23,7 @@ bool turned_round(const SlicedWave& a, const SlicedWave& b) {
          0;
 }
 
-/// The phase of a wave whose direction is turned round.
+/// The phase, or the momentum, of a wave whose direction is turned round.
 Complex turned(Complex z) { return -std::conj(z); }
 
 }  // namespace
@@ -31,9 +31,9 @@ Complex turned(Complex z) { return -std::conj(z); }
 bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
                 std::vector<SlicedWave>& waves, std::span<const SlicedWave> last,
-                std::span<Complex> z) {
+                std::span<Complex> z, std::span<Complex> m) {
   waves.resize(layout.slot_count());
-  if (last.empty()) z = {};
+  if (last.empty()) z = m = {};
   std::atomic<bool> changed = last.empty();
   parallel_for(layout.slot_count(), [&](std::size_t begin, std::size_t end) {
     bool changed_here = false;
@@ -46,7 +46,10 @@ bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
           {p.x(), p.y(), p.z()}, std::sqrt(frequencies[node]), {d.x(), d.y(), d.z()}, 0};
       if (!last.empty()) {
         changed_here = changed_here || !same(last[slot], now);
-        if (!z.empty() && turned_round(last[slot], now)) z[slot] = turned(z[slot]);
+        if (turned_round(last[slot], now)) {
+          if (!z.empty()) z[slot] = turned(z[slot]);
+          if (!m.empty()) m[slot] = turned(m[slot]);
+        }
       }
       waves[slot] = now;
     }

@@ -19,15 +19,15 @@ struct alignas(32) SlicedWave {
 
 /// Copies waves (one entry per node) into the order of slots. Where a direction has turned round
 /// against that of the `last` waves (by slot; none if empty; may be those that are overwritten),
-/// the phase in `z` (by slot; may be empty) is turned with it, so that it still means the same
-/// wave. Returns whether anything differs from the last waves.
+/// the phase in `z` and the momentum in `m` (by slot; may be empty) are turned with it, so that
+/// they still mean the same wave. Returns whether anything differs from the last waves.
 bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
                 std::vector<SlicedWave>& waves, std::span<const SlicedWave> last = {},
-                std::span<Complex> z = {});
+                std::span<Complex> z = {}, std::span<Complex> m = {});
 
-/// Turns the phases in `z` (by slot; may be empty) where directions have turned round from one list
-/// of waves to the other. The same again undoes it to the bit.
+/// Turns the phases or momenta in `z` (by slot; may be empty) where directions have turned round
+/// from one list of waves to the other. The same again undoes it to the bit.
 void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> to,
                  std::span<Complex> z);
 

@@ -10,6 +10,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/base/formatted.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
@@ -30,16 +31,37 @@ void for_vectors(const DataArray& array, const Body& body) {
   }
 }
 
+/// Units do not matter, but sums of tiny numbers vanish, and those of huge ones overflow: the
+/// largest of such numbers becomes 1.
+template <class Number>
+std::vector<float> as_weights(const std::vector<Number>& numbers) {
+  constexpr double kTiny = 1e-30, kHuge = 1e30;
+  double largest = 0;
+  for (const double number : numbers) {
+    if (number < 0) {
+      throw Error(kWeightOption + formatted(": there are weights below zero, such as %g", number) +
+                  "; give 0 or above, or nan for no datum");
+    }
+    if (std::isfinite(number)) largest = std::max(largest, number);
+  }
+  const bool fits = largest == 0 || (largest > kTiny && largest < kHuge);
+  std::vector<float> weights;
+  weights.reserve(numbers.size());
+  for (const double number : numbers) {
+    weights.push_back(static_cast<float>(fits ? number : number / largest));
+  }
+  return weights;
+}
+
 std::vector<float> lengths_of(const DataArray& vectors) {
-  std::vector<float> lengths;
-  for_vectors(vectors, [&](const Eigen::Vector3d& vector) {
-    lengths.push_back(static_cast<float>(vector.stableNorm()));
-  });
-  return lengths;
+  std::vector<double> lengths;
+  for_vectors(vectors,
+              [&](const Eigen::Vector3d& vector) { lengths.push_back(vector.stableNorm()); });
+  return as_weights(lengths);
 }
 
 std::vector<float> weights_of(const FieldData& data, const FieldWeight& weight) {
-  if (!weight.values.empty()) return weight.values;
+  if (!weight.values.empty()) return as_weights(weight.values);
   const bool tensor = data.array.rows() > 0 && is_tensor(data.array);
   if (weight.word == "length") {
     if (!tensor && data.array.rows() > 0) return lengths_of(data.array);
@@ -69,7 +91,6 @@ MeasuredField measured_field(const FieldData& data, const DirectionField& direct
   }
   measured.confidence = weights_of(data, weight);
   for (float& confidence : measured.confidence) {
-    if (confidence < 0) throw RefusedOption(kWeightOption, "there are weights below zero");
     if (!std::isfinite(confidence)) confidence = 0;
   }
   return measured;

@@ -297,11 +297,13 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
          "solver            ms       ms        ms       ms   tions    energy  branches   mean  "
          ">5 deg    error\n";
   for (const Report& report : reports) {
+    const std::string branches =  // of points there is nothing to count
+        report.triangles == 0 ? "-" : std::to_string(report.quality.branches);
     const PatternQuality& quality = report.quality;
     const StripeMilliseconds& time = report.milliseconds;
-    out << formatted("%-11s %8.1f %8.1f %9.1f %8.1f %7d %9.6f %9zu %6.2f %6.1f%% %7.1f%%\n",
+    out << formatted("%-11s %8.1f %8.1f %9.1f %8.1f %7d %9.6f %9s %6.2f %6.1f%% %7.1f%%\n",
                      name_of(report.solver).data(), time.topology, time.couple, time.solve,
-                     time.pattern, report.iterations, report.energy, quality.branches,
+                     time.pattern, report.iterations, report.energy, branches.c_str(),
                      quality.angle_error_mean_deg, 100 * quality.angle_error_share_over_5deg,
                      100 * quality.spacing_error_mean);
   }

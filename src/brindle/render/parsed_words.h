@@ -17,6 +17,11 @@ namespace brindle {
 /// not in 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
+/// What `parse_camera_view` reads, for messages.
+inline constexpr const char* kCameraViewForm =
+    "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90, zoom from 0.01 to "
+    "10000";
+
 /// Reads "azimuth,elevation" in degrees. Empty if the text is not that, a number is not finite, or
 /// elevation is beyond -90 .. 90.
 std::optional<LightDirection> parse_light_direction(std::string_view text);

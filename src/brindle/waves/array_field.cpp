@@ -8,6 +8,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/waves/float_vector.h"
@@ -141,8 +142,9 @@ FrequencyField frequencies_of(const DataArray& array, std::span<const Vec3> dire
       frequencies[v] = frequency;
     } else if (!std::isnan(numbers[v]) && !directions[v].isZero(0)) {
       throw Error("array '" + array.name + "': the frequency of vertex " + std::to_string(v) +
-                  " is " + std::to_string(numbers[v]) +
-                  "; where there is a wave it must be a finite number above zero, or NaN for none");
+                  formatted(" is %g", numbers[v]) +
+                  "; where there is a wave it must be a number from 1.2e-38 to 3.4e38, or NaN for "
+                  "none");
     }
   }
   return frequencies;

@@ -114,6 +114,7 @@ void YieldingSolver::set_slack(const Slack& slack) {
 void YieldingSolver::set_setting(std::shared_ptr<const YieldingSetting> setting,
                                  bool weighs_as_before) {
   setting_ = std::move(setting);
+  has_next_ = false;
   if (!weighs_as_before) {
     settled_ = false;
     starts_ = true;
@@ -306,6 +307,7 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   const auto report = [&](double done) {
     if (starts_) progress.report(done);
   };
+  has_next_ = false;
   report(0);
   if (!settled_) build(input, inner(progress.part(0, 0.2)));
   report(0.2);
@@ -321,10 +323,13 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   report(0.95);
   take(input.wanted);
   report(1);
+  has_next_ = true;
   return next_;
 }
 
 void YieldingSolver::keep() {
+  if (!has_next_) return;
+  has_next_ = false;
   std::swap(relaxed_, kept_);
   kept_target_ = target_;
   std::swap(next_, frequencies_);

@@ -96,6 +96,7 @@ class YieldingSolver {
   float target_ = 0, kept_target_ = 0;     ///< what logarithms are drawn to where it is calm
   std::vector<float> next_, frequencies_;  ///< by vertex, of the last `solve` and of what was kept
   FrequencyChange change_;
+  bool has_next_ = false;      ///< whether there is a result that `keep` has not taken
   bool settled_ = false;       ///< whether anything was kept since rows were built
   bool starts_ = true;         ///< whether nothing is kept to start from
   bool other_bounds_ = false;  ///< whether what is kept was found between others

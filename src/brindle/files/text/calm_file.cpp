@@ -15,8 +15,10 @@ void refuse_rows(const std::filesystem::path& path, std::size_t rows, std::size_
   std::string count = std::to_string(vertex_count);
   if (file_vertices > vertex_count)
     count += ", or " + std::to_string(file_vertices) + " in its file,";
-  throw Error("'" + shown(path.string()) + "' ends at line " + std::to_string(line) + " after " +
-              std::to_string(rows) + " rows, but the mesh has " + count +
+  const std::string has = rows == 0 ? std::string("has no rows")
+                                    : "ends at line " + std::to_string(line) + " after " +
+                                          std::to_string(rows) + " rows";
+  throw Error("'" + shown(path.string()) + "' " + has + ", but the mesh has " + count +
               " vertices; give one row per vertex");
 }
 

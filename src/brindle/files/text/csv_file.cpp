@@ -65,10 +65,34 @@ std::string_view unquoted(std::string_view cell) {
   return quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
+/// Whether a row has a separator outside of cells in quotation marks, whatever these are parted by.
+bool has_separator(std::string_view row, char separator) {
+  constexpr std::string_view kSeparators = ";,\t";
+  const auto ends_at = [&](std::size_t place) {
+    return place == std::string_view::npos ||
+           kSeparators.find(row[place]) != std::string_view::npos;
+  };
+  bool begins = true, closes = true;  // what one mark does not find, no later one does
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (row[i] == separator) return true;
+    if (row[i] == '"' && begins && closes) {
+      std::size_t mark = row.find('"', i + 1);
+      while (mark != std::string_view::npos && !ends_at(row.find_first_not_of(" \r", mark + 1))) {
+        mark = row.find('"', mark + (row.substr(mark, 2) == "\"\"" ? 2 : 1));
+      }
+      closes = mark != std::string_view::npos;
+      if (closes) i = mark;
+    }
+    begins = ends_at(i) || (begins && row[i] == ' ');
+  }
+  return false;
+}
+
 /// Cuts a row at its separators: the first of semicolon, comma and tab that parts cells, or else
 /// spaces.
 void cut(std::string_view row, std::vector<std::string_view>& cells) {
   for (const char separator : {';', ',', '\t'}) {
+    if (!has_separator(row, separator)) continue;
     cells.clear();
     std::set<std::size_t> vain;
     for (std::size_t begin = 0; begin <= row.size();) {
@@ -95,11 +119,31 @@ bool parse(const std::vector<std::string_view>& cells, std::vector<double>& valu
   return true;
 }
 
-/// Whether every cell begins as a word does.
-bool is_header(const std::vector<std::string_view>& cells) {
-  return std::none_of(cells.begin(), cells.end(), [](std::string_view cell) {
-    return cell.empty() || cell.find_first_of("0123456789+-.") == 0 || parse_number(cell);
+/// Whether a cell of a row stands between quotation marks, which are not part of it.
+bool is_quoted(std::string_view row, std::string_view cell) {
+  const auto begin = static_cast<std::size_t>(cell.data() - row.data()), end = begin + cell.size();
+  return begin > 0 && end < row.size() && row[begin - 1] == '"' && row[end] == '"';
+}
+
+/// Whether every cell begins as a word does, or stands between quotation marks.
+bool is_header(std::string_view row, const std::vector<std::string_view>& cells) {
+  return std::none_of(cells.begin(), cells.end(), [&](std::string_view cell) {
+    const bool is_number = cell.find_first_of("0123456789+-.") == 0 || parse_number(cell);
+    return cell.empty() || (is_number && !is_quoted(row, cell));
   });
+}
+
+/// Whether cells are names: words, and numbers between quotation marks beside them.
+bool are_names(std::string_view row, const std::vector<std::string_view>& cells) {
+  bool has_words = false;
+  for (const std::string_view cell : cells) {
+    if (!parse_number(cell)) {
+      has_words = true;
+    } else if (!is_quoted(row, cell)) {
+      return false;
+    }
+  }
+  return has_words;
 }
 
 /// Whether the row would be one of numbers if it had points for its commas.
@@ -142,9 +186,8 @@ std::vector<double> CsvTable::numbers_of(std::string_view name) const {
 CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
     : path_(std::move(path)), kind_(std::move(kind)), in_(open_input(path_, "a CSV file")) {
   first_ = next_row();
-  const bool words =
-      first_ && ranges::none_of(cells_, [](auto cell) { return parse_number(cell).has_value(); });
-  if (words) ranges::transform(cells_, std::back_inserter(names_), name_in);
+  if (first_ && are_names(row_, cells_))
+    ranges::transform(cells_, std::back_inserter(names_), name_in);
 }
 
 bool CsvFile::next_row() {
@@ -166,8 +209,14 @@ bool CsvFile::next_row() {
 void CsvFile::refuse_row() const {
   const std::string remedy =
       has_decimal_commas(row_) ? "write decimal points instead of decimal commas: " : "write ";
+  const bool may_be_names = first_ && ranges::any_of(cells_, [](std::string_view cell) {
+                              return !cell.empty() && !parse_number(cell);
+                            });
   throw Error(at_line(path_, number_) + in_quotes(row_) + " is not a row of numbers; " + remedy +
-              kind_.columns);
+              kind_.columns +
+              (may_be_names
+                   ? ", or put names of columns that look like numbers between quotation marks"
+                   : ""));
 }
 
 void CsvFile::refuse_cell(std::size_t column) const {
@@ -185,7 +234,7 @@ void CsvFile::read(
   for (bool more = first_; more; more = next_row()) {
     if (parse(cells_, values)) {
       use(number_, values);
-    } else if (!first_ || !is_header(cells_)) {
+    } else if (!first_ || !is_header(row_, cells_)) {
       refuse_row();
     }
     first_ = false;
@@ -193,6 +242,9 @@ void CsvFile::read(
 }
 
 CsvTable CsvFile::read_table() {
+  if (names_.empty() && first_ && !is_header(row_, cells_) &&
+      !ranges::all_of(cells_, [](auto cell) { return parse_number(cell).has_value(); }))
+    refuse_row();
   if (names_.empty()) {
     throw Error("'" + shown(path_.string()) +
                 "' does not name its columns; write their names into its first row");

@@ -150,6 +150,12 @@ struct FieldDetail::State {
     std::vector<float> weight, area;
   };
 
+  /// What a frame finds from its data.
+  struct Found {
+    Sums data;
+    std::vector<Complex> u;
+  };
+
   Sums sums_of(const MeasuredField& field) const {
     Sums sums{std::vector<Complex>(count()), std::vector<float>(count()),
               std::vector<float>(count())};
@@ -182,13 +188,15 @@ struct FieldDetail::State {
                       const MeasuredField& last, const Progress& progress);
   void check_frame(const MeasuredField& measured, std::span<const float> frequencies,
                    const MeasuredField& last) const;
-  void solve(const MeasuredField& measured, std::span<const float> frequencies,
-             const MeasuredField& last, const Progress& progress);
-  std::vector<float> distances(std::span<const float> frequencies) const;
-  FoundSingularities pairs_to_undo(std::span<const float> frequencies, std::size_t more) const;
+  Found solve(const MeasuredField& measured, std::span<const float> frequencies,
+              const MeasuredField& last, const Progress& progress);
+  std::vector<float> distances(const Sums& data, std::span<const float> frequencies) const;
+  FoundSingularities pairs_to_undo(std::span<const Complex> u, std::span<const float> frequencies,
+                                   std::size_t more) const;
   void undo_singularities(std::span<const float> frequencies, std::vector<float>& screening,
-                          const ScreenedOptions& solving);
-  DetailedField seen(std::span<const float> frequencies, const Progress& progress) const;
+                          const ScreenedOptions& solving, std::vector<Complex>& u);
+  DetailedField seen(const Found& found, std::span<const float> frequencies,
+                     const Progress& progress) const;
   void sign_like_last(DirectionField& field, const Progress& progress) const;
   std::vector<DatumTurn> turns() const;
 
@@ -200,10 +208,9 @@ struct FieldDetail::State {
   std::vector<float> areas, triangle_areas;
   VertexTriangles around;
 
-  // Of the last frame.
+  // Of the last frame that came to its end.
   std::optional<MeasuredField> measured_;
-  Sums data;
-  std::vector<Complex> u;
+  Found found_;
   DirectionField directions;
 };
 
@@ -225,9 +232,13 @@ void FieldDetail::State::check_frame(const MeasuredField& measured,
           "frequencies must be finite numbers of 0 or above");
 }
 
-void FieldDetail::State::solve(const MeasuredField& measured, std::span<const float> frequencies,
-                               const MeasuredField& last, const Progress& progress) {
-  data = sums_of(measured);
+FieldDetail::State::Found FieldDetail::State::solve(const MeasuredField& measured,
+                                                    std::span<const float> frequencies,
+                                                    const MeasuredField& last,
+                                                    const Progress& progress) {
+  Found found{sums_of(measured), {}};
+  const Sums& data = found.data;
+  const std::vector<Complex>& last_u = found_.u;
   const auto even = static_cast<float>(1 / mean_confidence(data));
   const Sums before = options.memory > 0 ? sums_of(last) : Sums{};
   std::vector<float> screening(count());
@@ -245,34 +256,37 @@ void FieldDetail::State::solve(const MeasuredField& measured, std::span<const fl
       }
       if (screening[i] > 0) start[i] = graph.anchor[i] / screening[i];
       // What the last frame found is nearer, where it found anything.
-      if (!u.empty() && u[i] != Complex(0)) start[i] = u[i];
+      if (!last_u.empty() && last_u[i] != Complex(0)) start[i] = last_u[i];
     }
   });
   const bool has_holes = ranges::find(screening, 0.0f) != screening.end();
   ScreenedOptions solving = {.max_iterations = kMostIterations,
-                             .tolerance = has_holes   ? kToleranceInHoles
-                                          : u.empty() ? kTolerance
-                                                      : kToleranceInFrames,
+                             .tolerance = has_holes        ? kToleranceInHoles
+                                          : last_u.empty() ? kTolerance
+                                                           : kToleranceInFrames,
                              .of_anchors = true,
                              .degrees = degrees,
                              .progress = options.singularities ? progress.part(0, 0.5) : progress};
-  u = smooth_screened(graph, screening, std::move(start), solving);
-  if (!options.singularities) return;
+  found.u = smooth_screened(graph, screening, std::move(start), solving);
+  if (!options.singularities) return found;
   solving.progress = progress.part(0.5, 1);
-  undo_singularities(frequencies, screening, solving);
+  undo_singularities(frequencies, screening, solving, found.u);
+  return found;
 }
 
 /// How far every vertex is from the next datum, along edges, in periods; infinitely far beyond
 /// what is filled. Nothing where there are no holes.
-std::vector<float> FieldDetail::State::distances(std::span<const float> frequencies) const {
+std::vector<float> FieldDetail::State::distances(const Sums& data,
+                                                 std::span<const float> frequencies) const {
   if (ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
   const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
   return periods_from_data(surface, frequencies, std::not_fn(is_hole), is_hole, options.fill);
 }
 
-/// The singularities of `u`, and the nearest pairs of them: as many as bring them down to what the
-/// options ask for, and `more`, or as there are. They are looked for ever farther away.
-FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const float> frequencies,
+/// The singularities of a field, and the nearest pairs of them: as many as bring them down to what
+/// the options ask for, and `more`, or as there are. They are looked for ever farther away.
+FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const Complex> u,
+                                                     std::span<const float> frequencies,
                                                      std::size_t more) const {
   const DirectionField field = directions_of(u, surface.normals, options.symmetry);
   FoundSingularities found;
@@ -289,13 +303,14 @@ FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const float> freq
 /// Averages over more where pairs of singularities are, until there are few enough of them.
 void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
                                             std::vector<float>& screening,
-                                            const ScreenedOptions& solving) {
+                                            const ScreenedOptions& solving,
+                                            std::vector<Complex>& u) {
   constexpr int kMostRounds = 30;
   PeriodWalk walk(surface, frequencies);
   std::size_t fewest = std::numeric_limits<std::size_t>::max(), in_vain = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     // Where a vertex is so sharp that every field turns round beside it, other pairs must do.
-    const FoundSingularities found = pairs_to_undo(frequencies, in_vain);
+    const FoundSingularities found = pairs_to_undo(u, frequencies, in_vain);
     if (found.pairs.empty()) return;
     in_vain = found.count < fewest ? 0 : in_vain + 2;
     fewest = std::min(fewest, found.count);
@@ -338,10 +353,11 @@ void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& p
   if (!all) orient_alike(*surface.neighborhood, settled, field);
 }
 
-DetailedField FieldDetail::State::seen(std::span<const float> frequencies,
+DetailedField FieldDetail::State::seen(const Found& found, std::span<const float> frequencies,
                                        const Progress& progress) const {
   DetailedField field{DirectionField(count()), std::vector<float>(count())};
-  const std::vector<float> distance = distances(frequencies);
+  const std::vector<Complex>& u = found.u;
+  const std::vector<float> distance = distances(found.data, frequencies);
   parallel_for(count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       field.directions[i] = Vec3::Zero();
@@ -363,12 +379,14 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
   check_frame(measured, frequencies, last);
   if (measured.of_triangles && around.entries.empty()) around = vertex_triangles(surface.mesh);
   progress.report(0);
-  solve(measured, frequencies, last, progress.part(0, 0.8));
-  const bool is_any = ranges::any_of(data.weight, [](float w) { return w > 0; });
+  Found found = solve(measured, frequencies, last, progress.part(0, 0.8));
+  const bool is_any = ranges::any_of(found.data.weight, [](float w) { return w > 0; });
   require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
-  DetailedField field = seen(frequencies, progress.part(0.8, 1));
+  DetailedField field = seen(found, frequencies, progress.part(0.8, 1));
+  DirectionField kept = field.directions;
   measured_ = measured;
-  directions = field.directions;
+  found_ = std::move(found);
+  directions = std::move(kept);
   return field;
 }
 
@@ -385,7 +403,7 @@ std::vector<DatumTurn> FieldDetail::State::turns() const {
       const auto add = [&](Index i, float area) {
         const FieldDatum d = datum(measured, place, i, area);
         if (d.weight == 0 || directions[i].isZero(0)) return;
-        turned += std::conj(d.u) * u[i];
+        turned += std::conj(d.u) * found_.u[i];
         turns[place].weight += area;
       };
       if (!measured.of_triangles) {
@@ -419,8 +437,9 @@ FieldDetailFigures FieldDetail::figures() const {
   tell_turns(state.turns(), figures);
   std::vector<Complex> before(state.count());
   for (Index i = 0; i < state.count(); ++i) {
-    const bool has_datum = state.data.weight[i] > 0, has_direction = !state.directions[i].isZero(0);
-    if (has_datum) before[i] = state.data.pull[i];
+    const bool has_datum = state.found_.data.weight[i] > 0,
+               has_direction = !state.directions[i].isZero(0);
+    if (has_datum) before[i] = state.found_.data.pull[i];
     figures.filled += has_direction && !has_datum ? 1 : 0;
     figures.unfilled += !has_direction && !state.surface.neighborhood->of(i).empty() ? 1 : 0;
     figures.data += has_datum ? 1 : 0;

@@ -59,8 +59,27 @@ FrequencyField frequencies_of(const CrossCover& cover, std::size_t r, std::size_
   return result;
 }
 
-FrameInput frame_input(const WaveSet& waves) {
-  return {waves.positions, waves.directions, waves.frequencies};
+FrameInput cover_input(const WaveSet& waves, std::span<const Vec3> normals) {
+  return {waves.positions, waves.directions, waves.frequencies, normals};
+}
+
+/// Whether everything about a cover is as that of this mesh has it, but for which crosses match.
+bool is_cover_of(const CrossCover& cover, const Mesh& mesh) {
+  const std::size_t nodes = 2 * mesh.vertex_count(), matched = cover.base.size();
+  const WaveSet& waves = cover.waves;
+  if (waves.positions.size() != nodes || waves.directions.size() != nodes ||
+      waves.frequencies.size() != nodes || cover.triangles.size() != 2 * matched ||
+      matched + cover.singular.size() != mesh.triangle_count()) {
+    return false;
+  }
+  for (std::size_t n = 0; n < cover.triangles.size(); ++n) {
+    const Index base = cover.base[n % matched];
+    if (base >= mesh.triangle_count()) return false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (cover.triangles[n][c] / 2 != mesh.triangles[base][c]) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -118,7 +137,7 @@ void measure(const LaidCrosses& laid, PhaseShiftKind kind, const Progress& progr
 }  // namespace
 
 struct CrossAnimator::State {
-  Surface surface;  ///< at the place of the last frame
+  Surface surface;  ///< at the place of the last frame, but for the normals, which stay
   AnimatorOptions options;
   AnimatorOptions on_cover = {};
   bool made_with_slack = false;
@@ -130,6 +149,7 @@ struct CrossAnimator::State {
   std::span<const Vec3> normals_of(const CrossFrameInput& input) const {
     return input.normals.empty() ? std::span<const Vec3>(surface.normals) : input.normals;
   }
+  std::vector<Vec3> normals_on_cover(const CrossFrameInput& input) const;
   StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
   void solve_again(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
                    CrossFrameResult& result);
@@ -152,6 +172,14 @@ WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const 
                 {given.frequencies.begin(), given.frequencies.end()}};
   check_tangent_waves(normals_of(input), waves);
   return waves;
+}
+
+/// What an animator of the cover as a surface looks at.
+std::vector<Vec3> CrossAnimator::State::normals_on_cover(const CrossFrameInput& input) const {
+  std::vector<Vec3> result;
+  if (!made_with_slack) return result;
+  for (const Vec3& normal : normals_of(input)) result.insert(result.end(), 2, normal);
+  return result;
 }
 
 /// Goes on from the last frame's phases, if there are any.
@@ -198,7 +226,7 @@ void CrossAnimator::State::solve_again(WaveSet crosses, const CrossFrameInput& i
                                        const Progress& progress, CrossFrameResult& result) {
   Stopwatch watch;
   result.matching = CrossMatching::kept;
-  result.stripes = animator->frame(frame_input(crosses), progress);
+  result.stripes = animator->frame(cover_input(crosses, normals_on_cover(input)), progress);
   laid.cover.waves = std::move(crosses);
   laid.take(result.stripes);
   result.milliseconds.solve = watch.lap();
@@ -220,7 +248,7 @@ void CrossAnimator::State::solve_afresh(WaveSet crosses, const CrossFrameInput& 
   StripeAnimator first = animator_of(next.cover, normals_of(input));
   result.milliseconds.match += watch.lap();
   const WaveSet& waves = next.cover.waves;
-  result.stripes = first.frame(frame_input(waves), stages.begin("frame"));
+  result.stripes = first.frame(cover_input(waves, normals_on_cover(input)), stages.begin("frame"));
   const Progress texturing = stages.begin("texture");
   next.cover_mesh.triangles = next.cover.triangles;
   next.take(result.stripes);
@@ -248,7 +276,6 @@ CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progre
   } else {
     s.solve_afresh(std::move(crosses), input, progress, result);
   }
-  if (!input.normals.empty()) s.surface.normals.assign(input.normals.begin(), input.normals.end());
   return result;
 }
 
@@ -264,6 +291,9 @@ void CrossAnimator::set_last_phases(const CrossCover& cover, std::span<const Com
     throw Error("cross animator: the cover is of " +
                 std::to_string(cover.waves.directions.size() / 2) + " vertices; the surface has " +
                 std::to_string(nodes / 2));
+  }
+  if (!is_cover_of(cover, s.surface.mesh)) {
+    throw Error("cross animator: the cover is of another surface, or incomplete");
   }
   check_last_phases(z, nodes);
   LaidCrosses last;

@@ -128,9 +128,10 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   progress.report(0.4);
   watch.lap();
   // Given phases are of this frame's directions: there is nothing to turn.
-  const bool changed = load_waves(s.finest().layout(), yielded.positions, yielded.directions,
-                                  yielded.frequencies, s.next_waves(), s.waves,
-                                  s.has_given() ? std::span<Complex>() : std::span(s.last_z));
+  const bool changed =
+      load_waves(s.finest().layout(), yielded.positions, yielded.directions, yielded.frequencies,
+                 s.next_waves(), s.waves,
+                 s.has_given() ? std::span<Complex>() : std::span(s.last_z), s.momentum.m);
   if (s.has_given()) {
     take_given();
   } else if (s.has_last() && !changed) {
@@ -272,12 +273,13 @@ void StripeAnimator::keep_phases() {
 /// Makes everything as it was before a frame that has not come to its end.
 void StripeAnimator::take_phases_back() {
   State& s = *state_;
+  if (s.has_iterated) std::swap(s.momentum.m, s.last_momentum);
   if (s.has_frame) {
     Level& finest = s.finest();
     turn_phases(s.waves, s.next_waves(), s.last_z);
+    turn_phases(s.waves, s.next_waves(), s.momentum.m);
     couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
     to_slots(finest.layout(), s.z_by_vertex, finest.z);
-    if (s.has_iterated) std::swap(s.momentum.m, s.last_momentum);
   } else if (!s.is_sibling) {
     // Aggregates follow the couplings of the first frame that comes to its end.
     s.hierarchy = {};

@@ -23,7 +23,7 @@ namespace {
 /// The waves of a frame's patterns, and what V is orthogonal about.
 struct NextWaves {
   WaveSet u, v;
-  std::vector<Vec3> normals;  ///< empty: as before
+  std::vector<Vec3> normals;  ///< empty: those of the surface
 };
 
 FrameInput frame_input(const WaveSet& waves, std::span<const Vec3> normals) {
@@ -59,7 +59,7 @@ struct TextureAnimator::State {
     u.animator.allow_take_back();
   }
 
-  Surface surface;  ///< at the place of the last frame
+  Surface surface;  ///< at the place of the last frame, but for the normals, which stay
   TextureAnimatorOptions options;
   KeptOrientation orientation;
   AnimatedPattern u;
@@ -115,10 +115,12 @@ TextureFrameResult TextureAnimator::State::solve(NextWaves& next, const Progress
   TextureFrameResult result{{}, {}, waves, {}, {}, {}, {}};
   const std::span<const Vec3> normals = next.normals.empty() ? surface.normals : next.normals;
   const FrameInput input_u = frame_input(next.u, normals), input_v = frame_input(next.v, normals);
+  JobStages stages(progress, {{"frame", 10}, {"texture", 2}});
+  const Progress solving = stages.begin("frame");
   Stopwatch watch;
   FrameResult& stripes_u = result.u.stripes;
   FrameResult& stripes_v = result.v.stripes;
-  stripes_u = u.animator.solve(input_u, progress);
+  stripes_u = u.animator.solve(input_u, solving.part(0, 0.5));
   const bool first = !v;
   bool has_v = false;
   try {
@@ -126,12 +128,11 @@ TextureFrameResult TextureAnimator::State::solve(NextWaves& next, const Progress
       v = AnimatedPattern{u.animator.sibling()};
       if (!given_v.empty()) v->animator.set_last_phases(given_v);
     }
-    stripes_v = v->animator.solve(input_v, progress);
+    stripes_v = v->animator.solve(input_v, solving.part(0.5, 1));
     has_v = true;
     result.milliseconds.solve = watch.lap();
-    progress.report("texture", 0);
-    result.orientation =
-        orientation.follow(next.u.directions, next.v.directions, options.oriented, progress);
+    result.orientation = orientation.follow(next.u.directions, next.v.directions, options.oriented,
+                                            stages.begin("texture"));
   } catch (...) {
     if (has_v) v->animator.take_back(stripes_v);
     if (first) v.reset();
@@ -211,7 +212,6 @@ TextureFrameResult TextureAnimator::frame(const TextureFrameInput& input,
   NextWaves next = s.checked_waves(input);
   TextureFrameResult result = s.solve(next, progress);
   Stopwatch watch;
-  if (!next.normals.empty()) s.surface.normals = std::move(next.normals);
   s.surface.mesh.positions = next.u.positions;
   const FrameResult u = result.u.stripes, v = result.v.stripes;
   s.take_waves(s.u, next.u, u);
