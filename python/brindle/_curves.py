@@ -211,7 +211,7 @@ class Samples:
                 "nearest_neighbour": self._core.spacing()}
 
     def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
-        """Writes .csv, .ply or .vtp with all that a sample has, whole or not at all.
+        """Writes .csv, .ply or .vtp with places, directions and spacings, whole or not at all.
         ``point_data``: arrays of a row per sample."""
         self._core.write(path_of(path), dict(point_data or {}))
 

@@ -128,7 +128,8 @@ class Texture:
     @kept_property
     def corner_uv(self) -> "NDArray[np.float32]":
         """(m, 3, 2) coordinates at the corners of triangles, linear in each, one tile a unit.
-        Along edges they agree up to whole tiles and, where the field cannot be oriented, a turn.
+        Along edges they agree up to whole tiles and, where the field cannot be oriented, a turn, but
+        for edges of triangles with a branch of U or V, where they do not close.
         NaN in triangles without them: singularities of the field, corners without wave."""
         return self._core.corner_uv()
 

@@ -25,6 +25,8 @@ struct CurvesData {
   std::array<std::size_t, kCurveEndKinds> ends{};  // before any were left out
   std::size_t short_curves = 0;                    // left out
   std::size_t jogs = 0;                            // edges that moved curves do not cross straight
+  std::optional<StripeCurves> traced;  // all of them, where some were left out or have other points
+  std::optional<Polylines> unshaped;   // those that are left, where these have other points
 };
 using CurvesPointer = std::shared_ptr<CurvesData>;
 
@@ -47,12 +49,14 @@ struct CurveWishes {
 // Throws away short curves after all ends were counted.
 void shape_lines(CurvesData& made, const CurveWishes& wishes, const Progress& progress) {
   made.ends = made.curves.end_counts();
+  if (wishes.min_length > 0 || wishes.resample || wishes.simplify) made.traced = made.curves;
   if (wishes.min_length > 0) {
     const std::size_t all = made.curves.lines.count();
     made.curves = longer_than(made.curves, wishes.min_length);
     made.short_curves = all - made.curves.lines.count();
   }
   Polylines& lines = made.curves.lines;
+  if (wishes.resample || wishes.simplify) made.unshaped = lines;
   if (wishes.resample) lines = resampled(lines, *wishes.resample, progress.part(0, kResampled));
   if (wishes.simplify) lines = simplified(lines, *wishes.simplify, progress.part(kResampled, 1));
 }
@@ -179,15 +183,23 @@ py::dict dict_of(const CurveGaps& gaps) {
   return result;
 }
 
+// Lengths are those of the curves that there are, gaps those of all that were traced, and coverage
+// that of all that are left, before they get other points.
 py::dict measures_of(const CurvesData& data, const StripesData& stripes, double line_width) {
+  const Surface& surface = data.surface->surface;
+  const StripeCurves& traced = data.traced ? *data.traced : data.curves;
+  const Polylines& unshaped = data.unshaped ? *data.unshaped : data.curves.lines;
+  std::optional<double> coverage;
   const CurveMeasures measures = until_interrupted([&](const Progress& progress) {
-    return measure_curves(data.surface->surface, stripes.pattern, data.curves, line_width,
-                          progress);
+    if (line_width != 0) {
+      coverage = curve_coverage(surface.mesh, unshaped, line_width, progress.part(0.7, 1));
+    }
+    return measure_curves(surface, stripes.pattern, traced, 0, progress.part(0, 0.7));
   });
   py::dict result;
-  result["lengths"] = dict_of(measures.lengths);
+  result["lengths"] = dict_of(curve_lengths(data.curves.lines));
   if (measures.gaps) result["gaps"] = dict_of(*measures.gaps);
-  if (measures.coverage) result["coverage"] = *measures.coverage;
+  if (coverage) result["coverage"] = *coverage;
   return result;
 }
 

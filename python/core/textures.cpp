@@ -93,6 +93,34 @@ DataArrays split_arrays(const SurfaceData& from, const CrossCover& cover,
   return {blended(from.arrays.points, points), rows_of(from.arrays.cells, triangle_origins)};
 }
 
+// How much data agree at the vertices of split triangles, too.
+void split_agreement(const Mesh& mesh, const CrossCover& cover, std::vector<float>& agreement) {
+  if (agreement.empty()) return;
+  for (const Index t : cover.singular) {
+    const auto [a, b, c] = mesh.triangles[t];
+    agreement.push_back((agreement[a] + agreement[b] + agreement[c]) / 3);
+  }
+}
+
+// What came with a surface, for the nodes of its cover: two for each vertex.
+SurfacePointer cover_data(const SurfaceData& from, const CrossCover& cover, Surface&& surface) {
+  auto data = std::make_shared<SurfaceData>();
+  data->name = from.name;
+  data->stands_on_z = from.stands_on_z;
+  std::vector<Index> vertex_of_node, base = cover.base;
+  for (Index v = 0; v < from.surface.mesh.vertex_count(); ++v) {
+    vertex_of_node.insert(vertex_of_node.end(), 2, v);
+    data->original_ids.insert(data->original_ids.end(), 2, from.original_ids[v]);
+  }
+  base.insert(base.end(), cover.base.begin(), cover.base.end());
+  data->arrays = {rows_of(from.arrays.points, vertex_of_node), rows_of(from.arrays.cells, base)};
+  for (const Index partner : from.partners) {
+    data->partners.insert(data->partners.end(), {2 * partner, 2 * partner + 1});
+  }
+  data->surface = std::move(surface);
+  return data;
+}
+
 TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py::handle count,
                        py::handle frequency, const FieldOrigin& origin, const Solving& solving,
                        const py::object& progress) {
@@ -124,15 +152,18 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     made->surface->partners = surface->partners;
     made->surface->original_ids = surface->original_ids;
     made->surface->original_ids.resize(made->surface->surface.mesh.vertex_count(), -1);
+    brindle::PreparationFigures on_cover = in.prepared;
+    on_cover.agreement.clear();
+    for (const float agreement : in.prepared.agreement) {
+      on_cover.agreement.insert(on_cover.agreement.end(), 2, agreement);
+    }
+    made->cover = stripes_data(cover_data(*surface, cross.cover, std::move(cross.surface)),
+                               std::move(cross.pattern), on_cover, options.solver.solver);
+    split_agreement(surface->surface.mesh, cross.cover, in.prepared.agreement);
     made->u = stripes_data(made->surface, std::move(texture.pattern.u), in.prepared,
                            options.solver.solver);
     made->v = stripes_data(made->surface, std::move(texture.pattern.v), in.prepared,
                            options.solver.solver);
-    auto cover = std::make_shared<SurfaceData>();
-    cover->name = surface->name;
-    cover->stands_on_z = surface->stands_on_z;
-    cover->surface = std::move(cross.surface);
-    made->cover = stripes_data(cover, std::move(cross.pattern), in.prepared, options.solver.solver);
     made->singular = std::move(cross.cover.singular);
     return made;
   });

@@ -118,6 +118,57 @@ def test_results_share_memory(torus):
             array[0] = 0
 
 
+def test_covers_of_crosses_are_surfaces(tmp_path):
+    """With what came with the surface: two rows for each of its own."""
+    plain = brindle.shape("molecule", resolution=24)
+    n = plain.vertex_count
+    far = np.array([5.8e6, 4e5, 1])
+    surface = brindle.Surface(plain.vertices + far, plain.triangles,
+                              point_data={"id": np.arange(n)})
+    field = np.random.default_rng(0).normal(size=(n, 3))
+    crosses = brindle.crosses(surface, field, stripes=20, field_detail=1)
+    cover = crosses.cover
+    assert np.allclose(cover.surface.origin, surface.origin)
+    assert np.array_equal(cover.point_data["original_id"], np.repeat(np.arange(n), 2))
+    assert np.array_equal(cover.surface.point_data["id"], np.repeat(np.arange(n), 2))
+    curves = cover.curves().points
+    assert (abs(curves - far) <= abs(plain.vertices).max() + 1).all()
+    cover.write(tmp_path / "cover.vtp")
+    cover.write(tmp_path / "cover.glb", uv=True)
+    assert len(cover.mesh().point_data["original_id"]) == len(cover.mesh().vertices)
+    assert len(cover.point_data["agreement"]) == 2 * n
+    mesh = crosses.mesh()
+    agreement = mesh.point_data["agreement"]
+    assert agreement.min() >= 0 and agreement.max() <= 1
+    origins = mesh.vertex_origins
+    split = (origins[:, 0] == origins[:, 1]) & (origins[:, 0] >= n)
+    assert split.any()
+    own = cover.point_data["agreement"][::2]
+    base = surface.triangles[crosses.singular]
+    expected = own[base].mean(axis=1)
+    at = origins[split][:, 0] - n
+    assert np.allclose(agreement[split], expected[at], atol=1e-6)
+
+
+@pytest.mark.parametrize("solver", ["multilevel", "relaxation", "averaged", "global"])
+def test_phases_without_a_wave(torus, solver):
+    directions = np.array(torus.smooth_field())
+    directions[:5] = 0
+    phases = brindle.stripes(torus, directions, stripes=20, solver=solver).phases
+    assert (phases[:5] == 1j).all()
+
+
+def test_gaps_are_those_of_all_curves(torus):
+    p = brindle.stripes(torus, torus.projected_field((0.31, 0.9, 0.27)), stripes=20)
+    all_curves, shaped = p.curves(), p.curves(min_length=1, resample=0.05)
+    assert shaped.count < all_curves.count
+    assert shaped.measures()["gaps"] == all_curves.measures()["gaps"]
+    assert shaped.measures()["lengths"] != all_curves.measures()["lengths"]
+    width = 0.01
+    left = p.curves(min_length=1)
+    assert shaped.measures(width)["coverage"] == left.measures(width)["coverage"]
+
+
 def test_what_objects_keep_is_read_only(torus):
     pattern = brindle.stripes(torus, stripes=10)
     texture, curves = brindle.texture(torus, stripes=10), pattern.curves()

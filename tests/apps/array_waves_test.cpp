@@ -93,6 +93,21 @@ struct ArrayWaves : ToolTest {
   }
 };
 
+/// Only columns that are called so are frequencies of a vector with a name.
+TEST_F(ArrayWaves, OtherColumnsOfACsvFileAreNoFrequencies) {
+  write_text(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  const auto frequency = [&](const std::string& names, const std::string& row) {
+    write_text(folder / "field.csv", names + row + row + row + row);
+    return report({"square.obj", "--field", "field.csv"})["frequency_max"].get<double>();
+  };
+  const double by_default = frequency("v:0,v:1,v:2\n", "1,0.2,0\n");
+  EXPECT_EQ(frequency("v:0,v:1,v:2,pressure\n", "1,0.2,0,20\n"), by_default);
+  EXPECT_EQ(frequency("v_x,v_y,v_z,p,t\n", "1,0.2,0,20,0\n"), by_default);
+  EXPECT_EQ(frequency("v:0,v:1,v:2,frequency\n", "1,0.2,0,7\n"), 7);
+  EXPECT_EQ(frequency("v:0,v:1,v:2,frequency,t\n", "1,0.2,0,7,0\n"), 7);
+  EXPECT_EQ(frequency("x,y,z,f\n", "1,0.2,0,7\n"), 7);  // as in files without names
+}
+
 TEST_F(ArrayWaves, AlongAConstantVectorAreThoseAlongADirection) {
   TextMesh mesh = hill();
   const auto row = [](double, double) { return Row{0.25, 1, -0.5}; };

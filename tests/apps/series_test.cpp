@@ -296,6 +296,21 @@ TEST_F(Series, WildcardsGoByNumbers) {
   EXPECT_EQ(report["frames"][0]["file"], "v2.obj");
   EXPECT_EQ(report["frames"][2]["file"], "v10.obj");
   EXPECT_TRUE(report["frames"][1]["unchanged"]);
+  EXPECT_EQ(report["frames"][1]["time"], 9);
+  EXPECT_EQ(report["frames"][2]["time"], 10);
+  write_mesh(folder / "vx.obj", mesh);  // without a number: the places in the list
+  const Json without = this->report({"animate", "--series", "v*.obj", "--direction", "1,0,0"});
+  EXPECT_EQ(without["frames"][2]["time"], 2);
+}
+
+TEST_F(Series, VerticesThatAreSetAsideAreNoErrors) {
+  const Mesh mesh = make_shape("sphere,resolution=12");
+  for (const char* name : {"v0.obj", "v1.obj"}) {
+    write_mesh(folder / name, mesh);
+    write_text(folder / name, content(folder / name) + "v nan 0 0\n");
+  }
+  const Json report = this->report({"animate", "--series", "v%d.obj", "--direction", "1,0,0"});
+  EXPECT_EQ(report["frames"].size(), 2u);
 }
 
 #ifdef BRINDLE_HAS_GL

@@ -55,6 +55,17 @@ TEST_F(PointIo, ReadsColumnsByTheirNamesAndTheOthersAsArrays) {
   EXPECT_EQ(named.cloud.normals, (std::vector<Vec3>{{0, 0, 1}}));
 }
 
+TEST_F(PointIo, TakesNoOtherColumnsForNormals) {
+  const std::string rows = "\n0,0,1,1,0,0\n0,1,0,0,0,1\n";
+  for (const std::string names : {"x,y,z,u,v,w", "x,y,z,vel:0,vel:1,vel:2", "x,y,z,a_x,a_y,a_z"}) {
+    const LoadedPoints loaded = read_points(file("a.csv", names + rows));
+    EXPECT_TRUE(loaded.cloud.normals.empty()) << names;
+    EXPECT_FALSE(loaded.arrays.empty()) << names;
+  }
+  EXPECT_EQ(read_points(file("b.csv", "x,y,z,nx,ny,nz" + rows)).cloud.normals,
+            (std::vector<Vec3>{{1, 0, 0}, {0, 0, 1}}));
+}
+
 TEST_F(PointIo, ReadsPlyWithNormalsAmongOtherProperties) {
   const auto path = file("a.ply", kPlyStart +
                                       "element vertex 2\nproperty float nx\nproperty float x\n"

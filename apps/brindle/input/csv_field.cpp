@@ -19,11 +19,13 @@ bool is_data_vector(const DataArray& array) {
   return array.components == 3 && array.name != "Points" && array.name != "Normals";
 }
 
+/// Whether frequencies alone follow the vector, as in files without names.
 bool has_vector_first(const std::vector<DataArray>& arrays) {
   const DataArray in_order = make_data_array(arrays[0].name, 3, std::vector<double>{0, 1, 2});
-  return arrays[0] == in_order && arrays.size() <= 3 &&
-         std::all_of(arrays.begin() + 1, arrays.end(),
-                     [](const DataArray& array) { return array.components == 1; });
+  const auto is = [&](std::size_t place, const char* name) {
+    return arrays.size() <= place || arrays[place].name == name;
+  };
+  return arrays[0] == in_order && arrays.size() <= 3 && is(1, "frequency") && is(2, "frequency_v");
 }
 
 constexpr const char* kEast = "east";

@@ -95,10 +95,6 @@ SeriesStep Series::read(ProgressDisplay& display) {
                            return prepare_step(display);
                          }),
                   {}};
-  if (step.prepared.vertices_not_finite > 0) {
-    throw Error(file + ": " + std::to_string(step.prepared.vertices_not_finite) +
-                " vertices have a coordinate that is not finite; correct them");
-  }
   if (step.prepared.field_step && smooth_fields_.afresh) {
     step.waves_afresh = waves_afresh(step.prepared, surface_, waves_, viewpoint_);
   }

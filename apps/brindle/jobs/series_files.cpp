@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -125,6 +127,27 @@ bool is_before(std::string_view a, std::string_view b) {
   return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
+/// The last number in a name, before its extension.
+std::optional<double> last_number_in(const std::string& name) {
+  const std::string stem = fs::path(name).stem().string();
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto end = std::find_if(stem.rbegin(), stem.rend(), is_digit);
+  const auto begin = std::find_if_not(end, stem.rend(), is_digit);
+  if (end == stem.rend()) return std::nullopt;
+  return std::strtod(std::string(begin.base(), end.base()).c_str(), nullptr);
+}
+
+/// The numbers of files, if all have one and these ascend; otherwise their places.
+void number(std::vector<TimedFile>& files, std::span<const std::string> names) {
+  std::vector<double> numbers;
+  for (const std::string& name : names) {
+    const auto found = last_number_in(name);
+    if (!found || (!numbers.empty() && *found <= numbers.back())) return;
+    numbers.push_back(*found);
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) files[i].time = numbers[i];
+}
+
 std::vector<TimedFile> matching_files(const std::string& pattern) {
   const fs::path path(pattern);
   std::vector<std::string> names;
@@ -137,6 +160,7 @@ std::vector<TimedFile> matching_files(const std::string& pattern) {
   for (const std::string& name : names) {
     files.push_back({static_cast<double>(files.size()), path.parent_path() / name});
   }
+  number(files, names);
   return files;
 }
 

@@ -350,7 +350,10 @@ std::vector<UsedFile> ParsedSession::inputs() const {
 void check_session_points(const ParsedSession& parsed) {
   if (parsed.curves() != nullptr) return check_curves_points(*parsed.curves());
   if (parsed.samples() != nullptr) {
-    return check_sample_points(parsed.command(), *parsed.samples(), sample_pictures(kShownPicture));
+    if (!is_points(parsed.samples()->surface)) return;
+    throw Error(
+        "samples of points are not drawn, and a session shows a picture; write them with 'brindle "
+        "sample'");
   }
   check_stripe_points(parsed.command(), parsed.arguments(), stripe_pictures(kShownPicture));
 }

@@ -48,7 +48,8 @@ const Names* names_among(std::span<const Names> known, std::span<const std::stri
 bool has_named_points(const std::vector<std::string>& names) {
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr) return false;
-  const bool plain = (names.size() == 3 || names.size() == 6) && same_letters(names[0], "x") &&
+  const bool has_normals = names.size() == 6 && names_among(kNormals, names) != nullptr;
+  const bool plain = (names.size() == 3 || has_normals) && same_letters(names[0], "x") &&
                      same_letters(names[1], "y") && same_letters(names[2], "z");
   return !plain;
 }

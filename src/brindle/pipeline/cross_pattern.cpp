@@ -26,6 +26,7 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
                              cross_waves(waves, surface.normals), matching_stage.part(0, 0.8));
   matching_stage.report(0.8);
   result.surface = cover_surface(result.cover, surface.normals);
+  result.surface.mesh.origin = surface.mesh.origin;
   const double matching = watch.lap();
   check_slack(options.slack, surface.mesh.vertex_count());
   StripeOptions on_cover = options;

@@ -12,6 +12,7 @@
 #include "brindle/geometry/areas.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pattern/point_quality.h"
+#include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel_waves.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/yielded_stripes.h"
@@ -195,10 +196,18 @@ std::vector<JobStage> stages_of(const StripeOptions& options) {
   return stages;
 }
 
+/// Where there is no wave the phase is that of a peak, whatever the solver began with.
+void clear_without_wave(const WaveSet& waves, std::span<Complex> z) {
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (waves.directions[i].isZero(0)) z[i] = kPeak;
+  }
+}
+
 /// From waves whose frequencies are chosen to a measured pattern.
 void lay(const Surface& surface, WaveSet waves, const StripeOptions& options, JobStages& stages,
          StripePattern& result) {
   solve(surface, waves, options, stages.begin("solve"), result);
+  clear_without_wave(waves, result.solution.z);
 
   Stopwatch watch;
   const Progress measuring = stages.begin("pattern");
