@@ -307,7 +307,9 @@ class VtkLegacyReader {
     DataArray array = numbers(name, binary_ ? "unsigned_char" : "float", rows_, components);
     if (!binary_) {
       std::vector<float> levels(array.bytes.size() / sizeof(float));
-      std::memcpy(levels.data(), array.bytes.data(), array.bytes.size());
+      if (!levels.empty()) {
+        std::memcpy(levels.data(), array.bytes.data(), array.bytes.size());
+      }
       std::vector<std::uint8_t> bytes(levels.size());
       std::transform(levels.begin(), levels.end(), bytes.begin(), color_byte);
       array = make_data_array<std::uint8_t>(name, array.components, bytes);
