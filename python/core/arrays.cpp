@@ -156,13 +156,13 @@ void refuse_masked(py::handle object, const std::string& what) {
               "those rows out");
 }
 
-void check_not_empty(const Table& table, const std::string& what) {
-  if (table.view.rows() > 0) return;
+void check_not_empty(std::size_t rows, const std::string& what) {
+  if (rows > 0) return;
   throw Error(what + ": the array is empty; leave it out, or give a row to each");
 }
 
 std::vector<float> some_numbers_of(const Table& table, const std::string& what) {
-  check_not_empty(table, what);
+  check_not_empty(table.view.rows(), what);
   return numbers_of(table.view, what);
 }
 

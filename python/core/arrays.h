@@ -42,9 +42,9 @@ py::array unmasked(py::handle object);
 void refuse_masked(py::handle object, const std::string& what);
 
 /// Throws Error for an array without a row, which to the library would be as good as none.
-void check_not_empty(const Table& table, const std::string& what);
+void check_not_empty(std::size_t rows, const std::string& what);
 
-/// The numbers of such a table, one a row.
+/// The numbers of a table that is not empty, one a row.
 std::vector<float> some_numbers_of(const Table& table, const std::string& what);
 
 /// Throws Error unless there is a row per vertex.

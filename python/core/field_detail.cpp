@@ -81,7 +81,7 @@ py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::hand
   MeasuredField before{data.last, {}};
   if (!last.is_none()) {
     const Table table_of_last = table_of(last, "last");
-    check_not_empty(table_of_last, "last");
+    check_not_empty(table_of_last.view.rows(), "last");
     before.directions = vectors_of(table_of_last.view, "last");
   }
   DetailedField seen;

@@ -40,15 +40,16 @@ FrequenciesIn::FrequenciesIn(py::handle given, std::size_t vertices, const std::
   if (table.is_number) {
     everywhere_.assign(vertices, numbers_of(table.view, what).front());
   } else {
-    check_not_empty(table, what);
+    check_not_empty(table.view.rows(), what);
     rows_ = RowsIn<float>(table.array, what);
   }
 }
 
 RowsIn<Vec3> rows_if_given(py::handle given, const std::string& what) {
   if (given.is_none()) return {};
-  check_not_empty(table_of(given, what), what);
-  return {given, what};
+  RowsIn<Vec3> in(given, what);
+  check_not_empty(in.rows().size(), what);
+  return in;
 }
 
 }  // namespace brindle::python

@@ -38,7 +38,6 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListene
   listener.note(describe(loaded));
   result.original_ids = original_ids_of(loaded);
   result.vertices_joined = loaded.repair.vertices_joined;
-  result.vertices_not_finite = loaded.repair.vertices_not_finite;
   if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
   // A row of a field for every vertex of the file says nothing of vertices that were added.
   if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);

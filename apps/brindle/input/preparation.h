@@ -34,7 +34,6 @@ struct Preparation : PreparationFigures {
   /// The number in the file or shape of every vertex of the surface: of several that were joined
   /// to one, the first; -1 of those that were added.
   std::vector<std::int64_t> original_ids;
-  std::size_t vertices_not_finite = 0;  ///< moved to the others' centroid
   DirectionField kept_field;  ///< before it was turned, if that of a next step may go on from it
   /// What the smooth field went on from, if that was read from a file.
   std::shared_ptr<const KeptPattern> previous = nullptr;

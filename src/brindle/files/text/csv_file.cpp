@@ -242,10 +242,9 @@ void CsvFile::read(
 }
 
 CsvTable CsvFile::read_table() {
-  if (names_.empty() && first_ && !is_header(row_, cells_) &&
-      !ranges::all_of(cells_, [](auto cell) { return parse_number(cell).has_value(); }))
-    refuse_row();
   if (names_.empty()) {
+    std::vector<double> numbers;
+    if (first_ && !parse(cells_, numbers)) refuse_row();
     throw Error("'" + shown(path_.string()) +
                 "' does not name its columns; write their names into its first row");
   }
