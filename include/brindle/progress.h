@@ -50,6 +50,7 @@ class Progress {
   void report(std::string_view, double) const {}
   void report(double) const {}
   void report(const ProgressReport&) const {}
+  void tick() const {}
   Progress part(double, double) const { return {}; }
   Progress step(std::string_view) const { return {}; }
   std::span<const JobStage> stages() const { return {}; }
@@ -87,6 +88,10 @@ class Progress {
 
   /// Hands on what another job says, all of which is what this was handed out for.
   void report(const ProgressReport& inner) const;
+
+  /// Says the same again as the last report. Throws Cancelled if the callback asks for it. Long
+  /// loops that do not know their share of a stage call it.
+  void tick() const;
 
   /// What to hand to a job that does a share of this: `begin` to `end`, in [0, 1].
   Progress part(double begin, double end) const;

@@ -145,6 +145,23 @@ TEST(Progress, CancelsAtAnyReport) {
   inner_job(Progress());  // silent
 }
 
+TEST(Progress, OfATickIsThatOfTheLastReport) {
+  Heard heard;
+  const Progress progress = heard.progress();
+  JobStages stages(progress, {{"first", 1}, {"second", 1}});
+  stages.begin("first").tick();
+  const Progress second = stages.begin("second");
+  second.report(0.5);
+  second.tick();
+  EXPECT_EQ(heard.fractions, (std::vector<double>{0, 0, 0.5, 0.75, 0.75}));
+  EXPECT_EQ(heard.steps.back(), "second");
+  int left = 1;
+  const Progress stopped([&](const ProgressReport&) { return left-- > 0; });
+  stopped.tick();
+  EXPECT_THROW(stopped.tick(), Cancelled);
+  Progress().tick();  // silent
+}
+
 TEST(ReportedLoops, ReportAfterEverySliceAndLeaveNothingOut) {
   for (const std::size_t count : {0u, 1u, 5000u, 100'001u}) {
     std::vector<int> visits(count, 0);

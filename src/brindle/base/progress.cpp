@@ -14,20 +14,28 @@ struct Progress::State {
   std::vector<JobStage> stages;  // of the whole job
   std::size_t stage = 0;
   double done = 0;
+  std::string step;  // of the last report
+  double step_fraction = 0;
 };
 
 Progress::Progress(Callback callback) {
-  if (callback) state_ = std::make_shared<State>(State{std::move(callback), {}, {}, 0, 0});
+  if (!callback) return;
+  state_ = std::make_shared<State>();
+  state_->callback = std::move(callback);
 }
 
 Progress::Progress(JobCallback callback) {
-  if (callback) state_ = std::make_shared<State>(State{{}, std::move(callback), {}, 0, 0});
+  if (!callback) return;
+  state_ = std::make_shared<State>();
+  state_->job_callback = std::move(callback);
 }
 
 void Progress::tell(double whole, std::string_view step, double fraction) const {
   State& s = *state_;
   // Also where a step, or rounding, goes back.
   s.done = std::max(s.done, std::min(whole, 1.0));
+  s.step = step;
+  s.step_fraction = fraction;
   const bool goes_on = s.callback ? s.callback(step, fraction)
                                   : s.job_callback({s.done, step, fraction, s.stages, s.stage});
   if (!goes_on) throw Cancelled("cancelled");
@@ -45,6 +53,12 @@ void Progress::report(double fraction) const {
 
 void Progress::report(const ProgressReport& inner) const {
   if (state_) tell(begin_ + inner.fraction * (end_ - begin_), inner.step, inner.step_fraction);
+}
+
+void Progress::tick() const {
+  if (!state_) return;
+  const bool is_under_way = state_->step == step_;
+  tell(state_->done, step_, is_under_way ? state_->step_fraction : from_);
 }
 
 Progress Progress::part(double begin, double end) const {
