@@ -16,15 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kSmallTorus = "shape:torus,resolution=32";
-
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
 struct Animate : ToolTest {
   // Plays three frames with extra arguments.
   Arguments command(const Arguments& more) const {
-    Arguments arguments = {"animate", kSmallTorus, "--frames", "3"};
+    Arguments arguments = {"animate", kTorus32, "--frames", "3"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }

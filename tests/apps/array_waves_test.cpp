@@ -19,10 +19,6 @@ using Row = std::vector<double>;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A hill over unit squares.
 TextMesh hill(int side = 11, double height = 1) {
   TextMesh mesh;

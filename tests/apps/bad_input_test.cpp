@@ -9,15 +9,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // A torus of a few hundred vertices: enough to work on, no time to wait for.
-const char* const kSmallTorus = "shape:torus,resolution=32";
-
 const char* const kTriangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 using BadInput = ToolTest;
 
 // The first half of a mesh file that the program itself wrote.
 void write_truncated_mesh(const ToolTest& test, const std::string& name) {
-  const ToolResult result = test.run({"stripe", kSmallTorus, "--output", name, "--quiet"});
+  const ToolResult result = test.run({"stripe", kTorus32, "--output", name, "--quiet"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const fs::path path = test.folder / name;
   fs::resize_file(path, fs::file_size(path) / 2);
@@ -82,7 +80,7 @@ TEST_F(BadInput, OnlyNanPositions) {
 
 TEST_F(BadInput, MissingField) {
   expect_refusal(1, "none.csv: there is no such file",
-                 {"stripe", kSmallTorus, "--field", "none.csv", "--report", "r.json"});
+                 {"stripe", kTorus32, "--field", "none.csv", "--report", "r.json"});
 }
 
 TEST_F(BadInput, FieldWithTooFewRows) {
@@ -110,25 +108,25 @@ const char* const kNoFolder = "the folder 'none' does not exist, create it first
 
 TEST_F(BadInput, OutputFolderDoesNotExist) {
   for (const char* path : {"none/a.png", "none/a.obj", "none/a.json"}) {
-    expect_refusal(1, kNoFolder, {"stripe", kSmallTorus, "--output", path});
+    expect_refusal(1, kNoFolder, {"stripe", kTorus32, "--output", path});
   }
-  expect_refusal(1, kNoFolder, {"stripe", kSmallTorus, "--report", "none/a.json"});
-  expect_refusal(1, kNoFolder, {"compare", kSmallTorus, "--json", "none/a.json"});
+  expect_refusal(1, kNoFolder, {"stripe", kTorus32, "--report", "none/a.json"});
+  expect_refusal(1, kNoFolder, {"compare", kTorus32, "--json", "none/a.json"});
 }
 
 TEST_F(BadInput, OutputIsAFolder) {
   fs::create_directory(folder / "a.png");
   expect_refusal(1, "cannot write 'a.png': it is a folder",
-                 {"stripe", kSmallTorus, "--output", "a.png"});
+                 {"stripe", kTorus32, "--output", "a.png"});
 }
 
 TEST_F(BadInput, OutputOfUnknownExtension) {
-  expect_refusal(2, "unknown extension '.jpeg'", {"stripe", kSmallTorus, "--output", "a.jpeg"});
-  expect_refusal(2, "'a'", {"stripe", kSmallTorus, "--output", "a"});
+  expect_refusal(2, "unknown extension '.jpeg'", {"stripe", kTorus32, "--output", "a.jpeg"});
+  expect_refusal(2, "'a'", {"stripe", kTorus32, "--output", "a"});
 }
 
 TEST_F(BadInput, OutputsAreCheckedBeforeAnythingIsWritten) {
-  expect_refusal(1, kNoFolder, {"stripe", kSmallTorus, "--output", "a.png", "-o", "none/b.obj"});
+  expect_refusal(1, kNoFolder, {"stripe", kTorus32, "--output", "a.png", "-o", "none/b.obj"});
 }
 
 TEST_F(BadInput, FullDisk) {
@@ -136,15 +134,15 @@ TEST_F(BadInput, FullDisk) {
   for (const char* name :
        {"full.png", "full.obj", "full.ply", "full.vtp", "full.gltf", "full.glb", "full.json"}) {
     fs::create_symlink("/dev/full", folder / name);
-    std::vector<std::string> arguments = {"stripe", kSmallTorus, "--output", name};
+    std::vector<std::string> arguments = {"stripe", kTorus32, "--output", name};
     if (std::string(name) == "full.png") arguments.insert(arguments.end(), {"--size", "64x48"});
     expect_refusal(1, "cannot write '" + std::string(name) + "': No space left on device",
                    arguments);
   }
   expect_refusal(1, "cannot write '/dev/full': No space left on device",
-                 {"stripe", kSmallTorus, "--report", "/dev/full"});
+                 {"stripe", kTorus32, "--report", "/dev/full"});
   expect_refusal(1, "cannot write '/dev/full': No space left on device",
-                 {"compare", kSmallTorus, "--json", "/dev/full"});
+                 {"compare", kTorus32, "--json", "/dev/full"});
 }
 
 TEST_F(BadInput, SizesThatFloatsCannotMeasure) {
@@ -174,7 +172,7 @@ std::string spaced(const std::string& size) {
 struct WrongUsage : ToolTest, testing::WithParamInterface<std::vector<std::string>> {};
 
 TEST_P(WrongUsage, EndsWithCodeTwo) {
-  std::vector<std::string> arguments = {"stripe", kSmallTorus, "--report", "out.json"};
+  std::vector<std::string> arguments = {"stripe", kTorus32, "--report", "out.json"};
   arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
   const std::string& option = GetParam().front();
   expect_refusal(2, option, arguments);
@@ -273,17 +271,17 @@ TEST_F(BadInput, CommandsThatAreNone) {
 TEST_F(BadInput, StrokesThatCannotBeFollowed) {
   const auto refused = [&](const std::string& part, const std::string& text) {
     write_text(folder / "s.json", text);
-    expect_refusal(1, part, {"stripe", kSmallTorus, "--strokes", "s.json", "--report", "r.json"});
+    expect_refusal(1, part, {"stripe", kTorus32, "--strokes", "s.json", "--report", "r.json"});
   };
   refused("s.json: damaged JSON: parse error at line 2, column 3", "{\"strokes\":\n  ]");
   refused("s.json: strokes[0] has no length", R"({"strokes": [{"radius": 1, "points": []}]})");
   refused("s.json: strokes[0]: point 1 is 4",
           R"({"strokes": [{"radius": 0.1, "points": [[1, 0, 0], [5, 0, 0]]}]})");
   expect_refusal(1, "none.json",
-                 {"stripe", kSmallTorus, "--strokes", "none.json", "--report", "r.json"});
+                 {"stripe", kTorus32, "--strokes", "none.json", "--report", "r.json"});
   write_text(folder / "s.json", "{}");
   expect_refusal(2, "is read by --strokes",
-                 {"stripe", kSmallTorus, "--strokes", "s.json", "--report", "s.json"});
+                 {"stripe", kTorus32, "--strokes", "s.json", "--report", "s.json"});
 }
 
 #endif

@@ -9,10 +9,6 @@
 namespace brindle::test {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_F(ToolTest, HelpHasExamples) {
   EXPECT_TRUE(has(run({"--help"}).out, "Examples:"));
   for (const char* command : {"stripe", "compare", "curves", "sample", "animate", "info",
@@ -54,7 +50,7 @@ TEST_F(ToolTest, CompareHasOneRowASolver) {
   std::set<std::string> solvers;
   for (const auto& report : json) {
     solvers.insert(report["solver"].get<std::string>());
-    EXPECT_TRUE(has(result.out, report["solver"])) << result.out;
+    EXPECT_TRUE(has(result.out, report["solver"].get<std::string>())) << result.out;
   }
   std::set<std::string> expected = {"averaged", "multilevel", "relaxation"};
 #ifdef BRINDLE_HAS_CHOLMOD

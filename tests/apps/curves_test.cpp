@@ -12,13 +12,11 @@
 namespace brindle::test {
 namespace {
 
-const char* const kSmallTorus = "shape:torus,resolution=48";
-
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
 struct Curves : ToolTest {
-  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+  Json report(const Arguments& more, const std::string& mesh = kTorus48) const {
     Arguments arguments = {"curves", mesh, "--report", "report.json", "--quiet"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ToolResult result = run(arguments);
@@ -200,20 +198,20 @@ TEST_F(Curves, SayThatThereAreNone) {
   EXPECT_NE(said({"shape:plane", "--direction", "1,0,0", "--stripes", "0.001", "--offset", "0.5"})
                 .find("u: no curves"),
             std::string::npos);
-  const std::string err = said({kSmallTorus, "--min-length", "10000%"});
+  const std::string err = said({kTorus48, "--min-length", "10000%"});
   EXPECT_NE(err.find("--min-length"), std::string::npos) << err;
-  EXPECT_EQ(said({kSmallTorus, "--min-length", "10000%", "--quiet"}), "");
+  EXPECT_EQ(said({kTorus48, "--min-length", "10000%", "--quiet"}), "");
 }
 
 TEST_F(Curves, FormatsThatHoldNoLinesNameOneThatDoes) {
   for (const char* name : {"a.glb", "a.gltf"}) {
-    expect_refusal(2, "--tube-radius", {"curves", kSmallTorus, "-o", name});
+    expect_refusal(2, "--tube-radius", {"curves", kTorus48, "-o", name});
   }
-  expect_refusal(2, ".vtp", {"curves", kSmallTorus, "-o", "a.stl"});
-  expect_refusal(2, ".glb", {"curves", kSmallTorus, "-o", "a.csv", "--tube-radius", "1%"});
-  expect_refusal(1, "none", {"curves", kSmallTorus, "-o", "a.obj", "-o", "none/a.svg"});
-  expect_refusal(1, "none", {"curves", kSmallTorus, "--report", "none/a.json"});
-  expect_refusal(1, "none.csv", {"curves", kSmallTorus, "--lines", "v", "--field-v", "none.csv"});
+  expect_refusal(2, ".vtp", {"curves", kTorus48, "-o", "a.stl"});
+  expect_refusal(2, ".glb", {"curves", kTorus48, "-o", "a.csv", "--tube-radius", "1%"});
+  expect_refusal(1, "none", {"curves", kTorus48, "-o", "a.obj", "-o", "none/a.svg"});
+  expect_refusal(1, "none", {"curves", kTorus48, "--report", "none/a.json"});
+  expect_refusal(1, "none.csv", {"curves", kTorus48, "--lines", "v", "--field-v", "none.csv"});
   expect_refusal(1, "none.ply", {"curves", "none.ply", "-o", "a.obj"});
 }
 
@@ -221,7 +219,7 @@ TEST_F(Curves, FullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   for (const char* name : {"full.obj", "full.ply", "full.vtp", "full.csv", "full.svg"}) {
     std::filesystem::create_symlink("/dev/full", folder / name);
-    Arguments arguments = {"curves", kSmallTorus, "-o", name};
+    Arguments arguments = {"curves", kTorus48, "-o", name};
     if (std::string(name).ends_with(".svg")) arguments.insert(arguments.end(), {"--size", "64x48"});
     expect_refusal(1, name, arguments);
   }
@@ -229,13 +227,13 @@ TEST_F(Curves, FullDisk) {
 
 TEST_F(Curves, TooManyPointsAreRefused) {
   expect_refusal(1, "the smallest spacing that would do is",
-                 {"curves", kSmallTorus, "--resample", "1e-12", "-q"});
+                 {"curves", kTorus48, "--resample", "1e-12", "-q"});
 }
 
 struct WrongCurves : ToolTest, testing::WithParamInterface<Arguments> {};
 
 TEST_P(WrongCurves, EndsWithCodeTwo) {
-  Arguments arguments = {"curves", kSmallTorus, "--report", "out.json"};
+  Arguments arguments = {"curves", kTorus48, "--report", "out.json"};
   arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
   expect_refusal(2, GetParam().front(), arguments);
 }
@@ -334,18 +332,18 @@ TEST_F(Curves, WindAsTheyAreAskedTo) {
 
 TEST_F(Curves, WindingsThatCannotBeAreRefused) {
   expect_refusal(1, "no way round", {"curves", "shape:sphere,resolution=8", "--winding", "1"});
-  expect_refusal(1, "loop-1, loop-2", {"curves", kSmallTorus, "--winding", "1"});
+  expect_refusal(1, "loop-1, loop-2", {"curves", kTorus48, "--winding", "1"});
   for (const char* bad : {"one", "1.5", ":1", "loop-1:", "99999999999"}) {
-    expect_refusal(2, "--winding", {"curves", kSmallTorus, "--winding", bad});
+    expect_refusal(2, "--winding", {"curves", kTorus48, "--winding", bad});
   }
   expect_refusal(1, "--anchor-boundary",
-                 {"curves", kSmallTorus, "--anchor-boundary", "0", "--report", "r.json"});
-  expect_refusal(2, "--merge-branches", {"curves", kSmallTorus, "--merge-branches", "-1"});
+                 {"curves", kTorus48, "--anchor-boundary", "0", "--report", "r.json"});
+  expect_refusal(2, "--merge-branches", {"curves", kTorus48, "--merge-branches", "-1"});
   for (const char* bad : {"0", "-3", "boundary-1:0", ":3", "x"}) {
-    expect_refusal(2, "--wales", {"curves", kSmallTorus, "--lines", "v", "--wales", bad});
+    expect_refusal(2, "--wales", {"curves", kTorus48, "--lines", "v", "--wales", bad});
   }
   expect_refusal(1, "no 'boundary-1'",
-                 {"curves", kSmallTorus, "--lines", "v", "--wales", "boundary-1:20"});
+                 {"curves", kTorus48, "--lines", "v", "--wales", "boundary-1:20"});
 }
 
 TEST_F(Curves, HaveFewerBranchesOnceTheseAreMerged) {

@@ -8,8 +8,6 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-const char* const kShape = "shape:torus,resolution=16";
-
 std::string joined(const Arguments& arguments) {
   std::string text;
   for (const std::string& argument : arguments) text += ' ' + argument;
@@ -148,7 +146,7 @@ TEST_F(Options, WithoutEffectAreRefused) {
   };
   for (const Arguments& row : refused) {
     Arguments arguments = row;
-    arguments.insert(arguments.begin() + 1, kShape);
+    arguments.insert(arguments.begin() + 1, kTorus16);
     expect_refusal(2, row[1], arguments);
   }
 }
@@ -207,7 +205,7 @@ TEST_F(Options, WithAnEffectAreTaken) {
   };
   for (const Arguments& row : taken) {
     Arguments arguments = row;
-    arguments.insert(arguments.begin() + 1, kShape);
+    arguments.insert(arguments.begin() + 1, kTorus16);
     const ToolResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 0) << joined(arguments) << '\n' << result.err;
   }
@@ -218,7 +216,7 @@ TEST_F(Options, WithAnEffectAreTaken) {
 TEST_F(Options, OfOtherSurfacesThatContradictAreRefused) {
   const auto refused = [&](const std::string& style, const std::string& why) {
     expect_refusal(2, why,
-                   {"stripe", kShape, "--size", "64x48", "--output", "a.png", "--with",
+                   {"stripe", kTorus16, "--size", "64x48", "--output", "a.png", "--with",
                     "shape:sphere,radius=0.3" + style});
   };
   const std::string one = "more than one of @opaque, @striped and @discarded";
@@ -233,11 +231,11 @@ TEST_F(Options, OfOtherSurfacesThatContradictAreRefused) {
 #endif
 
 TEST_F(Options, ThatAreMistypedAreGuessed) {
-  expect_refusal(2, "did you mean '--stripes'?", {"stripe", kShape, "--stirpes", "20"});
-  expect_refusal(2, "did you mean '--stripes'?", {"curves", kShape, "--stirpes=20"});
+  expect_refusal(2, "did you mean '--stripes'?", {"stripe", kTorus16, "--stirpes", "20"});
+  expect_refusal(2, "did you mean '--stripes'?", {"curves", kTorus16, "--stirpes=20"});
   expect_refusal(2, "did you mean '--version'?", {"--verison"});
-  expect_refusal(2, "did you mean 'stripe'?", {"strip", kShape});
-  expect_refusal(2, "did you mean 'curvature'?", {"stripe", kShape, "--field", "curvatur"});
+  expect_refusal(2, "did you mean 'stripe'?", {"strip", kTorus16});
+  expect_refusal(2, "did you mean 'curvature'?", {"stripe", kTorus16, "--field", "curvatur"});
 }
 
 }  // namespace

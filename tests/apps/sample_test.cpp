@@ -9,13 +9,11 @@
 namespace brindle::test {
 namespace {
 
-const char* const kSmallTorus = "shape:torus,resolution=48";
-
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
 struct SampleTool : ToolTest {
-  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+  Json report(const Arguments& more, const std::string& mesh = kTorus48) const {
     Arguments arguments = {"sample", mesh, "--report", "report.json", "--quiet"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ToolResult result = run(arguments);
@@ -84,19 +82,19 @@ TEST_F(SampleTool, SaysThatThereAreNone) {
 
 TEST_F(SampleTool, FormatsThatHoldNoSamplesNameOneThatDoes) {
   for (const char* name : {"a.obj", "a.glb", "a.svg", "a.pdf", "a"}) {
-    expect_refusal(2, ".csv", {"sample", kSmallTorus, "-o", name});
+    expect_refusal(2, ".csv", {"sample", kTorus48, "-o", name});
   }
-  expect_refusal(1, "none", {"sample", kSmallTorus, "-o", "none/a.csv"});
-  expect_refusal(1, "none.csv", {"sample", kSmallTorus, "--field-v", "none.csv", "-o", "a.csv"});
+  expect_refusal(1, "none", {"sample", kTorus48, "-o", "none/a.csv"});
+  expect_refusal(1, "none.csv", {"sample", kTorus48, "--field-v", "none.csv", "-o", "a.csv"});
   write_text(folder / "short.csv", "1,0,0,1\n");
-  expect_refusal(1, "short.csv", {"sample", kSmallTorus, "--field-v", "short.csv", "-o", "a.csv"});
+  expect_refusal(1, "short.csv", {"sample", kTorus48, "--field-v", "short.csv", "-o", "a.csv"});
 }
 
 TEST_F(SampleTool, FullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   for (const char* name : {"full.ply", "full.vtp", "full.csv"}) {
     std::filesystem::create_symlink("/dev/full", folder / name);
-    expect_refusal(1, name, {"sample", kSmallTorus, "-o", name});
+    expect_refusal(1, name, {"sample", kTorus48, "-o", name});
   }
 }
 
@@ -106,7 +104,7 @@ TEST_F(SampleTool, WrongUsageEndsWithCodeTwo) {
         Arguments{"--stripes-v", "none"}, Arguments{"--frequency-v", "inf"},
         Arguments{"--camera", "30,20"}, Arguments{"--up", "y"}, Arguments{"--size", "64x48"},
         Arguments{"--colors", "#000000,#ffffff"}}) {
-    Arguments arguments = {"sample", kSmallTorus, "-o", "a.csv"};
+    Arguments arguments = {"sample", kTorus48, "-o", "a.csv"};
     arguments.insert(arguments.end(), wrong.begin(), wrong.end());
     expect_refusal(2, wrong.front(), arguments);
   }

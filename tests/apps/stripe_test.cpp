@@ -10,14 +10,12 @@
 namespace brindle::test {
 namespace {
 
-const char* const kSmallTorus = "shape:torus,resolution=64";
-
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
 struct Stripe : ToolTest {
   // Runs with extra arguments and returns the report.
-  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+  Json report(const Arguments& more, const std::string& mesh = kTorus64) const {
     Arguments arguments = {"stripe", mesh, "--report", "report.json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const ToolResult result = run(arguments);
@@ -87,15 +85,15 @@ TEST_F(Stripe, FieldFilesGiveDirectionsAndFrequencies) {
 }
 
 TEST_F(Stripe, AnswersOnStdoutUnlessQuiet) {
-  const ToolResult result = run({"stripe", kSmallTorus});
+  const ToolResult result = run({"stripe", kTorus64});
   EXPECT_NE(result.out.find("branches"), std::string::npos) << result.out;
-  const ToolResult quiet = run({"stripe", kSmallTorus, "--quiet"});
+  const ToolResult quiet = run({"stripe", kTorus64, "--quiet"});
   EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
 TEST_F(Stripe, WritesWhatTheExtensionSays) {
   const ToolResult result =
-      run({"stripe", kSmallTorus, "-o", "a.obj", "-o", "a.ply", "--output", "a.gltf", "--output",
+      run({"stripe", kTorus64, "-o", "a.obj", "-o", "a.ply", "--output", "a.gltf", "--output",
            "a.GLB", "--output", "a.json", "-o", "a.vtp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(content(folder / "a.ply").substr(0, 3), "ply");
@@ -189,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(Global, AcceptedOption,
                                              {"--solver", "global"}}));
 #else
 TEST_F(Stripe, MissingGlobalSolverIsNamed) {
-  expect_refusal(1, "CHOLMOD", {"stripe", kSmallTorus, "--solver", "global"});
+  expect_refusal(1, "CHOLMOD", {"stripe", kTorus64, "--solver", "global"});
 }
 #endif
 
@@ -234,7 +232,7 @@ TEST_F(Stripe, PictureOptionsChangeThePicture) {
 }
 #else
 TEST_F(Stripe, PicturesAreRefusedBeforeTheWork) {
-  expect_refusal(1, "BRINDLE_GL", {"stripe", kSmallTorus, "--output", "a.png"});
+  expect_refusal(1, "BRINDLE_GL", {"stripe", kTorus64, "--output", "a.png"});
 }
 #endif
 

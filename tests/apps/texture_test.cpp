@@ -18,11 +18,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-const char* const kSmallTorus = "shape:torus,resolution=48";
-const char* const kSquareObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
-
 struct TextureTool : ToolTest {
-  Arguments with(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+  Arguments with(const Arguments& more, const std::string& mesh = kTorus48) const {
     Arguments arguments = {"stripe", mesh, "--stripes", "10"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const bool draws =
@@ -32,7 +29,7 @@ struct TextureTool : ToolTest {
     if (draws) arguments.insert(arguments.end(), {"--size", "64x48"});
     return arguments;
   }
-  Json report(const Arguments& more, const std::string& mesh = kSmallTorus) const {
+  Json report(const Arguments& more, const std::string& mesh = kTorus48) const {
     Arguments arguments = with(more, mesh);
     arguments.insert(arguments.end(), {"--report", "report.json"});
     const ToolResult result = run(arguments);

@@ -24,6 +24,16 @@ ToolResult run_tool(const std::vector<std::string>& arguments,
 std::string content(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, std::string_view text);
 
+inline bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+inline constexpr const char* kTorus16 = "shape:torus,resolution=16";
+inline constexpr const char* kTorus32 = "shape:torus,resolution=32";
+inline constexpr const char* kTorus48 = "shape:torus,resolution=48";
+inline constexpr const char* kTorus64 = "shape:torus,resolution=64";
+inline constexpr const char* kSquareObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
+
 /// An empty folder that goes with the test.
 struct ToolTest : testing::Test {
   std::filesystem::path folder;

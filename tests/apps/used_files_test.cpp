@@ -9,7 +9,6 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
-const char* const kSquareObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n";
 const char* const kField = "1,0,0,2\n1,0,0,2\n1,0,0,2\n1,0,0,2\n";
 
 struct UsedFiles : ToolTest {

@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-const char* const kShape = "shape:torus,resolution=32";
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 struct Waves : ToolTest {
   // A plane of unit squares in x and y, and beside it a vertex that no triangle uses.
   static constexpr int kSide = 11;
@@ -130,11 +124,11 @@ TEST_F(Waves, TooFineForTheMeshAreWarnedOf) {
         "");
   }
   // Metres taken for millimetres.
-  const ToolResult wrong = run({"stripe", kShape, "--frequency", "3000"});
+  const ToolResult wrong = run({"stripe", kTorus32, "--frequency", "3000"});
   EXPECT_TRUE(has(wrong.err, "edges a period")) << wrong.err;
   EXPECT_FALSE(has(wrong.err, "--subdivide")) << "too far off: " << wrong.err;
   expect_refusal(1, "unit of the mesh's own length",
-                 {"stripe", kShape, "--stripes", "1e30", "-o", "a.ply"});
+                 {"stripe", kTorus32, "--stripes", "1e30", "-o", "a.ply"});
 }
 
 TEST_F(Waves, ThatBranchEverywhereAreWarnedOf) {
@@ -175,10 +169,10 @@ TEST_F(Waves, RunAcrossTheFieldOrAlongIt) {
 }
 
 TEST_F(Waves, OfScenesRunAlongTheirFieldIfAskedFor) {
-  const Json across = report({"animate", kShape, "--frames", "1"});
-  const Json along = report({"animate", kShape, "--frames", "1", "--along"});
+  const Json across = report({"animate", kTorus32, "--frames", "1"});
+  const Json along = report({"animate", kTorus32, "--frames", "1", "--along"});
   EXPECT_NE(across["frames"][0]["energy"], along["frames"][0]["energy"]);
-  const Json still = report({"stripe", kShape, "--direction", "0.31,0.9,0.27", "--along"});
+  const Json still = report({"stripe", kTorus32, "--direction", "0.31,0.9,0.27", "--along"});
   EXPECT_NEAR(along["frames"][0]["energy"].get<double>(), still["energy"].get<double>(), 1e-6);
   EXPECT_EQ(along.at("vertices_without_wave"), 0);
 }
@@ -210,15 +204,15 @@ TEST_F(Waves, AreReportedWithTheirOrigin) {
   const Json outputs = this->report({"stripe", "plane.obj", "-o", "a.ply", "-o", "b.ply"});
   EXPECT_EQ(outputs.at("options").at("output"), (Json{"a.ply", "b.ply"}));
   for (const char* command : {"curves", "sample", "animate"}) {
-    const Json other = this->report({command, kShape});
+    const Json other = this->report({command, kTorus32});
     EXPECT_EQ(other.at("version"), BRINDLE_VERSION);
     EXPECT_EQ(other.at("command"), command);
-    EXPECT_EQ(other.at("input"), kShape);
+    EXPECT_EQ(other.at("input"), kTorus32);
     EXPECT_EQ(other.at("kind"), "mesh");
     EXPECT_EQ(other.at("vertices_without_wave"), 0);
     EXPECT_TRUE(other.contains("edges_per_period_min"));
   }
-  ASSERT_EQ(run({"compare", kShape, "--json", "all.json"}).exit_code, 0);
+  ASSERT_EQ(run({"compare", kTorus32, "--json", "all.json"}).exit_code, 0);
   for (const Json& each : Json::parse(content(folder / "all.json"))) {
     EXPECT_EQ(each.at("command"), "compare");
     EXPECT_EQ(each.at("version"), BRINDLE_VERSION);
@@ -237,17 +231,17 @@ TEST_F(Waves, LeaveALineForEveryFile) {
     quiet.push_back("--quiet");
     EXPECT_EQ(run(quiet).out, "");
   };
-  expect_lines({"stripe", kShape, "-o", "a.ply", "--report", "a.json"}, {"a.ply", "a.json"});
-  expect_lines({"curves", kShape, "-o", "a.csv", "--report", "a.json"}, {"a.csv", "a.json"});
-  expect_lines({"sample", kShape, "-o", "a.csv", "--report", "a.json"}, {"a.csv", "a.json"});
-  expect_lines({"compare", kShape, "--json", "a.json"}, {"a.json"});
-  expect_lines({"animate", kShape, "--frames", "2", "--report", "a.json"}, {"a.json"});
-  const ToolResult size = run({"stripe", kShape, "-o", "a.ply", "-o", "/dev/null"});
+  expect_lines({"stripe", kTorus32, "-o", "a.ply", "--report", "a.json"}, {"a.ply", "a.json"});
+  expect_lines({"curves", kTorus32, "-o", "a.csv", "--report", "a.json"}, {"a.csv", "a.json"});
+  expect_lines({"sample", kTorus32, "-o", "a.csv", "--report", "a.json"}, {"a.csv", "a.json"});
+  expect_lines({"compare", kTorus32, "--json", "a.json"}, {"a.json"});
+  expect_lines({"animate", kTorus32, "--frames", "2", "--report", "a.json"}, {"a.json"});
+  const ToolResult size = run({"stripe", kTorus32, "-o", "a.ply", "-o", "/dev/null"});
   EXPECT_EQ(size.exit_code, 2) << "/dev/null says nothing of a format";
 #ifdef BRINDLE_HAS_GL
-  expect_lines({"stripe", kShape, "--texture", "dots", "-o", "t.obj"},
+  expect_lines({"stripe", kTorus32, "--texture", "dots", "-o", "t.obj"},
                {"t.obj", "t.mtl", "t_texture.png"});
-  expect_lines({"animate", kShape, "--frames", "2", "-o", "%d.png", "--size", "64x48"},
+  expect_lines({"animate", kTorus32, "--frames", "2", "-o", "%d.png", "--size", "64x48"},
                {"0.png to 1.png"});
 #endif
 }
@@ -257,13 +251,13 @@ TEST_F(Waves, LeaveALineForEveryFile) {
 TEST_F(Waves, AreDrawnInATimeThatIsReported) {
   // The report is named before the picture, and written after it.
   const Json report =
-      this->report({"stripe", kShape, "-o", "a.json", "-o", "a.png", "--size", "64x48"});
+      this->report({"stripe", kTorus32, "-o", "a.json", "-o", "a.png", "--size", "64x48"});
   EXPECT_GT(report.at("milliseconds").at("draw").get<double>(), 0);
   EXPECT_EQ(Json::parse(content(folder / "a.json")).at("milliseconds"), report.at("milliseconds"));
-  EXPECT_TRUE(has(run({"stripe", kShape, "-o", "a.png", "--size", "64x48"}).out, ", draw "));
-  EXPECT_FALSE(this->report({"stripe", kShape}).at("milliseconds").contains("draw"));
+  EXPECT_TRUE(has(run({"stripe", kTorus32, "-o", "a.png", "--size", "64x48"}).out, ", draw "));
+  EXPECT_FALSE(this->report({"stripe", kTorus32}).at("milliseconds").contains("draw"));
   for (const char* command : {"curves", "sample"}) {
-    EXPECT_GT(this->report({command, kShape, "-o", "a.png", "--size", "64x48"})
+    EXPECT_GT(this->report({command, kTorus32, "-o", "a.png", "--size", "64x48"})
                   .at("milliseconds")
                   .at("draw")
                   .get<double>(),

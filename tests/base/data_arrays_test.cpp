@@ -7,15 +7,16 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using testing_support::kNaN;
 
 DataArray labels() { return make_data_array("label", 1, std::vector<std::int64_t>{7, 8, 9}); }
 DataArray velocities() {
-  return make_data_array("velocity", 2, std::vector<double>{0, 0, 3, 4, 6, kNan});
+  return make_data_array("velocity", 2, std::vector<double>{0, 0, 3, 4, 6, kNaN});
 }
 
 TEST(DataArrays, KeepTypeAndNumbers) {
@@ -53,7 +54,7 @@ TEST(DataArrays, FiguresAreOfVectorLengthsAndCountNan) {
   const ArrayFigures numbers = measure_array(make_data_array("p", 1, std::vector<float>{-3, 2}));
   EXPECT_EQ(numbers.minimum, -3);
   EXPECT_EQ(numbers.maximum, 2);
-  EXPECT_EQ(measure_array(make_data_array("n", 1, std::vector<double>{kNan})).maximum, 0);
+  EXPECT_EQ(measure_array(make_data_array("n", 1, std::vector<double>{kNaN})).maximum, 0);
 }
 
 TEST(DataArrays, AreFoundByName) {

@@ -8,11 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include "test_numbers.h"
+
 namespace brindle {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using testing_support::kInfinity;
+using testing_support::kNaN;
 
 /// How far a double is from a more exact number, in units in its last place.
 double units_off(double got, long double exact) {
@@ -22,9 +24,9 @@ double units_off(double got, long double exact) {
 }
 
 /// Numbers of all sizes up to 2^`exponent`, of both signs.
-class Numbers {
+class RandomNumbers {
  public:
-  explicit Numbers(int exponent) : exponent_(exponent) {}
+  explicit RandomNumbers(int exponent) : exponent_(exponent) {}
   double operator()() {
     std::uniform_real_distribution<double> unit(-1, 1);
     return unit(random_) * std::ldexp(1.0, static_cast<int>(exponent_ * unit(random_)));
@@ -36,7 +38,7 @@ class Numbers {
 };
 
 TEST(Elementary, SinesAndAnglesAreExactToTheLastPlaces) {
-  Numbers number(19);
+  RandomNumbers number(19);
   for (int n = 0; n < 100000; ++n) {
     const double x = number(), y = number();
     ASSERT_LT(units_off(elementary::sin(x), std::sin(static_cast<long double>(x))), 1.5) << x;
@@ -63,7 +65,7 @@ TEST(Elementary, FarAnglesAreWithinTheirOwnRounding) {
 }
 
 TEST(Elementary, PowersAndLogarithmsAreExactToTheLastPlaces) {
-  Numbers number(9), size(900);
+  RandomNumbers number(9), size(900);
   for (int n = 0; n < 100000; ++n) {
     const double x = number(), y = std::abs(size());
     if (std::abs(x) > 700) continue;
@@ -87,7 +89,7 @@ TEST(Elementary, FastPowersAreExactToTwoUnitsOfAFloat) {
 
 TEST(Elementary, EndsAreThoseOfTheStandardLibrary) {
   const double numbers[] = {0.0,    -0.0,   1.0,       -1.0,       1e308,
-                            -1e308, 1e-320, kInfinity, -kInfinity, kNan};
+                            -1e308, 1e-320, kInfinity, -kInfinity, kNaN};
   const auto expect_same = [](double a, double b) {
     if (std::isnan(b)) {
       EXPECT_TRUE(std::isnan(a)) << a;
@@ -106,7 +108,7 @@ TEST(Elementary, EndsAreThoseOfTheStandardLibrary) {
     expect_same(elementary::cbrt(x), std::cbrt(x));
     for (const double y : numbers) expect_same(elementary::atan2(y, x), std::atan2(y, x));
   }
-  for (const double x : {0.0, 1.0, -1.0, kInfinity, kNan}) {
+  for (const double x : std::initializer_list<double>{0, 1, -1, kInfinity, kNaN}) {
     for (const double y : {0.0, 0.5, 2.0, 3.0, -1.0}) {
       expect_same(elementary::pow(x, y), std::pow(x, y));
     }

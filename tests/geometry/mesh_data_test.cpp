@@ -9,11 +9,13 @@
 #include "brindle/arrays.h"
 #include "brindle/error.h"
 #include "brindle/shapes/parametric_shapes.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using testing_support::kInfinity;
+using testing_support::kNaN;
 
 double number(const DataArray& array, std::size_t row, std::size_t column = 0) {
   EXPECT_EQ(array.type, NumberType::float64);
@@ -57,7 +59,7 @@ TEST(CellsToPoints, WeighsRowsByAreas) {
 }
 
 TEST(CellsToPoints, PassesOverRowsThatAreNotFinite) {
-  for (const double bad : {kNaN, std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {kNaN, kInfinity}) {
     const DataArray points = cells_to_points(
         two_triangles(), make_data_array("a", 2, std::vector<double>{1, bad, 5, 6}));
     EXPECT_TRUE(std::isnan(number(points, 0, 0)));

@@ -6,12 +6,13 @@
 #include "brindle/mesh.h"
 #include "brindle/shapes.h"
 #include "test_meshes.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using testing_support::kInfinity;
+using testing_support::kNaN;
 
 const std::vector<Vec3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 

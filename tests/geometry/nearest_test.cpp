@@ -9,13 +9,14 @@
 
 #include "brindle/error.h"
 #include "test_meshes.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-using Eigen::Vector3d;
+using testing_support::kInfinity;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using Eigen::Vector3d;
 
 Vector3d corner(const Mesh& mesh, Index triangle, std::size_t m) {
   return mesh.positions[mesh.triangles[triangle][m]].cast<double>();

@@ -5,6 +5,7 @@
 
 #include "brindle/gpu_solver.h"
 #include "brindle/headless_context.h"
+#include "brindle/stripe_animator.h"
 
 namespace brindle::test {
 
@@ -29,5 +30,9 @@ class GpuTest : public testing::Test {
         device.context.check_errors(testing::UnitTest::GetInstance()->current_test_info()->name()));
   }
 };
+
+inline FrameInput input_of(const WaveSet& waves) {
+  return {waves.positions, waves.directions, waves.frequencies};
+}
 
 }  // namespace brindle::test

@@ -23,10 +23,6 @@ using testing_support::WavySurface;
 
 using GpuAnimatorTest = test::GpuTest;
 
-FrameInput input_of(const WaveSet& waves) {
-  return {waves.positions, waves.directions, waves.frequencies};
-}
-
 AnimatorOptions options_with(float lambda, PhaseShiftKind kind = PhaseShiftKind::aligned) {
   AnimatorOptions options;
   options.lambda = lambda;
@@ -63,8 +59,8 @@ void expect_same_scene(const GpuSolver& solver, SceneKind kind, const AnimatorOp
     const PhaseGraph graph =
         build_phase_graph(surface.neighborhood, frame.waves, options.phase_shift);
     const Judged on_cpu =
-        judge(frame, graph, cpu.frame(input_of(frame.waves)).z, options.phase_shift);
-    gpu.frame(input_of(frame.waves));
+        judge(frame, graph, cpu.frame(test::input_of(frame.waves)).z, options.phase_shift);
+    gpu.frame(test::input_of(frame.waves));
     const Judged on_gpu = judge(frame, graph, gpu.read_phases(), options.phase_shift);
     EXPECT_NEAR(on_gpu.energy, on_cpu.energy, alike * on_cpu.energy + 1e-7) << number;
     EXPECT_NEAR(on_gpu.branches, on_cpu.branches, std::max(3.0, alike * on_cpu.branches)) << number;
@@ -115,8 +111,8 @@ TEST_F(GpuAnimatorTest, FrequenciesYieldAsOnTheProcessor) {
   for (int number = 0; number < 4; ++number) {
     SCOPED_TRACE(number);
     s.waves.directions = rotated(s.waves.directions, s.normals, 0.03f);
-    const FrameResult on_cpu = cpu.frame(input_of(s.waves));
-    EXPECT_TRUE(gpu.frame(input_of(s.waves)));
+    const FrameResult on_cpu = cpu.frame(test::input_of(s.waves));
+    EXPECT_TRUE(gpu.frame(test::input_of(s.waves)));
     EXPECT_TRUE(std::ranges::equal(gpu.frequencies(), on_cpu.frequencies));
     EXPECT_EQ(gpu.frequency_change().ratio_mean, on_cpu.frequency_change.ratio_mean);
     WaveSet yielded = s.waves;
@@ -124,7 +120,7 @@ TEST_F(GpuAnimatorTest, FrequenciesYieldAsOnTheProcessor) {
     const PhaseGraph graph = build_phase_graph(s.neighborhood, yielded);
     EXPECT_NEAR(energy(graph, gpu.read_phases()), energy(graph, on_cpu.z),
                 0.1 * energy(graph, on_cpu.z));
-    EXPECT_FALSE(gpu.frame(input_of(s.waves)));
+    EXPECT_FALSE(gpu.frame(test::input_of(s.waves)));
   }
 }
 
@@ -143,9 +139,9 @@ TEST_F(GpuAnimatorTest, CancelledFramesLeaveFrequenciesAsTheyWere) {
         WaveSet other = waves;
         other.directions = rotated(other.directions, s.normals, 0.4f);
         Reports reports(1);
-        EXPECT_THROW(gpu.frame(input_of(other), reports.progress()), Cancelled);
+        EXPECT_THROW(gpu.frame(test::input_of(other), reports.progress()), Cancelled);
       }
-      gpu.frame(input_of(waves));
+      gpu.frame(test::input_of(waves));
       seen.insert(seen.end(), gpu.frequencies().begin(), gpu.frequencies().end());
     }
     return seen;
@@ -170,7 +166,7 @@ TEST_F(GpuAnimatorTest, CouplesEveryPhaseShiftAsTheProcessorDoes) {
     SCOPED_TRACE(name_of(kind));
     GpuAnimator gpu(device.solver.kernels(), surface.neighborhood, options_with(0, kind));
     gpu.measure_frames(true);
-    gpu.frame(input_of(surface.waves));
+    gpu.frame(test::input_of(surface.waves));
     const PhaseGraph graph = surface.graph(kind);
     const double on_cpu = solve_phases(graph).energy;
     EXPECT_NEAR(energy(graph, gpu.read_phases()), on_cpu, 0.01 * on_cpu);
@@ -195,7 +191,7 @@ TEST_F(GpuAnimatorTest, TakesBuffersThatAreOnTheDeviceAlready) {
     const GlBuffer directions = application_buffer(surface.waves.directions);
     const GlBuffer frequencies = application_buffer(surface.waves.frequencies);
     from_buffers.frame(WaveBuffers{positions, directions, frequencies});
-    from_spans.frame(input_of(surface.waves));
+    from_spans.frame(test::input_of(surface.waves));
     EXPECT_EQ(from_buffers.read_phases(), from_spans.read_phases());
   }
 }
@@ -208,7 +204,7 @@ TEST_F(GpuAnimatorTest, MeasuresComeOneFrameLate) {
   std::vector<double> energies, steps;
   for (int n = 0; n < 5; ++n) {
     for (float& f : surface.waves.frequencies) f *= 1.01f;
-    animator.frame(input_of(surface.waves));
+    animator.frame(test::input_of(surface.waves));
     if (n == 0) {
       EXPECT_FALSE(animator.measured().has_value());
     } else {
@@ -217,7 +213,7 @@ TEST_F(GpuAnimatorTest, MeasuresComeOneFrameLate) {
       EXPECT_NEAR(animator.measured()->phase_step, steps.back(), 0.03 * steps.back() + 1e-6);
     }
     energies.push_back(energy(surface.graph(), animator.read_phases()));
-    steps.push_back(twin.frame(input_of(surface.waves)).phase_step);
+    steps.push_back(twin.frame(test::input_of(surface.waves)).phase_step);
   }
   EXPECT_EQ(animator.measure_now()->frame, 4);
 }
@@ -225,21 +221,21 @@ TEST_F(GpuAnimatorTest, MeasuresComeOneFrameLate) {
 TEST_F(GpuAnimatorTest, UnchangedInputGivesUnchangedPhases) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
-  EXPECT_TRUE(animator.frame(input_of(surface.waves)));
+  EXPECT_TRUE(animator.frame(test::input_of(surface.waves)));
   const std::vector<Complex> z = animator.read_phases();
-  EXPECT_FALSE(animator.frame(input_of(surface.waves)));
+  EXPECT_FALSE(animator.frame(test::input_of(surface.waves)));
   EXPECT_EQ(animator.read_phases(), z);
   surface.waves.frequencies[7] *= 1.5f;
-  EXPECT_TRUE(animator.frame(input_of(surface.waves)));
+  EXPECT_TRUE(animator.frame(test::input_of(surface.waves)));
 }
 
 TEST_F(GpuAnimatorTest, TurningDirectionsRoundIsNoChangeOfThePattern) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood, options_with(0.5f));
   animator.measure_frames(true);
-  animator.frame(input_of(surface.waves));
+  animator.frame(test::input_of(surface.waves));
   flip_half(surface.waves, 3);
-  animator.frame(input_of(surface.waves));
+  animator.frame(test::input_of(surface.waves));
   EXPECT_LT(animator.measure_now()->phase_step, 0.02);
 }
 
@@ -268,8 +264,8 @@ TEST_F(GpuAnimatorTest, ThePapersModeFollowsLastPhasesAsOnTheProcessor) {
     gpu.set_last_phases(given);
     for (int number = 0; number < 4; ++number) {
       SCOPED_TRACE(number);
-      const auto expected = cpu.frame(input_of(s.waves)).z;
-      gpu.frame(input_of(s.waves));
+      const auto expected = cpu.frame(test::input_of(s.waves)).z;
+      gpu.frame(test::input_of(s.waves));
       EXPECT_LT(farthest_apart(gpu.read_phases(), expected), 2e-3f);
       flip_half(s.waves, 2 + number);
       s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
@@ -286,7 +282,7 @@ TEST_F(GpuAnimatorTest, FramesFromBuffersComeBetweenThoseWithSlack) {
   GpuAnimator animator(device.solver.kernels(), surface_with(s), options);
   animator.set_slack(0);
   const WaveSet first = s.waves;
-  animator.frame(input_of(first));
+  animator.frame(test::input_of(first));
   EXPECT_EQ(animator.frequencies().size(), first.frequencies.size());
   for (float& f : s.waves.frequencies) f *= 1.3f;
   const GlBuffer positions = application_buffer(s.waves.positions);
@@ -295,7 +291,7 @@ TEST_F(GpuAnimatorTest, FramesFromBuffersComeBetweenThoseWithSlack) {
   animator.frame(WaveBuffers{positions, directions, frequencies});
   const std::vector<Complex> others = animator.read_phases();
   EXPECT_TRUE(animator.frequencies().empty());
-  EXPECT_TRUE(animator.frame(input_of(first)));
+  EXPECT_TRUE(animator.frame(test::input_of(first)));
   EXPECT_GT(farthest_apart(animator.read_phases(), others), 0.1f);
   EXPECT_FALSE(animator.frequencies().empty());
 }
@@ -303,12 +299,12 @@ TEST_F(GpuAnimatorTest, FramesFromBuffersComeBetweenThoseWithSlack) {
 TEST_F(GpuAnimatorTest, SiblingSolvesItsOwnFieldOnTheSameTopology) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   GpuAnimator u(device.solver.kernels(), surface.neighborhood);
-  u.frame(input_of(surface.waves));
+  u.frame(test::input_of(surface.waves));
   const std::vector<Complex> u_phases = u.read_phases();
   GpuAnimator v = u.sibling();
   surface.waves.directions =
       rotated(surface.waves.directions, surface.normals, static_cast<float>(M_PI / 2));
-  v.frame(input_of(surface.waves));
+  v.frame(test::input_of(surface.waves));
   EXPECT_LT(energy(surface.graph(), v.read_phases()), 1.1 * solve_phases(surface.graph()).energy);
   EXPECT_EQ(v.topology_milliseconds(), 0);
   EXPECT_EQ(u.read_phases(), u_phases);
@@ -321,18 +317,19 @@ TEST_F(GpuAnimatorTest, GivenPhasesAreThoseOfTheLastFrame) {
     options.solver = solver;
     GpuAnimator goes_on(device.solver.kernels(), s.neighborhood, options);
     GpuAnimator resumed(device.solver.kernels(), s.neighborhood, options);
-    resumed.frame(input_of(s.waves));  // aggregates follow the first frame
-    goes_on.frame(input_of(s.waves));
+    resumed.frame(test::input_of(s.waves));  // aggregates follow the first frame
+    goes_on.frame(test::input_of(s.waves));
     const auto last = goes_on.read_phases();
     for (float& f : s.waves.frequencies) f *= 1.02f;
-    goes_on.frame(input_of(s.waves));
+    goes_on.frame(test::input_of(s.waves));
     resumed.restart();
     resumed.set_last_phases(last);
-    EXPECT_TRUE(resumed.frame(input_of(s.waves)));
+    EXPECT_TRUE(resumed.frame(test::input_of(s.waves)));
     EXPECT_EQ(resumed.read_phases(), goes_on.read_phases());
     resumed.set_last_phases(last);
-    EXPECT_TRUE(resumed.frame(input_of(s.waves))) << "given phases count for the same input, too";
-    EXPECT_FALSE(resumed.frame(input_of(s.waves)));
+    EXPECT_TRUE(resumed.frame(test::input_of(s.waves)))
+        << "given phases count for the same input, too";
+    EXPECT_FALSE(resumed.frame(test::input_of(s.waves)));
     EXPECT_THROW(resumed.set_last_phases(std::span(last).first(3)), Error);
   }
 }
@@ -346,8 +343,8 @@ TEST_F(GpuAnimatorTest, TakesAnotherSlackAsTheProcessorDoes) {
   for (const float slack : {0.3f, 0.1f, 0.2f}) {
     cpu.set_slack(slack);
     gpu.set_slack(slack);
-    const auto expected = cpu.frame(input_of(s.waves)).frequencies;
-    gpu.frame(input_of(s.waves));
+    const auto expected = cpu.frame(test::input_of(s.waves)).frequencies;
+    gpu.frame(test::input_of(s.waves));
     EXPECT_TRUE(std::ranges::equal(gpu.frequencies(), expected)) << slack;
   }
   GpuAnimator without(device.solver.kernels(), surface_with(s), options_with(0.02f));
@@ -358,11 +355,11 @@ TEST_F(GpuAnimatorTest, RestartForgetsTheLastFrame) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
   GpuAnimator used(device.solver.kernels(), surface.neighborhood);
   GpuAnimator fresh(device.solver.kernels(), surface.neighborhood);
-  used.frame(input_of(surface.waves));
-  fresh.frame(input_of(surface.waves));
+  used.frame(test::input_of(surface.waves));
+  fresh.frame(test::input_of(surface.waves));
   const std::vector<Complex> first = fresh.read_phases();
   used.restart();
-  used.frame(input_of(surface.waves));
+  used.frame(test::input_of(surface.waves));
   EXPECT_EQ(used.read_phases(), first);
 }
 
@@ -375,7 +372,7 @@ struct Seen {
 };
 
 Seen see(GpuAnimator& animator, const WavySurface& surface) {
-  animator.frame(input_of(surface.waves));
+  animator.frame(test::input_of(surface.waves));
   const auto measure = animator.measure_now();
   return {animator.read_phases(), measure->energy, measure->phase_step};
 }
@@ -406,13 +403,13 @@ struct InterruptedGpu : test::GpuTest {
   void cancel_everywhere(const WavySurface& input, const Start& start, const Expect& expect) const {
     GpuAnimator undisturbed = start();
     Reports all;
-    undisturbed.frame(input_of(input.waves), all.progress());
+    undisturbed.frame(test::input_of(input.waves), all.progress());
     EXPECT_GE(all.count(), options.cycles);
     for (const int k : testing_support::reports_to_cancel(all.count())) {
       SCOPED_TRACE(k);
       GpuAnimator cancelled = start();
       Reports reports(k);
-      EXPECT_THROW(cancelled.frame(input_of(input.waves), reports.progress()), Cancelled);
+      EXPECT_THROW(cancelled.frame(test::input_of(input.waves), reports.progress()), Cancelled);
       expect(cancelled);
     }
   }
@@ -441,12 +438,12 @@ TEST_F(InterruptedGpu, LaterFrameLeavesTheLastOne) {
         *tried,
         [&] {
           GpuAnimator started = animator();
-          started.frame(input_of(first.waves));
+          started.frame(test::input_of(first.waves));
           return started;
         },
         [&](GpuAnimator& cancelled) {
           EXPECT_EQ(cancelled.read_phases(), a.z);
-          EXPECT_FALSE(cancelled.frame(input_of(first.waves)));
+          EXPECT_FALSE(cancelled.frame(test::input_of(first.waves)));
           EXPECT_EQ(cancelled.read_phases(), a.z);
           EXPECT_EQ(see(cancelled, second), b);
           EXPECT_EQ(see(cancelled, third), c);
@@ -457,7 +454,7 @@ TEST_F(InterruptedGpu, LaterFrameLeavesTheLastOne) {
 TEST_F(InterruptedGpu, BuffersOnTheDeviceLeaveTheLastFrameToo) {
   GpuAnimator undisturbed = animator(), cancelled = animator();
   const Seen a = see(undisturbed, first), b = see(undisturbed, second);
-  cancelled.frame(input_of(first.waves));
+  cancelled.frame(test::input_of(first.waves));
   const GlBuffer positions = application_buffer(third.waves.positions);
   const GlBuffer directions = application_buffer(third.waves.directions);
   const GlBuffer frequencies = application_buffer(third.waves.frequencies);
@@ -473,7 +470,7 @@ TEST_F(InterruptedGpu, BuffersOnTheDeviceLeaveTheLastFrameToo) {
 
 TEST_F(InterruptedGpu, BadValuesLeaveTheLastFrame) {
   GpuAnimator undisturbed = animator(), refusing = animator();
-  const auto refuse = [&](const WaveSet& bad) { refusing.frame(input_of(bad)); };
+  const auto refuse = [&](const WaveSet& bad) { refusing.frame(test::input_of(bad)); };
   testing_support::expect_refused(first.waves, 5, refuse);
   EXPECT_EQ(see(refusing, first), see(undisturbed, first));
   testing_support::expect_refused(second.waves, 7, refuse);
@@ -506,19 +503,19 @@ TEST_F(GpuAnimatorTest, InputOfTheLastFrameButOneIsNoUnchangedInput) {
   const GlBuffer positions = application_buffer(surface.waves.positions);
   const GlBuffer directions = application_buffer(surface.waves.directions);
   const GlBuffer frequencies = application_buffer(surface.waves.frequencies);
-  animator.frame(input_of(first));
+  animator.frame(test::input_of(first));
   animator.frame(WaveBuffers{positions, directions, frequencies});
-  EXPECT_TRUE(animator.frame(input_of(first)));
-  twin.frame(input_of(first));
-  twin.frame(input_of(surface.waves));
-  twin.frame(input_of(first));
+  EXPECT_TRUE(animator.frame(test::input_of(first)));
+  twin.frame(test::input_of(first));
+  twin.frame(test::input_of(surface.waves));
+  twin.frame(test::input_of(first));
   EXPECT_EQ(animator.read_phases(), twin.read_phases());
 }
 
 TEST_F(GpuAnimatorTest, TellsItsDispatchesAndTheirTimes) {
   auto surface = wavy_surface("sphere,resolution=60", kAxis, 25);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
-  animator.frame(input_of(surface.waves));
+  animator.frame(test::input_of(surface.waves));
   EXPECT_GT(animator.dispatches(), 4u);
   EXPECT_LT(animator.dispatches(), 60u);
   double total = 0;
@@ -532,7 +529,7 @@ TEST_F(GpuAnimatorTest, TellsItsDispatchesAndTheirTimes) {
 TEST_F(GpuAnimatorTest, RefusesBadInputAndOptions) {
   const auto surface = wavy_surface("plane,resolution=5", kAxis, 5);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
-  FrameInput input = input_of(surface.waves);
+  FrameInput input = test::input_of(surface.waves);
   input.frequencies = input.frequencies.first(3);
   EXPECT_THROW(animator.frame(input), Error);
   EXPECT_THROW(GpuAnimator(device.solver.kernels(), surface.neighborhood, options_with(-1)), Error);

@@ -28,20 +28,16 @@ RenderOptions small_picture() {
   return options;
 }
 
-FrameInput input_of(const WaveSet& waves) {
-  return {waves.positions, waves.directions, waves.frequencies};
-}
-
 TEST_F(GpuRenderingTest, DrawsFromTheAnimatorsBufferWhatACopyWouldGive) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 20);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
-  animator.frame(input_of(surface.waves));
+  animator.frame(test::input_of(surface.waves));
   Renderer renderer;
   renderer.upload({.mesh = surface.mesh, .normals = surface.normals, .waves = &surface.waves});
   renderer.use_phases(animator.phases());
   for (int n = 0; n < 3; ++n) {
     for (float& f : surface.waves.frequencies) f *= 1.01f;
-    animator.frame(input_of(surface.waves));
+    animator.frame(test::input_of(surface.waves));
     renderer.update({.waves = &surface.waves});
     const Image shared = renderer.draw(small_picture());
 
@@ -56,9 +52,9 @@ TEST_F(GpuRenderingTest, DrawsFromTheAnimatorsBufferWhatACopyWouldGive) {
 TEST_F(GpuRenderingTest, PicturesDifferByNoMoreThanPhasesDo) {
   const auto surface = wavy_surface("torus,resolution=80", kAxis, 20);
   GpuAnimator gpu(device.solver.kernels(), surface.neighborhood);
-  gpu.frame(input_of(surface.waves));
+  gpu.frame(test::input_of(surface.waves));
   StripeAnimator cpu(surface.neighborhood);
-  const auto z = cpu.frame(input_of(surface.waves)).z;
+  const auto z = cpu.frame(test::input_of(surface.waves)).z;
   const std::vector<Complex> gpu_z = gpu.read_phases();
 
   FragmentProbe probe;
@@ -84,7 +80,7 @@ TEST_F(GpuRenderingTest, PicturesDifferByNoMoreThanPhasesDo) {
 TEST_F(GpuRenderingTest, PhasesThatAreUploadedComeFirstAgain) {
   const auto surface = wavy_surface("torus,resolution=40", kAxis, 8);
   GpuAnimator animator(device.solver.kernels(), surface.neighborhood);
-  animator.frame(input_of(surface.waves));
+  animator.frame(test::input_of(surface.waves));
   Renderer renderer;
   const std::vector<Complex> still(surface.mesh.vertex_count(), Complex(1));
   renderer.upload({.mesh = surface.mesh, .waves = &surface.waves, .z = still});

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/geometry/shared_edges.h"
 #include "brindle/texture_animator.h"
@@ -28,7 +29,6 @@ using testing_support::singular_field;
 using testing_support::texture_along;
 using testing_support::waves_of;
 
-constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr double kClearance = 0.05;
 
 TileFigures figures_of(float half_u, float half_v, std::uint8_t symmetries) {
@@ -59,9 +59,9 @@ Textured plane(int n, float side, const Eigen::Vector2f& offset,
           Vec3(static_cast<float>(i), static_cast<float>(j), 0) * side / static_cast<float>(n);
       plane.mesh.positions.push_back(p);
       float u = p.x() + offset.x();
-      if (branch) u += std::atan2(p.y() - branch->y(), p.x() - branch->x()) / kTurn;
-      z_u.push_back(std::polar(1.0f, kTurn * (u - 0.25f)));
-      z_v.push_back(std::polar(1.0f, kTurn * (p.y() + offset.y() - 0.25f)));
+      if (branch) u += std::atan2(p.y() - branch->y(), p.x() - branch->x()) / kTwoPi;
+      z_u.push_back(std::polar(1.0f, kTwoPi * (u - 0.25f)));
+      z_v.push_back(std::polar(1.0f, kTwoPi * (p.y() + offset.y() - 0.25f)));
     }
   }
   const auto id = [n](int i, int j) { return static_cast<Index>(j * (n + 1) + i); };

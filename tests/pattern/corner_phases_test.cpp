@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
 #include "brindle/quality.h"
 #include "brindle/solver.h"
 #include "phase_graphs.h"
@@ -15,16 +16,14 @@ namespace {
 using testing_support::flip_half;
 using testing_support::wavy_surface;
 
-constexpr float kTwoPi = 6.2831853f;
-
-struct PlaneWave {
+struct StripedPlane {
   testing_support::WavySurface surface;
   std::vector<Complex> z;
 };
 
 /// Far more stripes than triangles: several cross each.
-PlaneWave plane_wave(float stripes) {
-  PlaneWave wave{wavy_surface("plane,resolution=12", Vec3(1, 0.5f, 0), stripes), {}};
+StripedPlane striped_plane(float stripes) {
+  StripedPlane wave{wavy_surface("plane,resolution=12", Vec3(1, 0.5f, 0), stripes), {}};
   for (std::size_t i = 0; i < wave.surface.mesh.vertex_count(); ++i) {
     const float along = wave.surface.waves.directions[i].dot(wave.surface.mesh.positions[i]);
     wave.z.push_back(std::polar(1.0f, kTwoPi * wave.surface.waves.frequencies[i] * along));
@@ -34,7 +33,7 @@ PlaneWave plane_wave(float stripes) {
 
 TEST(CornerPhases, LiftAPlaneWaveToItsLinearPhaseAtAnyFrequency) {
   for (const float stripes : {4.0f, 40.0f, 200.0f}) {
-    const PlaneWave wave = plane_wave(stripes);
+    const StripedPlane wave = striped_plane(stripes);
     const auto& [surface, z] = wave;
     const auto corners =
         corner_phases(surface.mesh.triangles, surface.waves, z, PhaseShiftKind::aligned);
@@ -57,7 +56,7 @@ TEST(CornerPhases, LiftAPlaneWaveToItsLinearPhaseAtAnyFrequency) {
 }
 
 TEST(CornerPhases, DoNotCareWhichWayDirectionsPoint) {
-  PlaneWave wave = plane_wave(20);
+  StripedPlane wave = striped_plane(20);
   const auto flipped = flip_half(wave.surface.waves, 9);
   for (std::size_t i = 0; i < flipped.size(); ++i) {
     if (flipped[i]) wave.z[i] = -std::conj(wave.z[i]);
@@ -118,7 +117,7 @@ TEST(Quality, BranchesBalanceOnAClosedSurface) {
 }
 
 TEST(Quality, AngleErrorIsThatOfATurnedField) {
-  PlaneWave wave = plane_wave(8);
+  StripedPlane wave = striped_plane(8);
   const float turn = 10 * kTwoPi / 360;
   auto corners = corner_phases(wave.surface.mesh.triangles, wave.surface.waves, wave.z,
                                PhaseShiftKind::aligned);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "phase_graphs.h"
@@ -14,8 +15,6 @@ namespace {
 
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
-
-constexpr float kTwoPi = 6.2831853f;
 
 /// A cylinder of radius 1/2 and height 2 with a ring wherever f z + shift is whole.
 struct Rings {

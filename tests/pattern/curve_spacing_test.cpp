@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "phase_graphs.h"
 
@@ -14,8 +15,6 @@ using testing_support::wavy_surface;
 using testing_support::WavySurface;
 
 #ifdef BRINDLE_HAS_NANOFLANN
-
-constexpr float kTwoPi = 6.2831853f;
 
 CurveSpacing spacing_of(const WavySurface& surface, std::span<const Complex> z) {
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);

@@ -6,13 +6,14 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
+
 namespace brindle {
 namespace {
 
 using Corners = std::array<CornerWave, 3>;
-constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 
-Complex phase(float turns) { return std::polar(1.0f, kTurn * turns); }
+Complex phase(float turns) { return std::polar(1.0f, kTwoPi * turns); }
 
 struct Dice {
   std::mt19937 engine{7};

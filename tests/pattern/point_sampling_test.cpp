@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
 #include "phase_graphs.h"
 
 #ifdef BRINDLE_HAS_NANOFLANN
@@ -15,8 +16,6 @@ namespace {
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
 
-constexpr float kTurn = 2 * std::numbers::pi_v<float>;
-
 /// A plane wave on the points of a plane.
 struct PlaneWave {
   WaveSet waves;
@@ -26,7 +25,7 @@ struct PlaneWave {
     for (std::size_t i = 0; i < waves.positions.size(); ++i) {
       waves.directions[i] = direction;
       waves.frequencies[i] = frequency;
-      z.push_back(std::polar(1.0f, kTurn * frequency * direction.dot(waves.positions[i])));
+      z.push_back(std::polar(1.0f, kTwoPi * frequency * direction.dot(waves.positions[i])));
     }
   }
   PointWaves points() const { return {waves, z}; }

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/solver.h"
@@ -26,8 +27,6 @@ namespace {
 using testing_support::flip_half;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
-
-constexpr float kTwoPi = 6.2831853f;
 
 /// Two patterns on one surface.
 struct Crossed {

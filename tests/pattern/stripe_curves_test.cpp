@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/two_pi.h"
 #include "brindle/files.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/solver.h"
@@ -24,8 +25,6 @@ namespace {
 using testing_support::flip_half;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
-
-constexpr float kTwoPi = 6.2831853f;
 
 struct Solved {
   WavySurface surface;

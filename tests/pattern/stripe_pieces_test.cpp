@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
+
 namespace brindle {
 namespace {
-
-constexpr float kTwoPi = 6.2831853f;
 
 using Corners = std::array<CornerWave, 3>;
 

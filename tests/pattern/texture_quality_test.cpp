@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/two_pi.h"
 #include "brindle/texture_waves.h"
 #include "phase_graphs.h"
 
 namespace brindle {
 namespace {
-
-constexpr float kTwoPi = 6.2831853f;
 
 /// Plane waves along two directions; phases have `stretch` times the frequency that they are meant
 /// to have.

@@ -22,8 +22,6 @@ using testing_support::kAxis;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
 
-constexpr double kPi = std::numbers::pi;
-
 std::vector<Complex> solved(const WavySurface& surface) { return solve_phases(surface.graph()).z; }
 
 LastPattern last_of(const WavySurface& surface, std::span<const Complex> z) {
@@ -210,7 +208,7 @@ TEST(PhaseStep, IsTheMeanOfKnownOnes) {
   const std::vector<Complex> z = {std::polar(1.0f, 0.2f), std::polar(1.0f, 3.0f), 1, 1};
   const std::vector<Complex> last = {1, std::polar(1.0f, -3.0f), 0, 0};
   const PhaseStep step = phase_step(waves, z, last);
-  EXPECT_NEAR(step.mean, (0.2 + (2 * kPi - 6)) / 2, 1e-6);
+  EXPECT_NEAR(step.mean, (0.2 + (2 * std::numbers::pi - 6)) / 2, 1e-6);
   EXPECT_EQ(step.unmatched, 1u);
 }
 

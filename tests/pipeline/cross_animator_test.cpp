@@ -38,7 +38,7 @@ CrossedSurface crossed(const char* shape, float stripes = 25) {
   return {std::move(surface), std::move(waves)};
 }
 
-CrossFrameInput input_of(const WaveSet& waves) {
+CrossFrameInput cross_input_of(const WaveSet& waves) {
   return {{waves.positions, waves.directions, waves.frequencies}, {}};
 }
 
@@ -101,7 +101,7 @@ TEST(CrossAnimator, TheFirstFrameIsThePatternOfItsCrosses) {
     SCOPED_TRACE(shape);
     const CrossedSurface c = crossed(shape);
     CrossAnimator animator(c.surface);
-    const CrossFrameResult frame = animator.frame(input_of(c.waves));
+    const CrossFrameResult frame = animator.frame(cross_input_of(c.waves));
     const CrossPattern cross = cross_pattern(c.surface, c.waves);
     const CrossTexture texture = cross_texture(c.surface, cross);
     EXPECT_EQ(frame.matching, CrossMatching::afresh);
@@ -127,8 +127,9 @@ TEST(CrossAnimator, WhichDirectionACrossIsGivenByMakesNoDifference) {
     CrossAnimator plain(c.surface), other(c.surface);
     for (int k = 0; k < 4; ++k) {
       const WaveSet waves = turned(c, 0.02f * static_cast<float>(k));
-      const auto a = shown(plain.frame(input_of(waves)).waves);
-      const CrossFrameResult frame = other.frame(input_of(k == 0 ? waves : renamed(c, waves)));
+      const auto a = shown(plain.frame(cross_input_of(waves)).waves);
+      const CrossFrameResult frame =
+          other.frame(cross_input_of(k == 0 ? waves : renamed(c, waves)));
       EXPECT_LT(share_that_differs(a, shown(frame.waves)), 0.01) << k;
       EXPECT_EQ(frame.matching, k == 0 ? CrossMatching::afresh : CrossMatching::kept) << k;
     }
@@ -143,11 +144,11 @@ TEST(CrossAnimator, CrossesThatTurnTogetherAreMatchedOnce) {
   // Once round: every cross comes through all of its names.
   for (int k = 0; k <= 180; ++k) {
     const WaveSet waves = turned(c, 4 * kQuarter * static_cast<float>(k) / 180);
-    const CrossFrameResult frame = animator.frame(input_of(waves));
+    const CrossFrameResult frame = animator.frame(cross_input_of(waves));
     EXPECT_EQ(frame.matching, k == 0 ? CrossMatching::afresh : CrossMatching::kept) << k;
     if (k % 15 != 0) continue;
     CrossAnimator scratch(c.surface);
-    scratch.frame(input_of(waves));
+    scratch.frame(cross_input_of(waves));
     worst = std::max(worst, animator.energy() - scratch.energy());
   }
   // What the anchors cost, of 1 for phases that know nothing of each other.
@@ -161,7 +162,7 @@ TEST(CrossAnimator, PhasesGoOnWhereSingularitiesMove) {
   double step = 0;
   for (int k = 0; k < 8; ++k) {
     const WaveSet waves = carried_round(c, 0.01f * static_cast<float>(k));
-    const CrossFrameResult frame = animator.frame(input_of(waves));
+    const CrossFrameResult frame = animator.frame(cross_input_of(waves));
     renewed += frame.matching == CrossMatching::renewed;
     if (k > 0) step = std::max(step, frame.stripes.phase_step);
     EXPECT_EQ(frame.cover.triangles,
@@ -181,7 +182,7 @@ TEST(CrossAnimator, IsTheSameForEveryNumberOfThreads) {
     CrossAnimator animator(c.surface);
     for (int k = 0; k < 3; ++k) {
       const WaveSet waves = renamed(c, turned(c, 0.1f * static_cast<float>(k)));
-      const CrossFrameResult frame = animator.frame(input_of(waves));
+      const CrossFrameResult frame = animator.frame(cross_input_of(waves));
       if (k == 2) results.emplace_back(frame.stripes.z.begin(), frame.stripes.z.end());
     }
   }
@@ -204,7 +205,7 @@ TEST(CrossAnimator, WeightsOfEdgesCountOnBothSheets) {
   AnimatorOptions options;
   options.edge_weights = weights_of(*c.surface.neighborhood, 1);
   CrossAnimator animator(c.surface, options);
-  const CrossFrameResult frame = animator.frame(input_of(c.waves));
+  const CrossFrameResult frame = animator.frame(cross_input_of(c.waves));
   options.edge_weights = weights_of(*frame.cover.neighborhood, 2);
   StripeAnimator on_cover(frame.cover.neighborhood, options);
   const WaveSet& waves = frame.cover.waves;
@@ -212,7 +213,7 @@ TEST(CrossAnimator, WeightsOfEdgesCountOnBothSheets) {
       on_cover.frame({waves.positions, waves.directions, waves.frequencies});
   EXPECT_TRUE(std::ranges::equal(frame.stripes.z, expected.z));
   CrossAnimator plain(c.surface);
-  EXPECT_FALSE(std::ranges::equal(plain.frame(input_of(c.waves)).stripes.z, expected.z));
+  EXPECT_FALSE(std::ranges::equal(plain.frame(cross_input_of(c.waves)).stripes.z, expected.z));
 }
 
 TEST(CrossAnimator, SlackLowersTheEnergy) {
@@ -222,8 +223,8 @@ TEST(CrossAnimator, SlackLowersTheEnergy) {
   CrossAnimator plain(c.surface), yielding(c.surface, options);
   for (int k = 0; k < 3; ++k) {
     const WaveSet waves = turned(c, 0.02f * static_cast<float>(k));
-    plain.frame(input_of(waves));
-    const CrossFrameResult frame = yielding.frame(input_of(waves));
+    plain.frame(cross_input_of(waves));
+    const CrossFrameResult frame = yielding.frame(cross_input_of(waves));
     EXPECT_EQ(frame.stripes.frequencies.size(), 2 * waves.frequencies.size());
   }
   EXPECT_LT(yielding.energy(), 0.8 * plain.energy());
@@ -233,24 +234,24 @@ TEST(CrossAnimator, BadFramesLeaveItAsItWas) {
   const CrossedSurface c = crossed("box,resolution=12");
   CrossAnimator animator(c.surface), untouched(c.surface);
   EXPECT_THROW(animator.energy(), Error);
-  for (CrossAnimator* a : {&animator, &untouched}) a->frame(input_of(c.waves));
+  for (CrossAnimator* a : {&animator, &untouched}) a->frame(cross_input_of(c.waves));
   WaveSet bad = turned(c, 0.3f);
   bad.directions[5].x() = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(animator.frame(input_of(bad)), Error);
+  EXPECT_THROW(animator.frame(cross_input_of(bad)), Error);
   bad = turned(c, 0.3f);
   bad.frequencies.pop_back();
-  EXPECT_THROW(animator.frame(input_of(bad)), Error);
+  EXPECT_THROW(animator.frame(cross_input_of(bad)), Error);
   const WaveSet next = turned(c, 0.02f);
   const std::vector<Vec3> normals(3, Vec3::UnitZ());
   EXPECT_THROW(animator.frame({{next.positions, next.directions, next.frequencies}, normals}),
                Error);
-  const auto z = animator.frame(input_of(next)).stripes.z;
-  const auto expected = untouched.frame(input_of(next)).stripes.z;
+  const auto z = animator.frame(cross_input_of(next)).stripes.z;
+  const auto expected = untouched.frame(cross_input_of(next)).stripes.z;
   EXPECT_TRUE(std::ranges::equal(z, expected));
   EXPECT_THROW(CrossAnimator(Surface{}), Error);
 
   animator.restart();
-  EXPECT_EQ(animator.frame(input_of(next)).matching, CrossMatching::afresh);
+  EXPECT_EQ(animator.frame(cross_input_of(next)).matching, CrossMatching::afresh);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ WaveSet with_quarter_turns(WaveSet waves, std::span<const Vec3> normals, unsigne
 
 /// Ties between equally strong couplings fall in another way, and from there on solutions differ,
 /// though not in kind.
-void expect_like_quality(const PatternQuality& a, const PatternQuality& b) {
+void expect_like_crosses(const PatternQuality& a, const PatternQuality& b) {
   EXPECT_EQ(a.field_singularities, b.field_singularities);
   EXPECT_NEAR(static_cast<double>(a.branches), static_cast<double>(b.branches),
               1 + 0.1 * static_cast<double>(b.branches));
@@ -75,7 +75,7 @@ TEST(CrossPattern, HardlyChangesWhenCrossesAreTurnedByQuarters) {
   const WaveSet waves = smooth_crosses(torus, 30);
   const PatternQuality before = cross_pattern(torus, waves).quality;
   for (const unsigned seed : {9u, 1u, 2u, 3u, 4u}) {
-    expect_like_quality(
+    expect_like_crosses(
         cross_pattern(torus, with_quarter_turns(waves, torus.normals, seed)).quality, before);
   }
 }
@@ -116,7 +116,7 @@ TEST(CrossPattern, DoesNotChangeWhenTheSurfaceIsMovedTurnedAndScaled) {
   moved.positions = after.mesh.positions;
   for (Vec3& d : moved.directions) d = turn * d;
   for (float& f : moved.frequencies) f /= 3;
-  expect_like_quality(cross_pattern(after, moved).quality, cross_pattern(before, waves).quality);
+  expect_like_crosses(cross_pattern(after, moved).quality, cross_pattern(before, waves).quality);
 }
 
 TEST(CrossPattern, OnASphereHasAtLeastEightSingularities) {

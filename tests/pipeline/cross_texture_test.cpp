@@ -24,7 +24,7 @@ struct Crossed {
   CrossTexture texture;
 };
 
-Crossed crossed(const char* shape, float stripes = 25) {
+Crossed textured_crosses(const char* shape, float stripes = 25) {
   Surface surface = make_surface(make_shape(shape));
   const float frequency = frequency_of_stripes(stripes, bounding_box(surface.mesh).diagonal());
   const WaveSet waves{surface.mesh.positions, smooth_direction_field(surface, {.symmetry = 4}),
@@ -54,7 +54,7 @@ Vec3 on_edge(const Triangle& triangle, Index from, Index to, float share) {
 
 TEST(CrossTexture, ShowsTheSameOnBothSidesOfEveryEdge) {
   for (const char* shape : {"sphere,resolution=16", "box,resolution=15", "mobius,resolution=12"}) {
-    const Crossed c = crossed(shape);
+    const Crossed c = textured_crosses(shape);
     const Mesh& mesh = c.texture.surface.mesh;
     std::map<std::pair<Index, Index>, std::vector<std::size_t>> triangles_of;
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -83,7 +83,7 @@ TEST(CrossTexture, ShowsTheSameOnBothSidesOfEveryEdge) {
 }
 
 TEST(CrossTexture, SplitsSingularTrianglesAtTheirBarycentre) {
-  const Crossed c = crossed("sphere,resolution=16");
+  const Crossed c = textured_crosses("sphere,resolution=16");
   const std::size_t singular = c.cross.cover.singular.size();
   ASSERT_GE(singular, 8u);
   const Mesh& mesh = c.texture.surface.mesh;
@@ -101,7 +101,7 @@ TEST(CrossTexture, SplitsSingularTrianglesAtTheirBarycentre) {
 }
 
 TEST(CrossTexture, VRunsToTheLeftOfU) {
-  const Crossed c = crossed("torus,resolution=60");
+  const Crossed c = textured_crosses("torus,resolution=60");
   const TextureWaves& waves = c.texture.pattern.waves;
   const Mesh& mesh = c.texture.surface.mesh;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -111,14 +111,14 @@ TEST(CrossTexture, VRunsToTheLeftOfU) {
 }
 
 TEST(CrossTexture, IsSquareOnAPlane) {
-  const Crossed c = crossed("plane,resolution=40");
+  const Crossed c = textured_crosses("plane,resolution=40");
   EXPECT_EQ(c.texture.pattern.quality.measured_triangles, c.surface.mesh.triangle_count());
   EXPECT_LT(c.texture.pattern.quality.angle_95th_deg, 0.5);
   EXPECT_LT(c.texture.pattern.quality.area_95th, 0.01);
 }
 
 TEST(CrossTexture, ShowsTheSameHoweverCrossesAreNamed) {
-  const Crossed c = crossed("torus,resolution=50");
+  const Crossed c = textured_crosses("torus,resolution=50");
   CrossPattern turned = c.cross;
   // The same pattern, wave (i, 1) under the name (i, 0) at every other vertex.
   const auto renamed = [](Index node) { return node ^ ((node / 2) % 2); };

@@ -24,7 +24,7 @@
 namespace brindle {
 namespace {
 
-constexpr int kSteps = 21;
+constexpr int kFrames = 21;
 
 using Motion = std::function<Mesh(int step)>;
 
@@ -53,7 +53,7 @@ Motion motion_of(const std::string& shape, const std::function<Vec3(const Vec3&,
   return [rest, moved](int step) {
     Mesh mesh = rest;
     for (Vec3& position : mesh.positions) {
-      position = moved(position, static_cast<float>(step) / (kSteps - 1));
+      position = moved(position, static_cast<float>(step) / (kFrames - 1));
     }
     return noisy(std::move(mesh), step);
   };
@@ -82,7 +82,7 @@ Played play(const Motion& motion, const SmoothFieldOptions& options = {}) {
   Surface before;
   DirectionField last, last_anew;
   FrequencyField frequencies;
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kFrames; ++step) {
     const Surface surface = make_surface(motion(step));
     const DirectionField anew = smooth_direction_field(surface, options);
     DirectionField field = anew;
@@ -114,8 +114,8 @@ Played play(const Motion& motion, const SmoothFieldOptions& options = {}) {
     last = field;
     last_anew = anew;
   }
-  sums.turn /= kSteps - 1;
-  sums.turn_anew /= kSteps - 1;
+  sums.turn /= kFrames - 1;
+  sums.turn_anew /= kFrames - 1;
   return sums;
 }
 
@@ -136,7 +136,7 @@ TEST_P(Beating, CurvatureFieldsFollow) {
   const Played played = play(beating(GetParam()), options);
   EXPECT_LT(played.turn, 0.9 * played.turn_anew);
   // Curvature of the knot is so clear that its field, found anew, does not turn freely.
-  const bool turns_freely = played.phase_step_anew > kSteps - 1;
+  const bool turns_freely = played.phase_step_anew > kFrames - 1;
   EXPECT_LE(played.phase_step, (turns_freely ? 0.25 : 0.6) * played.phase_step_anew);
   // Noise of curvature that is not followed leaves some smoothness, too.
   EXPECT_LE(played.energy, 1.2 * played.energy_anew);
@@ -168,7 +168,7 @@ struct GreatMotion {
 
 void PrintTo(const GreatMotion& motion, std::ostream* out) { *out << motion.name; }
 
-Vec3 turned(const Vec3& p, float time) {
+Vec3 turned_place(const Vec3& p, float time) {
   return Eigen::AngleAxisf(6.2832f * time, Vec3(1, 2, 3).normalized()) * p;
 }
 
@@ -208,7 +208,7 @@ TEST_P(MovingFar, FieldsStayAsSmoothAsThoseFoundAnew) {
 
 INSTANTIATE_TEST_SUITE_P(
     Motions, MovingFar,
-    testing::Values(GreatMotion{"turning", "molecule,resolution=30", turned},
+    testing::Values(GreatMotion{"turning", "molecule,resolution=30", turned_place},
                     GreatMotion{"bending", "cylinder,resolution=40", bent},
                     GreatMotion{"growing", "sphere,resolution=24", with_horns, 1.2},
                     GreatMotion{"flattening", "sphere,resolution=24", flattened},
@@ -232,7 +232,7 @@ TEST(FollowedField, GoesOnWhereTheTopologyAndTheTrianglesChange) {
   Surface before = melting(0);
   DirectionField last = smooth_direction_field(before);
   double turn = 0, energy = 0, energy_anew = 0;
-  for (int step = 1; step < kSteps; ++step) {
+  for (int step = 1; step < kFrames; ++step) {
     const Surface surface = melting(step);
     SmoothFieldOptions options;
     options.last.directions =
@@ -244,7 +244,7 @@ TEST(FollowedField, GoesOnWhereTheTopologyAndTheTrianglesChange) {
     before = surface;
     last = field;
   }
-  EXPECT_LT(turn / (kSteps - 1), 6);
+  EXPECT_LT(turn / (kFrames - 1), 6);
   EXPECT_LE(energy, 1.1 * energy_anew);
 }
 

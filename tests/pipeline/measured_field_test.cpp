@@ -17,11 +17,12 @@
 #include "brindle/smooth_field.h"
 #include "brindle/threads.h"
 #include "progress_reports.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-constexpr float kDegree = std::numbers::pi_v<float> / 180;
+using testing_support::kDegree;
 
 /// A number from -1 to 1 that hangs on `i` and `seed` alone.
 float noise(std::size_t i, unsigned seed) {

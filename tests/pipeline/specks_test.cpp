@@ -19,16 +19,16 @@
 namespace brindle {
 namespace {
 
-/// Points of all triangles, `kSteps` along every edge, those of shared edges once.
-constexpr int kSteps = 14;
+/// Points of all triangles, `kStepsPerEdge` along every edge, those of shared edges once.
+constexpr int kStepsPerEdge = 14;
 
 class Lattice {
  public:
   Lattice(const Surface& surface, const StripePattern& pattern)
       : mesh_(surface.mesh), edges_(mesh_edges(surface.mesh, *surface.neighborhood)) {
     first_of_edges_ = mesh_.vertex_count();
-    first_of_triangles_ = first_of_edges_ + edges_.count() * (kSteps - 1);
-    constexpr std::size_t kInside = (kSteps - 1) * (kSteps - 2) / 2;
+    first_of_triangles_ = first_of_edges_ + edges_.count() * (kStepsPerEdge - 1);
+    constexpr std::size_t kInside = (kStepsPerEdge - 1) * (kStepsPerEdge - 2) / 2;
     const std::size_t count = first_of_triangles_ + mesh_.triangle_count() * kInside;
     parent_.resize(count);
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
@@ -45,8 +45,8 @@ class Lattice {
     for (std::size_t e = 0; e < edges_.count(); ++e) {
       if (edges_.triangle_counts[e] == 2) continue;
       for (const Index v : edges_.vertices[e]) open[root(v)] = true;
-      for (std::size_t k = 0; k + 1 < kSteps; ++k) {
-        open[root(first_of_edges_ + e * (kSteps - 1) + k)] = true;
+      for (std::size_t k = 0; k + 1 < kStepsPerEdge; ++k) {
+        open[root(first_of_edges_ + e * (kStepsPerEdge - 1) + k)] = true;
       }
     }
     int below = 0;
@@ -57,25 +57,25 @@ class Lattice {
   }
 
  private:
-  using Place = std::array<int, 3>;  // weights of the corners, of kSteps
+  using Place = std::array<int, 3>;  // weights of the corners, of kStepsPerEdge
 
   std::size_t point(std::size_t t, const Place& place) const {
-    constexpr std::size_t kInside = (kSteps - 1) * (kSteps - 2) / 2;
+    constexpr std::size_t kInside = (kStepsPerEdge - 1) * (kStepsPerEdge - 2) / 2;
     const Triangle& triangle = mesh_.triangles[t];
     for (std::size_t m = 0; m < 3; ++m) {
-      if (place[m] == kSteps) return triangle[m];
+      if (place[m] == kStepsPerEdge) return triangle[m];
     }
     for (std::size_t m = 0; m < 3; ++m) {
       const std::size_t next = (m + 1) % 3;
       if (place[(m + 2) % 3] != 0) continue;
       const int along = triangle[m] < triangle[next] ? place[next] : place[m];
-      return first_of_edges_ + edges_.of_triangle[t][m] * (kSteps - 1) +
+      return first_of_edges_ + edges_.of_triangle[t][m] * (kStepsPerEdge - 1) +
              static_cast<std::size_t>(along - 1);
     }
     const auto row = static_cast<std::size_t>(place[1] - 1);
     const auto column = static_cast<std::size_t>(place[2] - 1);
     const std::size_t before =
-        row * (kSteps - 2) - row * (row - 1) / 2;  // in shorter and shorter rows
+        row * (kStepsPerEdge - 2) - row * (row - 1) / 2;  // in shorter and shorter rows
     return first_of_triangles_ + t * kInside + before + column;
   }
 
@@ -85,22 +85,22 @@ class Lattice {
     const auto& p = mesh_.positions;
     const double area =
         0.5 * (p[triangle[1]] - p[triangle[0]]).cross(p[triangle[2]] - p[triangle[0]]).norm();
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; i + j <= kSteps; ++j) {
-        const Place place = {kSteps - i - j, i, j};
+    for (int i = 0; i <= kStepsPerEdge; ++i) {
+      for (int j = 0; i + j <= kStepsPerEdge; ++j) {
+        const Place place = {kStepsPerEdge - i - j, i, j};
         const Vec3 b = Vec3(static_cast<float>(place[0]), static_cast<float>(place[1]),
                             static_cast<float>(place[2])) /
-                       static_cast<float>(kSteps);
+                       static_cast<float>(kStepsPerEdge);
         const std::size_t here = point(t, place);
         striped_[here] = fragment_phase(corners, b).z.imag() > 0;
-        area_[here] += 2 * area / ((kSteps + 1) * (kSteps + 2));
+        area_[here] += 2 * area / ((kStepsPerEdge + 1) * (kStepsPerEdge + 2));
       }
     }
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; i + j < kSteps; ++j) {
-        const std::size_t a = point(t, {kSteps - i - j, i, j});
-        const std::size_t b = point(t, {kSteps - i - j - 1, i + 1, j});
-        const std::size_t c = point(t, {kSteps - i - j - 1, i, j + 1});
+    for (int i = 0; i <= kStepsPerEdge; ++i) {
+      for (int j = 0; i + j < kStepsPerEdge; ++j) {
+        const std::size_t a = point(t, {kStepsPerEdge - i - j, i, j});
+        const std::size_t b = point(t, {kStepsPerEdge - i - j - 1, i + 1, j});
+        const std::size_t c = point(t, {kStepsPerEdge - i - j - 1, i, j + 1});
         join(a, b);
         join(b, c);
         join(c, a);

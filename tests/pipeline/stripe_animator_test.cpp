@@ -444,8 +444,6 @@ TEST(StripeAnimator, RefusesBadInputAndOptions) {
   EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);
 }
 
-std::vector<Complex> copy_of(std::span<const Complex> z) { return {z.begin(), z.end()}; }
-
 TEST(StripeAnimator, GivenPhasesAreThoseOfTheLastFrame) {
   for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
     auto surface = wavy_surface("torus,resolution=80", kAxis, 25);

@@ -18,7 +18,7 @@ namespace {
 
 using namespace testing_support;
 
-TextureFrameInput input_of(const WaveSet& waves) {
+TextureFrameInput texture_input_of(const WaveSet& waves) {
   return {{waves.positions, waves.directions, waves.frequencies}, {}, {}};
 }
 
@@ -68,7 +68,7 @@ TEST(TextureAnimator, TheFirstFrameIsOrientedAsATexturePatternIs) {
   for (const auto& [name, surface, waves] : cases()) {
     for (const bool oriented : {false, true}) {
       TextureAnimator animator(surface, {oriented, {}});
-      const TextureFrameResult frame = animator.frame(input_of(waves));
+      const TextureFrameResult frame = animator.frame(texture_input_of(waves));
       TextureOptions options;
       options.oriented = oriented;
       const TexturePattern pattern = texture_pattern(surface, waves, options);
@@ -87,7 +87,7 @@ TEST(TextureAnimator, WhatIsKeptIsWhatComputingAfreshGives) {
       // As long as no corner turns round, turning and stretching leaves all kept.
       WaveSet next = turned_by(surface, waves, 2e-4f * static_cast<float>(frame));
       for (float& f : next.frequencies) f *= 1 + 0.01f * static_cast<float>(frame);
-      const TextureFrameResult result = animator.frame(input_of(next));
+      const TextureFrameResult result = animator.frame(texture_input_of(next));
       const bool is_kept = result.orientation == FrameOrientation::kept;
       kept += is_kept;
       if (!is_kept && frame > 0) break;
@@ -131,7 +131,7 @@ TEST(TextureAnimator, TrianglesRunOnWhileSingularitiesMove) {
       field.emplace_back(sign * std::cos(angle), sign * std::sin(angle), 0);
     }
     const WaveSet waves = waves_of(surface, field, 10);
-    const TextureFrameResult result = animator.frame(input_of(waves));
+    const TextureFrameResult result = animator.frame(texture_input_of(waves));
     EXPECT_EQ(result.seams.unoriented_triangles, 1u) << frame;
     if (frame > 0 && result.orientation == FrameOrientation::continued) {
       EXPECT_EQ(share_that_runs_on(last, result.waves), 1) << frame;
@@ -153,7 +153,7 @@ TEST(TextureAnimator, SeamsThatGrowAreLaidAnew) {
     const DirectionField field = projected_direction_field(
         Vec3(std::cos(angle), std::sin(angle), 0.3f * std::sin(2 * angle)), surface.normals);
     const WaveSet waves = waves_of(surface, field, 10);
-    const TextureFrameResult result = animator.frame(input_of(waves));
+    const TextureFrameResult result = animator.frame(texture_input_of(waves));
     const TextureSeams afresh = texture_pattern(surface, waves).seams;
     EXPECT_EQ(result.seams.unoriented_triangles, afresh.unoriented_triangles);
     EXPECT_LE(static_cast<double>(result.seams.turned),
@@ -167,7 +167,7 @@ TEST(TextureAnimator, SeamsAndQualityAreThoseOfItsWaves) {
     TextureAnimator animator(surface);
     for (const float angle : {0.0f, 0.3f, 0.6f}) {
       const WaveSet next = turned_by(surface, waves, angle);
-      const TextureFrameResult result = animator.frame(input_of(next));
+      const TextureFrameResult result = animator.frame(texture_input_of(next));
       const TextureQuality quality =
           measure_texture(surface.mesh, result.waves, PhaseShiftKind::aligned);
       EXPECT_EQ(result.quality.measured_triangles, quality.measured_triangles) << name;
@@ -189,8 +189,9 @@ TEST(TextureAnimator, DoesNotDependOnThreads) {
   for (const int threads : {1, 2}) {
     const ThreadLimit limit(threads);
     TextureAnimator animator(surface);
-    animator.frame(input_of(waves));
-    results.push_back(runs(animator.frame(input_of(turned_by(surface, waves, 0.5f))).waves));
+    animator.frame(texture_input_of(waves));
+    results.push_back(
+        runs(animator.frame(texture_input_of(turned_by(surface, waves, 0.5f))).waves));
   }
   EXPECT_EQ(results[0], results[1]);
 }
@@ -198,10 +199,10 @@ TEST(TextureAnimator, DoesNotDependOnThreads) {
 TEST(TextureAnimator, RestartedItOrientsAfresh) {
   const auto [name, surface, waves] = std::move(cases()[0]);
   TextureAnimator animator(surface);
-  animator.frame(input_of(waves));
-  animator.frame(input_of(turned_by(surface, waves, 0.5f)));
+  animator.frame(texture_input_of(waves));
+  animator.frame(texture_input_of(turned_by(surface, waves, 0.5f)));
   animator.restart();
-  const TextureFrameResult again = animator.frame(input_of(waves));
+  const TextureFrameResult again = animator.frame(texture_input_of(waves));
   EXPECT_EQ(again.orientation, FrameOrientation::afresh);
   EXPECT_EQ(runs(again.waves), runs(texture_pattern(surface, waves).waves));
 }
@@ -209,29 +210,29 @@ TEST(TextureAnimator, RestartedItOrientsAfresh) {
 TEST(TextureAnimator, RefusesBadInputAndIsAsItWas) {
   const auto [name, surface, waves] = std::move(cases()[0]);
   TextureAnimator animator(surface), untouched(surface);
-  animator.frame(input_of(waves));
-  untouched.frame(input_of(waves));
+  animator.frame(texture_input_of(waves));
+  untouched.frame(texture_input_of(waves));
   WaveSet bad = waves;
   bad.directions[3] = surface.normals[3];
-  EXPECT_THROW(animator.frame(input_of(bad)), Error);
+  EXPECT_THROW(animator.frame(texture_input_of(bad)), Error);
   bad = waves;
   bad.frequencies[5] = -1;
-  EXPECT_THROW(animator.frame(input_of(bad)), Error);
-  TextureFrameInput short_input = input_of(waves);
+  EXPECT_THROW(animator.frame(texture_input_of(bad)), Error);
+  TextureFrameInput short_input = texture_input_of(waves);
   short_input.frequencies_v = std::span(waves.frequencies).first(2);
   EXPECT_THROW(animator.frame(short_input), Error);
-  short_input = input_of(waves);
+  short_input = texture_input_of(waves);
   short_input.normals = std::span(surface.normals).first(2);
   EXPECT_THROW(animator.frame(short_input), Error);
   bad = waves;
   bad.frequencies[0] = std::nanf("");
-  TextureFrameInput bad_v = input_of(waves);
+  TextureFrameInput bad_v = texture_input_of(waves);
   bad_v.frequencies_v = bad.frequencies;
   EXPECT_THROW(animator.frame(bad_v), Error);
 
   const WaveSet next = turned_by(surface, waves, 0.2f);
-  const TextureFrameResult a = animator.frame(input_of(next));
-  const TextureFrameResult b = untouched.frame(input_of(next));
+  const TextureFrameResult a = animator.frame(texture_input_of(next));
+  const TextureFrameResult b = untouched.frame(texture_input_of(next));
   EXPECT_TRUE(std::ranges::equal(a.u.stripes.z, b.u.stripes.z));
   EXPECT_TRUE(std::ranges::equal(a.v.stripes.z, b.v.stripes.z));
   EXPECT_EQ(runs(a.waves), runs(b.waves));
@@ -248,10 +249,10 @@ TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
   for (const float angle : {0.0f, 0.3f, 0.6f}) {
     const WaveSet next = turned_by(surface, waves, angle);
     const WaveSet crossing = turned_by(surface, next, std::numbers::pi_v<float> / 2);
-    const TextureFrameResult result = animator.frame(input_of(next));
-    const FrameResult alone_u = u.frame(input_of(next).u);
+    const TextureFrameResult result = animator.frame(texture_input_of(next));
+    const FrameResult alone_u = u.frame(texture_input_of(next).u);
     if (!v) v = u.sibling();
-    const FrameResult alone_v = v->frame(input_of(crossing).u);
+    const FrameResult alone_v = v->frame(texture_input_of(crossing).u);
     EXPECT_TRUE(std::ranges::equal(result.u.stripes.z, alone_u.z)) << angle;
     EXPECT_TRUE(std::ranges::equal(result.v.stripes.z, alone_v.z)) << angle;
     EXPECT_TRUE(std::ranges::equal(result.u.stripes.frequencies, alone_u.frequencies)) << angle;
@@ -273,7 +274,7 @@ TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
 TEST(TextureAnimator, WithoutSlackSpacingIsMeasuredAgainstWhatWasAskedFor) {
   const auto [name, surface, waves] = std::move(cases()[0]);
   TextureAnimator animator(surface);
-  const PatternQuality quality = animator.frame(input_of(waves)).u.quality;
+  const PatternQuality quality = animator.frame(texture_input_of(waves)).u.quality;
   EXPECT_EQ(quality.spacing_error_wanted_mean, quality.spacing_error_mean);
   EXPECT_EQ(quality.branches_in_calm, std::nullopt);
 }
@@ -301,7 +302,7 @@ struct InterruptedTexture : testing::TestWithParam<std::tuple<FrameSolver, float
     bool operator==(const Seen&) const = default;
   };
   static Seen see(TextureAnimator& animator, const WaveSet& waves) {
-    const TextureFrameResult result = animator.frame(input_of(waves));
+    const TextureFrameResult result = animator.frame(texture_input_of(waves));
     const auto& z_u = result.u.stripes.z;
     const auto& z_v = result.v.stripes.z;
     return {{z_u.begin(), z_u.end()}, {z_v.begin(), z_v.end()}, runs(result.waves),
@@ -314,13 +315,13 @@ struct InterruptedTexture : testing::TestWithParam<std::tuple<FrameSolver, float
   void cancel_everywhere(const WaveSet& waves, const Start& start, const Expect& expect) const {
     TextureAnimator undisturbed = start();
     Reports all;
-    undisturbed.frame(input_of(waves), all.progress());
+    undisturbed.frame(texture_input_of(waves), all.progress());
     EXPECT_GE(all.count(), 1);  // the orientation, where iterations make none
     for (const int k : testing_support::reports_to_cancel(all.count())) {
       SCOPED_TRACE(k);
       TextureAnimator cancelled = start();
       Reports reports(k);
-      EXPECT_THROW(cancelled.frame(input_of(waves), reports.progress()), Cancelled);
+      EXPECT_THROW(cancelled.frame(texture_input_of(waves), reports.progress()), Cancelled);
       expect(cancelled);
     }
   }
@@ -346,8 +347,8 @@ TEST_P(InterruptedTexture, LaterFrameLeavesTheLastOne) {
   const Seen c = see(undisturbed, third);
   const auto started = [&] {
     TextureAnimator animator(surface, options);
-    animator.frame(input_of(first));
-    animator.frame(input_of(second));
+    animator.frame(texture_input_of(first));
+    animator.frame(texture_input_of(second));
     return animator;
   };
   cancel_everywhere(third, started, [&](TextureAnimator& cancelled) {
@@ -359,7 +360,7 @@ TEST_P(InterruptedTexture, LaterFrameLeavesTheLastOne) {
   WaveSet other_v = second;
   for (float& f : other_v.frequencies) f *= 1.2f;
   const auto with_other_v = [&](const WaveSet& waves) {
-    TextureFrameInput input = input_of(waves);
+    TextureFrameInput input = texture_input_of(waves);
     input.frequencies_v = other_v.frequencies;
     return input;
   };
@@ -374,7 +375,7 @@ TEST_P(InterruptedTexture, LaterFrameLeavesTheLastOne) {
 TEST_P(InterruptedTexture, FrameAfterARestartLeavesItRestarted) {
   const auto restarted = [&] {
     TextureAnimator animator(surface, options);
-    animator.frame(input_of(first));
+    animator.frame(texture_input_of(first));
     animator.restart();
     return animator;
   };

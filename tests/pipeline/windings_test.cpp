@@ -16,11 +16,12 @@
 #include "brindle/smooth_field.h"
 #include "brindle/threads.h"
 #include "phase_graphs.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-constexpr float kDegree = std::numbers::pi_v<float> / 180;
+using testing_support::kDegree;
 
 const char* const kBentTube = "tube,radius=0.2,bend=30,resolution=48";
 

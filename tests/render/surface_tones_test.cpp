@@ -13,7 +13,7 @@
 namespace brindle {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kTonesWidth = 320, kTonesHeight = 240;
 
 struct Seen {
   std::size_t vertices = 0;
@@ -23,8 +23,8 @@ struct Seen {
 /// The tones of vertices against those of the pixels that show them.
 Seen compare(const Surface& surface, const PictureLight& light) {
   StyledOptions options;
-  options.render.width = kWidth;
-  options.render.height = kHeight;
+  options.render.width = kTonesWidth;
+  options.render.height = kTonesHeight;
   options.render.camera.up = light.up;
   options.render.light_from = light.from;
   options.render.transparent = true;
@@ -42,8 +42,8 @@ Seen compare(const Surface& surface, const PictureLight& light) {
     const Eigen::Vector4f clip =
         camera.clip_from_view *
         (camera.view_from_world * Vec3(position - camera.origin).homogeneous());
-    const int x = static_cast<int>((clip.x() / clip.w() + 1) / 2 * kWidth);
-    const int y = static_cast<int>((1 - clip.y() / clip.w()) / 2 * kHeight);
+    const int x = static_cast<int>((clip.x() / clip.w() + 1) / 2 * kTonesWidth);
+    const int y = static_cast<int>((1 - clip.y() / clip.w()) / 2 * kTonesHeight);
     const Pixel pixel = image.at(x, y);
     if (pixel.alpha < 255) continue;
     const Vec3 shown = premultiplied_light(pixel).head<3>();
@@ -130,7 +130,7 @@ TEST(SurfaceTones, AreThoseOfTheOuterSide) {
   const Surface outside = make_surface(mesh);
   for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
   const Surface inside_out = make_surface(mesh);
-  const Camera camera = framed_camera(mesh.positions, {}, kWidth, kHeight);
+  const Camera camera = framed_camera(mesh.positions, {}, kTonesWidth, kTonesHeight);
   const auto one = surface_tones(outside.mesh, outside.normals, camera, {UpAxis::y});
   const auto other = surface_tones(inside_out.mesh, inside_out.normals, camera, {UpAxis::y});
   ASSERT_EQ(one.size(), other.size());
@@ -142,7 +142,7 @@ TEST(SurfaceTones, AreThoseOfTheOuterSide) {
 TEST(SurfaceTones, NeedNormals) {
   const Surface surface = make_surface(make_shape("plane,resolution=2"));
   std::vector<Vec3> normals = surface.normals;
-  const Camera camera = framed_camera(surface.mesh.positions, {}, kWidth, kHeight);
+  const Camera camera = framed_camera(surface.mesh.positions, {}, kTonesWidth, kTonesHeight);
   normals[1] = Vec3::Zero();
   const auto tones = surface_tones(surface.mesh, normals, camera, {UpAxis::y});
   EXPECT_TRUE(std::isnan(tones[1]));

@@ -1,22 +1,16 @@
 #include "session/session_document.h"
 
 #include <fstream>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
+#include "apps/tool.h"
 #include "brindle/error.h"
 #include "session/session_command.h"
 #include "test_folder.h"
 
 namespace brindle::tool {
 namespace {
-
-std::string content(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 SessionDocument full_document() {
   SessionDocument document;
@@ -51,7 +45,7 @@ TEST_F(SessionFile, SavedAndLoadedAndSavedHasTheSameBytes) {
     const SessionDocument read = read_session(folder / "a.json");
     EXPECT_EQ(read, document);
     write_session(folder / "b.json", read);
-    EXPECT_EQ(content(folder / "a.json"), content(folder / "b.json"));
+    EXPECT_EQ(test::content(folder / "a.json"), test::content(folder / "b.json"));
   }
 }
 

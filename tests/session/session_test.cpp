@@ -10,7 +10,7 @@
 namespace brindle::tool {
 namespace {
 
-SessionDocument small_document() {
+SessionDocument torus_document() {
   SessionDocument document;
   document.mesh = "shape:torus,resolution=24";
   document.size = {160, 120};
@@ -83,7 +83,7 @@ class AnyCommand {
 TEST(Session, AnySequenceUndoneIsTheSameAndRedoneToo) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     AnyCommand any(seed);
-    const SessionDocument first = small_document();
+    const SessionDocument first = torus_document();
     Session session(first);
     int accepted = 0;
     for (int i = 0; i < 40; ++i) {
@@ -129,11 +129,11 @@ TEST(Session, RefusesWithoutATraceAndSaysWhy) {
       {commands::SetCamera{{0, 0, 0}}, "zoom"},
       {commands::SetFrequencyByZoom{2}, "0 to 1"},
   };
-  Session session(small_document());
+  Session session(torus_document());
   for (const auto& [command, why] : refused) {
     const std::uint64_t revision = session.revision();
     EXPECT_FALSE(session.apply(command)) << why;
-    EXPECT_EQ(session.document(), small_document());
+    EXPECT_EQ(session.document(), torus_document());
     EXPECT_EQ(session.revision(), revision);
     EXPECT_FALSE(session.can_undo());
     ASSERT_FALSE(session.messages().empty());
@@ -143,7 +143,7 @@ TEST(Session, RefusesWithoutATraceAndSaysWhy) {
 }
 
 TEST(Session, OptionsBelongToWhatIsShown) {
-  Session session(small_document());
+  Session session(torus_document());
   EXPECT_FALSE(session.apply(commands::SetOption{"join", {}}));
   EXPECT_NE(session.messages().back().text.find(
                 "is no option of 'brindle stripe', whose picture is shown; show curves"),
@@ -167,7 +167,7 @@ TEST(Session, OptionsBelongToWhatIsShown) {
 }
 
 TEST(Session, WhatIsShownIsNoOtherPatternWhereItHasTheSameStripes) {
-  Session session(small_document());
+  Session session(torus_document());
   const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
   session.keep_phases(session.revision(), phases);
   session.apply(commands::Show{Shown::curves});
@@ -181,7 +181,7 @@ TEST(Session, WhatIsShownIsNoOtherPatternWhereItHasTheSameStripes) {
 }
 
 TEST(Session, StrokesNeedAFieldThatFollowsThem) {
-  Session session(small_document());
+  Session session(torus_document());
   EXPECT_TRUE(session.apply(commands::AddStroke{stroke_at(0)}));
   EXPECT_FALSE(session.apply(commands::SetOption{"direction", {"1,0,0"}}));
   EXPECT_NE(session.messages().back().text.find("erase the strokes"), std::string::npos);
@@ -190,7 +190,7 @@ TEST(Session, StrokesNeedAFieldThatFollowsThem) {
 }
 
 TEST(Session, ADragIsOneStep) {
-  Session session(small_document());
+  Session session(torus_document());
   session.apply(commands::SetOption{"stripes", {"30"}});
   session.begin_drag();
   for (int i = 31; i < 40; ++i) session.apply(commands::SetOption{"stripes", {std::to_string(i)}});
@@ -210,7 +210,7 @@ TEST(Session, ADragIsOneStep) {
 }
 
 TEST(Session, UndoLeavesTheCamera) {
-  Session session(small_document());
+  Session session(torus_document());
   session.apply(commands::SetOption{"stripes", {"30"}});
   session.apply(commands::SetCamera{{80, 20, 2}});
   session.apply(commands::SetOption{"stripes", {"40"}});
@@ -230,7 +230,7 @@ TEST(Session, UndoLeavesTheCamera) {
 }
 
 TEST(Session, ViewsHaveTheirOwnWayBack) {
-  Session session(small_document());
+  Session session(torus_document());
   const CameraView first = session.document().camera, second{80, 20, 2}, third{10, -5, 1};
   EXPECT_FALSE(session.apply(commands::PreviousView{}));
   session.apply(commands::SetCamera{second});
@@ -256,7 +256,7 @@ TEST(Session, ViewsHaveTheirOwnWayBack) {
 }
 
 TEST(Session, ADraggedViewIsOneView) {
-  Session session(small_document());
+  Session session(torus_document());
   const CameraView first = session.document().camera;
   session.begin_drag();
   for (int i = 1; i < 9; ++i) {
@@ -268,7 +268,7 @@ TEST(Session, ADraggedViewIsOneView) {
   EXPECT_EQ(session.document().camera, first);
   EXPECT_EQ(session.document().options.at("rotate").front(), "8");
   EXPECT_TRUE(session.undo());
-  EXPECT_EQ(session.document(), small_document());
+  EXPECT_EQ(session.document(), torus_document());
   // One that comes back is none.
   session.begin_drag();
   session.apply(commands::SetCamera{{70, 0, 1}});
@@ -293,7 +293,7 @@ TEST(Session, StrokesMayOutlastTheirSurface) {
 }
 
 TEST(Session, AnotherSurfaceHasItsCamera) {
-  Session session(small_document());
+  Session session(torus_document());
   CameraView near{80, 20, 3};
   near.center = Vec3(1, 0, 0);
   session.apply(commands::SetCamera{near});
@@ -309,7 +309,7 @@ TEST(Session, AnotherSurfaceHasItsCamera) {
 }
 
 TEST(Session, TakesBackViewsBeforeEdits) {
-  Session session(small_document());
+  Session session(torus_document());
   const CameraView first = session.document().camera;
   session.apply(commands::SetOption{"stripes", {"20"}});
   session.apply(commands::SetCamera{{80, 20, 1}});
@@ -317,12 +317,12 @@ TEST(Session, TakesBackViewsBeforeEdits) {
   EXPECT_EQ(session.document().camera, first);
   EXPECT_EQ(session.document().options.at("stripes").front(), "20");
   EXPECT_TRUE(session.take_back(session.revision(), "still none"));
-  EXPECT_EQ(session.document(), small_document());
+  EXPECT_EQ(session.document(), torus_document());
   EXPECT_FALSE(session.take_back(session.revision(), "still none"));
 }
 
 TEST(Session, PhasesBelongToTheirWavesAlone) {
-  Session session(small_document());
+  Session session(torus_document());
   const auto phases = std::make_shared<const std::vector<float>>(std::vector<float>{0.5f, 1.0f});
   EXPECT_FALSE(session.keep_phases(session.revision() + 1, phases));
   EXPECT_TRUE(session.keep_phases(session.revision(), phases));
@@ -339,7 +339,7 @@ TEST(Session, PhasesBelongToTheirWavesAlone) {
 TEST(Session, PhasesGoWhereACameraMakesOtherWaves) {
   const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
   for (const char* value : {"light", "distance:camera", "height"}) {
-    Session session(small_document());
+    Session session(torus_document());
     session.apply(commands::SetOption{"frequency-by", {value}});
     session.keep_phases(session.revision(), phases);
     session.apply(commands::SetOption{"stripe-width", {"0.3"}});
@@ -359,7 +359,7 @@ TEST(Session, PhasesGoWhereACameraMakesOtherWaves) {
 }
 
 TEST(Session, StepsAreCalledByWords) {
-  Session session(small_document());
+  Session session(torus_document());
   const std::pair<SessionCommand, const char*> named[] = {
       {commands::SetOption{"stripes", {"30"}}, "number of stripes"},
       {commands::ClearOption{"stripes"}, "number of stripes left out"},
@@ -377,7 +377,7 @@ TEST(Session, StepsAreCalledByWords) {
 }
 
 TEST(Session, SolvesAnewInOneStep) {
-  Session session(small_document());
+  Session session(torus_document());
   session.apply(commands::SetOption{"stripes", {"30"}});
   const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
   session.keep_phases(session.revision(), phases);
@@ -404,7 +404,7 @@ TEST(Session, SolvesAnewInOneStep) {
 }
 
 TEST(Session, PhasesThatWereOutdoneGo) {
-  Session session(small_document());
+  Session session(torus_document());
   EXPECT_FALSE(session.keep_phases(session.revision(), nullptr)) << "there were none";
   session.keep_phases(session.revision(), std::make_shared<const std::vector<float>>(2, 0.5f));
   EXPECT_FALSE(session.keep_phases(session.revision() + 1, nullptr)) << "of another document";
@@ -414,7 +414,7 @@ TEST(Session, PhasesThatWereOutdoneGo) {
 }
 
 TEST(Session, ZoomChangesWavesWhereFrequenciesFollowIt) {
-  Session session(small_document());
+  Session session(torus_document());
   const auto phases = std::make_shared<const std::vector<float>>(2, 0.5f);
   session.apply(commands::SetFrequencyByZoom{1});
   session.keep_phases(session.revision(), phases);
@@ -426,7 +426,7 @@ TEST(Session, ZoomChangesWavesWhereFrequenciesFollowIt) {
 }
 
 TEST(Session, TakesBackWhatTurnedOutNotToWork) {
-  Session session(small_document());
+  Session session(torus_document());
   session.apply(commands::SetOption{"stripes", {"20"}});
   const SessionDocument good = session.document();
   session.apply(commands::SetOption{"calm", {"nowhere.csv"}});  // needs --slack: refused
@@ -443,7 +443,7 @@ TEST(Session, TakesBackWhatTurnedOutNotToWork) {
 }
 
 TEST(Session, FollowsChangesOfOneSurface) {
-  Session session(small_document());
+  Session session(torus_document());
   EXPECT_FALSE(session.follows());
   session.apply(commands::SetOption{"stripes", {"20"}});
   EXPECT_TRUE(session.follows());
@@ -519,7 +519,7 @@ TEST(Session, WorkIsWhatOneWouldMiss) {
 
 TEST(Session, WhatWouldBeLostIsWhatNobodyElseHas) {
   using Words = std::vector<std::string_view>;
-  const SessionDocument saved = small_document();
+  const SessionDocument saved = torus_document();
   SessionDocument now = saved;
   EXPECT_EQ(lost_work(now, saved, SessionDocument()), Words());
   now.options["stripes"] = {"30"};

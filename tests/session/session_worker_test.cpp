@@ -9,7 +9,7 @@
 namespace brindle::tool {
 namespace {
 
-SessionDocument torus(const std::string& stripes = "20") {
+SessionDocument torus_with_stripes(const std::string& stripes = "20") {
   SessionDocument document;
   document.mesh = "shape:torus,resolution=24";
   document.size = {160, 120};
@@ -34,7 +34,8 @@ TEST(SessionWorker, TheNewestWins) {
   EXPECT_EQ(worker.latest(), nullptr);
   for (int i = 1; i <= 20; ++i) {
     const bool last = i == 20;
-    worker.request(request_of(torus(std::to_string(10 + i)), static_cast<std::uint64_t>(i),
+    worker.request(request_of(torus_with_stripes(std::to_string(10 + i)),
+                              static_cast<std::uint64_t>(i),
                               last ? PictureQuality::final : PictureQuality::interactive));
   }
   worker.wait();
@@ -43,16 +44,16 @@ TEST(SessionWorker, TheNewestWins) {
   EXPECT_EQ(frame->revision, 20u);
   EXPECT_LT(frame->number, 20u) << "not all were made";
   EXPECT_FALSE(worker.take_failure());
-  EXPECT_EQ(frame->image.pixels, drawn(torus("30")).pixels);
+  EXPECT_EQ(frame->image.pixels, drawn(torus_with_stripes("30")).pixels);
 }
 
 TEST(SessionWorker, GivesUpAndGoesOn) {
   SessionWorker worker;
   worker.cancel();
-  worker.request(request_of(torus("20"), 1));
+  worker.request(request_of(torus_with_stripes("20"), 1));
   worker.wait();
   const auto first = worker.latest();
-  SessionDocument large = torus();
+  SessionDocument large = torus_with_stripes();
   large.mesh = "shape:torus,resolution=700";
   worker.request(request_of(large, 2));
   large.options["stripes"] = {"30"};
@@ -67,7 +68,7 @@ TEST(SessionWorker, GivesUpAndGoesOn) {
   EXPECT_EQ(failure->revision, 3u) << "what waits is given up, too";
   EXPECT_EQ(failure->unread_mesh, "");
   EXPECT_EQ(worker.latest(), first);
-  worker.request(request_of(torus("24"), 4));
+  worker.request(request_of(torus_with_stripes("24"), 4));
   worker.wait();
   EXPECT_FALSE(worker.take_failure());
   EXPECT_EQ(worker.latest()->revision, 4u);
@@ -75,12 +76,13 @@ TEST(SessionWorker, GivesUpAndGoesOn) {
 
 TEST(SessionWorker, WhatWasToBeAfreshIsAfresh) {
   SessionWorker worker;
-  worker.request(request_of(torus("20"), 1));
+  worker.request(request_of(torus_with_stripes("20"), 1));
   worker.wait();
   // Undone, and at once looked at from elsewhere.
-  SessionDocument moved = torus("24");
+  SessionDocument moved = torus_with_stripes("24");
   moved.camera.azimuth_deg = 50;
-  worker.request(request_of(torus("24"), 2, PictureQuality::interactive, Follow::afresh));
+  worker.request(
+      request_of(torus_with_stripes("24"), 2, PictureQuality::interactive, Follow::afresh));
   worker.request(request_of(moved, 3, PictureQuality::final, Follow::last));
   worker.wait();
   EXPECT_EQ(worker.latest()->image.pixels, drawn(moved).pixels);
@@ -89,10 +91,10 @@ TEST(SessionWorker, WhatWasToBeAfreshIsAfresh) {
 
 TEST(SessionWorker, FailuresLeaveTheLastFrame) {
   SessionWorker worker;
-  worker.request(request_of(torus(), 1));
+  worker.request(request_of(torus_with_stripes(), 1));
   worker.wait();
   const auto good = worker.latest();
-  SessionDocument bad = torus();
+  SessionDocument bad = torus_with_stripes();
   bad.mesh = "nowhere.ply";
   worker.request(request_of(bad, 2));
   worker.wait();
@@ -103,14 +105,14 @@ TEST(SessionWorker, FailuresLeaveTheLastFrame) {
   EXPECT_NE(failure->text.find("nowhere.ply"), std::string::npos);
   EXPECT_EQ(failure->unread_mesh, "nowhere.ply");
   EXPECT_FALSE(worker.take_failure()) << "said once";
-  worker.request(request_of(torus("25"), 3));
+  worker.request(request_of(torus_with_stripes("25"), 3));
   worker.wait();
   EXPECT_EQ(worker.latest()->revision, 3u);
 }
 
 TEST(SessionWorker, StopsWhileItSolves) {
   // Descents that nobody would wait for.
-  SessionDocument long_lasting = torus();
+  SessionDocument long_lasting = torus_with_stripes();
   long_lasting.mesh = "shape:torus,resolution=100";
   long_lasting.options["cycles"] = {"10000"};
   SessionWorker worker;
@@ -120,21 +122,22 @@ TEST(SessionWorker, StopsWhileItSolves) {
   worker.stop();
   EXPECT_EQ(worker.latest(), nullptr) << "it was not solved to its end";
   EXPECT_FALSE(worker.take_failure()) << "to be cancelled is no failure";
-  worker.request(request_of(torus(), 2));
+  worker.request(request_of(torus_with_stripes(), 2));
   EXPECT_EQ(worker.latest(), nullptr) << "nothing is made any more";
 }
 
 TEST(SessionWorker, KeptPhasesGiveThePictureThatWasShown) {
   SessionWorker worker;
-  worker.request(request_of(torus("20"), 1));
+  worker.request(request_of(torus_with_stripes("20"), 1));
   worker.wait();
-  worker.request(request_of(torus("21"), 2, PictureQuality::interactive, Follow::last));
+  worker.request(
+      request_of(torus_with_stripes("21"), 2, PictureQuality::interactive, Follow::last));
   worker.wait();
-  worker.request(request_of(torus("21"), 2, PictureQuality::final, Follow::last));
+  worker.request(request_of(torus_with_stripes("21"), 2, PictureQuality::final, Follow::last));
   worker.wait();
   const auto frame = worker.latest();
   ASSERT_NE(frame->state->phases, nullptr);
-  SessionDocument kept = torus("21");
+  SessionDocument kept = torus_with_stripes("21");
   kept.phases = frame->state->phases;
   EXPECT_EQ(frame->image.pixels, drawn(kept).pixels);
 }
@@ -147,7 +150,7 @@ TEST(SessionWorker, DrawsEverythingThatStripeDraws) {
         OptionValues{{"points", {}}}, OptionValues{{"view", {"branches"}}},
         OptionValues{{"color-by", {"height"}}, {"outline", {"solid"}}},
         OptionValues{{"width-by", {"light"}}, {"cross-hatch", {"0.5"}}}, OptionValues()}) {
-    SessionDocument document = torus();
+    SessionDocument document = torus_with_stripes();
     document.options.insert(options.begin(), options.end());
     worker.request(request_of(document, ++revision));
     worker.wait();
@@ -160,7 +163,7 @@ TEST(SessionWorker, DrawsEverythingThatStripeDraws) {
 }
 
 TEST(SessionWorker, WhatIsUploadedAgainInPartIsAsIfUploadedAnew) {
-  SessionDocument document = torus();
+  SessionDocument document = torus_with_stripes();
   LivePattern pattern;
   LivePicture picture;
   const OptionValues plain, branches = {{"view", {"branches"}}},
@@ -183,7 +186,7 @@ TEST(SessionWorker, WhatIsUploadedAgainInPartIsAsIfUploadedAnew) {
 TEST(SessionWorker, WhatIsShownChangesAndComesBack) {
   LivePattern pattern;
   LivePicture picture;
-  SessionDocument document = torus();
+  SessionDocument document = torus_with_stripes();
   document.curves = {{"lines", {"both"}}};
   SessionDocument glyphs = document, styled = document;
   glyphs.samples = {{"glyph", {"ellipse"}}, {"color-by", {"height"}}};
@@ -210,7 +213,7 @@ TEST(SessionWorker, DraftsHaveTheSizeOfThePictureAndAreNearIt) {
   LivePattern pattern;
   for (const OptionValues& options :
        {OptionValues{}, OptionValues{{"color-by", {"height"}}}, OptionValues{{"points", {}}}}) {
-    SessionDocument document = torus("6");
+    SessionDocument document = torus_with_stripes("6");
     document.options.insert(options.begin(), options.end());
     pattern.update(document, Follow::afresh);
     LivePicture picture;  // whose first draft has a size that does not depend on the machine
@@ -227,7 +230,7 @@ TEST(SessionWorker, DraftsHaveTheSizeOfThePictureAndAreNearIt) {
 
 TEST(SessionWorker, FramesCanBePicked) {
   SessionWorker worker;
-  SessionDocument document = torus();
+  SessionDocument document = torus_with_stripes();
   document.options["color-by"] = {"height"};  // with a legend beside it
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     document.camera.projection = projection;

@@ -7,12 +7,13 @@
 
 #include "brindle/error.h"
 #include "brindle/shapes/parametric_shapes.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using testing_support::kInfinity;
+using testing_support::kNaN;
 
 /// Two triangles in the plane of x and y, and a vertex in neither.
 Surface square() {

@@ -8,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "test_numbers.h"
 
 namespace brindle {
 namespace {
 
-namespace fs = std::filesystem;
+using testing_support::kNaN;
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+namespace fs = std::filesystem;
 
 TEST(DirectionField, ProjectionIsAUnitTangentVector) {
   const std::vector<Vec3> normals{Vec3(1, 2, 3).normalized(), Vec3(0, 0, 1)};

@@ -12,8 +12,6 @@
 namespace brindle {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
-
 /// Directions of lines that differ by a half turn are the same.
 double line_angle(double radians) { return std::remainder(radians, std::numbers::pi); }
 
@@ -37,7 +35,7 @@ TEST(LeastCurl, OfAFieldWithoutCurlIsThatField) {
 TEST(LeastCurl, TurnsBackWhatWasTurned) {
   const Surface plane = make_surface(make_shape("plane,resolution=24"));
   const DirectionField field = away_from_a_point(plane);
-  for (const float angle : {-1.5f, -0.7f, 0.2f, 1.1f, kPi / 2}) {
+  for (const float angle : {-1.5f, -0.7f, 0.2f, 1.1f, std::numbers::pi_v<float> / 2}) {
     const DirectionField turned = rotated(field, plane.normals, angle);
     const float back = least_curl_angle(curl_sums(plane.mesh, turned, plane.normals));
     EXPECT_NEAR(line_angle(back + angle), 0, 1e-3) << angle;
@@ -65,8 +63,8 @@ TEST(LeastCurl, OfTheFieldTurnedByARightAngleChangesPlaces) {
     around.push_back(tangent.norm() > 0.2f ? tangent.normalized() : Vec3::Zero());
   }
   const CurlSums sums = curl_sums(torus.mesh, around, torus.normals);
-  const CurlSums turned =
-      curl_sums(torus.mesh, rotated(around, torus.normals, kPi / 2), torus.normals);
+  const CurlSums turned = curl_sums(
+      torus.mesh, rotated(around, torus.normals, std::numbers::pi_v<float> / 2), torus.normals);
   EXPECT_NEAR(turned.curl, sums.divergence, 1e-4 * sums.divergence);
   EXPECT_NEAR(turned.divergence, sums.curl, 1e-4 * sums.curl);
 }

@@ -67,12 +67,12 @@ std::vector<Matrix> random_axes(std::size_t count) {
 Surface ball() { return make_surface(make_sphere({.resolution = 30})); }
 
 /// Two triangles in the plane of x and y.
-Surface square() {
+Surface unit_square() {
   return make_surface({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
 }
 
 TensorField on_square(const Matrix& tensor, TensorAxis axis) {
-  return tensor_field_of(square(), of_nine(std::vector<Matrix>(4, tensor)), axis);
+  return tensor_field_of(unit_square(), of_nine(std::vector<Matrix>(4, tensor)), axis);
 }
 
 /// Expects the projection of `axis`, up to sign, unless it is near to the normal. Returns whether
@@ -237,7 +237,7 @@ TEST(TensorField, HasNoWaveWhereANumberIsNotFinite) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     std::vector<Matrix> tensors(4, Matrix(Eigen::Vector3d(3, 2, 1).asDiagonal()));
     tensors[1](0, 2) = bad;
-    const TensorField field = tensor_field_of(square(), of_nine(tensors), TensorAxis::major);
+    const TensorField field = tensor_field_of(unit_square(), of_nine(tensors), TensorAxis::major);
     EXPECT_EQ(field.directions[1], Vec3::Zero());
     EXPECT_EQ(field.directions[0].cwiseAbs(), Vec3(1, 0, 0));
     EXPECT_EQ(field.near_normal + field.isotropic + field.not_symmetric, 0u);
@@ -265,7 +265,8 @@ TEST(TensorField, RunsLikeItsNeighbours) {
 TEST(TensorField, RefusesWhatIsNoTensorPerVertex) {
   const auto call = [](int components, std::size_t rows) {
     const std::vector<double> values(rows * static_cast<std::size_t>(components), 1);
-    tensor_field_of(square(), make_data_array("stress", components, values), TensorAxis::major);
+    tensor_field_of(unit_square(), make_data_array("stress", components, values),
+                    TensorAxis::major);
   };
   EXPECT_THROW(call(3, 4), Error);
   EXPECT_THROW(call(1, 4), Error);
