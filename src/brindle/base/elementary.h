@@ -11,9 +11,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <utility>
 
-#include "brindle/base/bits.h"
+#include "brindle/base/standard.h"
+
+namespace brindle {
+
+/// A period, in radians.
+inline constexpr float kTwoPi = 2 * std::numbers::pi_v<float>;
+
+}  // namespace brindle
 
 namespace brindle::elementary {
 

@@ -1,14 +1,117 @@
-/// Files that are either written whole or not at all.
+/// Files that are either written whole or not at all, and the streams that fill them.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
 
-#include "brindle/base/output_stream.h"
+#include "brindle/base/number_text.h"
+#include "brindle/base/system.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"
 
 namespace brindle {
+
+/// What goes into an open file, in large pieces. It keeps the system's reason for a failure, which
+/// streams of the standard library forget, and needs none of their locales, a twelfth of a module
+/// for browsers. After a failure, and once cancelled, it takes no more.
+class OutputStream {
+ public:
+  /// `progress` hears of every few megabytes.
+  OutputStream(system::Descriptor descriptor, const Progress& progress);
+  /// Into a text, at once.
+  explicit OutputStream(std::string& text) : text_(&text) {}
+  OutputStream(const OutputStream&) = delete;
+  OutputStream& operator=(const OutputStream&) = delete;
+
+  OutputStream& write(const void* bytes, std::size_t count);
+
+  OutputStream& operator<<(std::string_view text) { return write(text.data(), text.size()); }
+  OutputStream& operator<<(const char* text) { return *this << std::string_view(text); }
+  OutputStream& operator<<(char letter) { return write(&letter, 1); }
+  OutputStream& operator<<(std::integral auto number) {
+    char digits[24];
+    const auto end = write_number(digits, digits + sizeof digits, number).ptr;
+    return write(digits, static_cast<std::size_t>(end - digits));
+  }
+
+  /// Hands on what has gathered.
+  void flush();
+
+  /// Whether something could not be written; what comes after that is lost.
+  bool bad() const { return reason_ != 0 || cancelled_; }
+
+  /// 0, or the system's reason for the first failure.
+  int reason() const { return reason_; }
+  bool is_cancelled() const { return cancelled_; }
+
+ private:
+  void write_all(const char* bytes, std::size_t count);
+  bool may_go_on();
+
+  std::string* text_ = nullptr;
+  system::Descriptor descriptor_ = -1;
+  int reason_ = 0;
+  std::vector<char> gathered_;
+  Progress progress_;
+  std::size_t passed_ = 0, since_report_ = 0;
+  bool cancelled_ = false;
+};
+
+/// Thrown by those who write much where the file takes no more: `write_file` knows why.
+class OutputStopped : public Error {
+ public:
+  OutputStopped() : Error("the output takes no more") {}
+};
+
+inline void stop_if_bad(const OutputStream& out) {
+  if (out.bad()) throw OutputStopped();
+}
+
+/// Numbers and words written fast, floats in the shortest form that reads back the same.
+class TextOutput {
+ public:
+  explicit TextOutput(OutputStream& out) : out_(out) {}
+  TextOutput(const TextOutput&) = delete;
+  TextOutput& operator=(const TextOutput&) = delete;
+  ~TextOutput() { flush(); }
+
+  TextOutput& operator<<(std::string_view text) {
+    buffer_ += text;
+    if (buffer_.size() > kFull) flush_on();
+    return *this;
+  }
+  TextOutput& operator<<(const char* text) { return *this << std::string_view(text); }
+  TextOutput& operator<<(char c) { return *this << std::string_view(&c, 1); }
+
+  template <class Number>
+  requires(std::is_arithmetic_v<Number>) TextOutput& operator<<(Number number) {
+    char digits[32];
+    const auto end = write_number(digits, digits + sizeof digits, number).ptr;
+    return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
+  }
+
+ private:
+  static constexpr std::size_t kFull = 1 << 16;
+
+  void flush_on() {
+    flush();
+    stop_if_bad(out_);
+  }
+
+  void flush() {
+    out_.write(buffer_.data(), buffer_.size());
+    buffer_.clear();
+  }
+
+  OutputStream& out_;
+  std::string buffer_;
+};
 
 /// Lets `write` fill a file that has no name yet, then gives it the name `path`. On any failure,
 /// and if the process is killed meanwhile, nothing stays behind and what stood at `path` before

@@ -1,8 +1,10 @@
-/// Threads behind two functions. Both give bit-identical results for every number of threads, and
+/// Threads behind a few functions, which give bit-identical results for every number of threads, and
 /// without oneTBB.
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -13,14 +15,45 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
-
-#include "brindle/base/task_order.h"
 #endif
 
 #include "brindle/progress.h"
 #include "brindle/threads.h"
 
+#if defined(__SANITIZE_THREAD__)
+#define BRINDLE_THREAD_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define BRINDLE_THREAD_SANITIZER
+#endif
+#endif
+
 namespace brindle {
+
+/// What oneTBB guarantees of the order of tasks, said to ThreadSanitizer: all that came before
+/// `call` happens before every task, and every task before all that follows `join`. The
+/// distribution's oneTBB is not instrumented; without this, every task seems to race with the one
+/// that called it, and suppressing that would suppress true races, too. Costs nothing without
+/// ThreadSanitizer.
+class TaskOrder {
+ public:
+#ifdef BRINDLE_THREAD_SANITIZER
+  static void call() { called_.fetch_add(1, std::memory_order_release); }
+  static void begin_task() { called_.load(std::memory_order_acquire); }
+  static void end_task() { done_.fetch_add(1, std::memory_order_release); }
+  static void join() { done_.load(std::memory_order_acquire); }
+
+ private:
+  // Of all calls together: a task could not be told of a counter of its own call before it reads
+  // what that call wrote.
+  inline static std::atomic<unsigned> called_ = 0, done_ = 0;
+#else
+  static void call() {}
+  static void begin_task() {}
+  static void end_task() {}
+  static void join() {}
+#endif
+};
 
 /// Ranges shorter than this run on the calling thread: waking another costs more.
 inline constexpr std::size_t kParallelGrain = 2048;
@@ -208,5 +241,25 @@ Value parallel_sum(std::size_t count, const Progress& progress, const Body& body
 /// A thread keeps its number during a body of `parallel_for`.
 std::size_t thread_capacity();
 std::size_t thread_number();
+
+/// Sums of powers, which `parallel_sum` adds in a fixed order: mean and deviation.
+struct PowerSums {
+  double count = 0, sum = 0, square_sum = 0;
+
+  void add(double x) {
+    count += 1;
+    sum += x;
+    square_sum += x * x;
+  }
+  PowerSums operator+(const PowerSums& other) const {
+    return {count + other.count, sum + other.sum, square_sum + other.square_sum};
+  }
+
+  /// Of no numbers, not a number.
+  double mean() const { return sum / count; }
+  double deviation() const {
+    return std::sqrt(std::max(0.0, square_sum / count - mean() * mean()));
+  }
+};
 
 }  // namespace brindle

@@ -92,7 +92,7 @@ struct GapRange {
 
 /// Ratios of neighbours.
 struct NearRatios {
-  Moments ratio;
+  PowerSums ratio;
   double within = 0;
 
   NearRatios operator+(const NearRatios& other) const {

@@ -243,7 +243,7 @@ std::optional<Index> nearest_other(std::span<const Sample> samples, const PointT
 }
 
 struct SpacingSums {
-  Moments ratio;
+  PowerSums ratio;
   double doubles = 0;
 
   SpacingSums operator+(const SpacingSums& other) const {

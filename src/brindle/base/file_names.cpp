@@ -1,10 +1,10 @@
-#include "brindle/base/named_file.h"
+#include "brindle/base/file_names.h"
 
 #include <algorithm>
-#include <string>
+#include <cctype>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -16,6 +16,13 @@ namespace {
 }
 
 }  // namespace
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
 
 void check_name_in_text(const std::filesystem::path& file) {
   const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
