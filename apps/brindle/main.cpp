@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"
 #include "brindle/shapes.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/communicator.h"
 #include "brindle/error.h"
 #include "brindle/version.h"

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/named_file.h"
+#include "brindle/base/file_names.h"
 #include "cli/command_line.h"
 #include "pvtp_pieces.h"
 #include "request.h"

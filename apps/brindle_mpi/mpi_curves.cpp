@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/corner_phases.h"
 #include "brindle/curve_measures.h"
 #include "brindle/distributed/curves/joined_measures.h"

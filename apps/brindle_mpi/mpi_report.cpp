@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/resident_memory.h"
-#include "brindle/base/formatted.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/distributed/surface/rank_surface.h"
 
 namespace brindle::tool {

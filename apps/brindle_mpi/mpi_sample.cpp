@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/vtk/vtp_rows.h"

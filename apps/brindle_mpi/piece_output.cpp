@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "brindle/base/named_file.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/output_stream.h"
+#include "brindle/base/output_file.h"
 #include "brindle/communicator.h"
 #include "brindle/data_arrays.h"
 #include "brindle/mesh.h"

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "bench/resident_memory.h"
-#include "brindle/base/file_extension.h"
-#include "brindle/base/formatted.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/frequency_field.h"
 #include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/report.h"

@@ -15,8 +15,8 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/file_extension.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/distributed/surface/shared_places.h"
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/version.h"
 
 namespace brindle::tool {

@@ -9,7 +9,7 @@
 
 #include <mpi.h>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/distributed/waiting.h"
 #include "cli/option_values.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/shapes.h"

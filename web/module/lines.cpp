@@ -3,7 +3,7 @@
 
 #include <emscripten/bind.h>
 
-#include "brindle/base/input_stream.h"
+#include "brindle/base/input_file.h"
 #include "brindle/files.h"
 #include "brindle/line_drawing.h"
 #include "brindle/polylines.h"

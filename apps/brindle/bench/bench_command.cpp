@@ -8,9 +8,9 @@
 
 #include "bench/bench_plan.h"
 #include "bench/bench_report.h"
-#include "brindle/base/formatted.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/phases/coloring.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 
 namespace brindle::tool {
 namespace {

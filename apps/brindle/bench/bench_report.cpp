@@ -5,8 +5,8 @@
 #include <fstream>
 #include <ostream>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/recipe/report.h"
 

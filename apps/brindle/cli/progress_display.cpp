@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 
 namespace brindle::tool {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <system_error>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle::tool {

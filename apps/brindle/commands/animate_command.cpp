@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/waves/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"

@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/option_table.h"

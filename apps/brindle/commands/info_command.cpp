@@ -5,7 +5,7 @@
 #include <span>
 #include <sstream>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/local_positions.h"
 #include "brindle/points.h"
 #include "cli/commands.h"

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/formatted.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/files.h"
 #include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/report.h"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/progress_display.h"

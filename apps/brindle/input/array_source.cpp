@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/mesh_data.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "input/array_source.h"

@@ -2,8 +2,7 @@
 
 #include <numbers>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/normals.h"
 #include "brindle/pattern_arrays.h"
 #include "brindle/points.h"

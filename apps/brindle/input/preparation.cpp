@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/points.h"
 

@@ -4,10 +4,9 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/memory.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/local_positions.h"
 #include "brindle/mesh.h"

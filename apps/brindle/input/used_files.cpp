@@ -7,9 +7,9 @@
 
 #include <sys/stat.h>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/files.h"
 #include "input/csv_field.h"
 #include "input/vertex_values.h"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/files.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/curvature.h"
 #include "brindle/frequency_field.h"
 #include "cli/command_line.h"

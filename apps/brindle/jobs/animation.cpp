@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
 #include "brindle/recipe/report.h"

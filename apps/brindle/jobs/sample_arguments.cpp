@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "brindle/files.h"
 #include "brindle/points.h"

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
 #include "input/followed_field.h"

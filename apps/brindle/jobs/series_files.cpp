@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "cli/option_values.h"
 #include "pictures/frame_output.h"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
 #include "outputs/mesh_output.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "brindle/base/array_rows.h"
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/files.h"
 #include "brindle/pattern_arrays.h"
 #include "brindle/texture_coordinates.h"

@@ -4,9 +4,8 @@
 #include <ostream>
 #include <string>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 
 namespace brindle::tool {
 namespace {

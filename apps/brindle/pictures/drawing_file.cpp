@@ -1,6 +1,6 @@
 #include "pictures/drawing_file.h"
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 
 #ifdef BRINDLE_HAS_CAIRO
 #include <memory>

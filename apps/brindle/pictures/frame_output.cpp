@@ -3,8 +3,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/named_file.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "cli/option_values.h"
 #include "pictures/video_file.h"

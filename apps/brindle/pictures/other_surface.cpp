@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"
 #include "input/vertex_values.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"

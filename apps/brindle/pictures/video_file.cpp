@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 extern char** environ;

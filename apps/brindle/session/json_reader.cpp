@@ -4,9 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle::tool {

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/pattern_of.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "cli/option_values.h"
 
 namespace brindle::tool {

@@ -3,8 +3,7 @@
 #include <span>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/fragment_phase.h"
 
 namespace brindle::tool {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/threads.h"
 #include "cli/command_line.h"

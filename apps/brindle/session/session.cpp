@@ -5,8 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "session/session_options.h"

@@ -5,8 +5,7 @@
 
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/recipe/json_text.h"
 #include "session/json_reader.h"

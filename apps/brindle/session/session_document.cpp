@@ -9,7 +9,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
 #include "session/json_reader.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
 #include "brindle/render/parsed_words.h"

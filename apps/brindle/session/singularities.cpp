@@ -15,7 +15,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/field_index.h"
 
 namespace brindle::tool {

@@ -1,6 +1,6 @@
 #include "session/view_legend.h"
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "pictures/ornaments.h"
 #include "pictures/picture_options.h"
 

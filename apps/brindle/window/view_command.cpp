@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"

@@ -10,8 +10,7 @@
 
 #include <imgui.h>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "window/base/theme.h"
 #include "window/base/value_slider.h"

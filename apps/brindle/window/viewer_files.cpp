@@ -5,10 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/input_stream.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "session/session_export.h"

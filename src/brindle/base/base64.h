@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "brindle/base/output_stream.h"
+#include "brindle/base/output_file.h"
 
 namespace brindle {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "brindle/base/text_output.h"
+#include "brindle/base/output_file.h"
 
 namespace brindle {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "brindle/base/input_file.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/files/text/letters.h"
 
 namespace brindle {

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <string>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/named_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/gltf/gltf_reader.h"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 

@@ -13,8 +13,8 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/files/binary_output.h"
 #include "brindle/files/component_groups.h"
 #include "brindle/files/mesh_builder.h"

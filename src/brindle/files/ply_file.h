@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "brindle/base/output_stream.h"
+#include "brindle/base/output_file.h"
 #include "brindle/files.h"
 #include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"

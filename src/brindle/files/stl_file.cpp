@@ -6,7 +6,7 @@
 #include <string>
 
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/files/mesh_builder.h"
 
 namespace brindle {

@@ -10,8 +10,7 @@
 
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/text_output.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/strokes.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files/ply_file.h"
 #include "brindle/files/text/obj_file.h"

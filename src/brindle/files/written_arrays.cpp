@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/color_byte.h"

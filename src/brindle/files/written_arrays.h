@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/text_output.h"
+#include "brindle/base/output_file.h"
 #include "brindle/data_arrays.h"
 #include "brindle/files/binary_output.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle {

@@ -1,6 +1,6 @@
 #include "brindle/local_positions.h"
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/geometry/same_corners.h"
 #include "brindle/local_positions.h"
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/bits.h"
+#include "brindle/base/standard.h"
 #include "brindle/geometry/same_corners.h"
 #include "brindle/local_positions.h"
 #include "brindle/mesh.h"

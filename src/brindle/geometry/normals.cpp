@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/geometry/normals_around.h"
 
 namespace brindle {

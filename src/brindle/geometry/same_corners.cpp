@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/geometry/vertex_triangles.h"
 
 namespace brindle {

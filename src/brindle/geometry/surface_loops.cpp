@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "brindle/base/merged_sets.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/geometry/mesh_edges.h"
 
 namespace brindle {

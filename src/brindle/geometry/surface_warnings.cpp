@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/geometry/mesh_edges.h"
 #include "brindle/surface.h"
 

@@ -6,10 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/bits.h"
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
-#include "brindle/base/two_pi.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/shared_edges.h"
 #include "brindle/pattern/corner_signs.h"

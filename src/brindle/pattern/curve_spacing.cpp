@@ -7,9 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/geometry/box_tree.h"
 #include "brindle/points/point_tree.h"
 

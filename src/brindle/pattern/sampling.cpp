@@ -9,7 +9,6 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/memory.h"
-#include "brindle/base/moments.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/areas.h"

@@ -14,7 +14,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"
 #include "brindle/pattern/curve_places.h"

@@ -8,7 +8,6 @@
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/two_pi.h"
 #include "brindle/corner_phases.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/shared_edges.h"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "brindle/pattern/triangle_kernels.h"
 
 namespace brindle::portable {

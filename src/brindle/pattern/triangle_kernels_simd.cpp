@@ -1,4 +1,4 @@
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "brindle/pattern/triangle_kernels.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/phases/one_at_a_time.h"
 
 namespace brindle {

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "brindle/base/bits.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/node_order.h"
 #include "brindle/phases/sliced_kernels.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/one_at_a_time.h"
 #include "brindle/waves/least_curl.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "brindle/base/bits.h"
+#include "brindle/base/standard.h"
 #include "brindle/phase_shift.h"
 #include "brindle/phases/gauge_rounds.h"
 #include "brindle/phases/sliced_graph.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
 

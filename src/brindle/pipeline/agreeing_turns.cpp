@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/solver.h"
 
 namespace brindle {

@@ -9,7 +9,7 @@
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

@@ -6,7 +6,7 @@
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/merged_sets.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/pipeline/agreeing_turns.h"
 #include "brindle/pipeline/short_seam.h"
 

@@ -7,7 +7,7 @@
 #include "brindle/base/compressed_rows.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/points.h"
 #include "brindle/points/point_tree.h"

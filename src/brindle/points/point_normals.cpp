@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/edge_lengths.h"
 #include "brindle/points.h"

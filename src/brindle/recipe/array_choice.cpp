@@ -3,8 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle {

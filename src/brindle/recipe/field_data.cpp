@@ -10,8 +10,8 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
-#include "brindle/base/formatted.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/tensor_field.h"

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 namespace {

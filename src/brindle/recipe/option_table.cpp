@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/recipe/job_rows.h"
 #include "brindle/recipe/mark_rows.h"

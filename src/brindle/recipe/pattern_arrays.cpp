@@ -8,7 +8,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/elementary.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 
 namespace brindle {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/boundary_phases.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/yielded_stripes.h"

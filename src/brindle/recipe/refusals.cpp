@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/recipe/option_row.h"
 #include "brindle/samples.h"
 

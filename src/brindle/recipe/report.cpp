@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/recipe/making_report.h"
 #include "brindle/threads.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/pattern_warnings.h"
 
 namespace brindle {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/image.h"
 #include "brindle/render/color_names.h"
 #include "brindle/render/parsed_words.h"

@@ -10,7 +10,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/feature_edges.h"

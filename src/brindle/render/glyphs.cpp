@@ -13,7 +13,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/memory.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 

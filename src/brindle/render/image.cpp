@@ -12,11 +12,11 @@
 
 #include <png.h>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/input_stream.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/merged_sets.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

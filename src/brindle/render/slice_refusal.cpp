@@ -1,7 +1,7 @@
 #include "brindle/render/slice_refusal.h"
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle {

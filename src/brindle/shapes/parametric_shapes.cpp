@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

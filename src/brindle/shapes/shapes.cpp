@@ -6,10 +6,9 @@
 #include <utility>
 #include <variant>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/number_text.h"
-#include "brindle/base/suggestion.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/shapes/implicit_shapes.h"
 #include "brindle/shapes/noise.h"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "brindle/base/bits.h"
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/wave_figures.h"
 

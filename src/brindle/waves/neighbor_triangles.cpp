@@ -10,8 +10,8 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
 #include "brindle/base/reported_sort.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

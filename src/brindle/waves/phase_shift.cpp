@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "brindle/waves/parsed_words.h"
 
 namespace brindle {

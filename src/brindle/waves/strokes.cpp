@@ -11,7 +11,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
 #include "brindle/nearest.h"

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "brindle/base/formatted.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <utility>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 
 namespace brindle::tool {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/recipe/json_text.h"
 

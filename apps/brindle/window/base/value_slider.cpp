@@ -7,7 +7,7 @@
 
 #include <imgui_internal.h>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 
 namespace brindle::tool {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 namespace brindle::tool {

@@ -8,8 +8,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "pictures/drawing_file.h"
 #include "window/base/theme.h"
 

@@ -7,8 +7,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "brindle/base/file_extension.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 
 namespace brindle::tool {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "window/base/theme.h"
 
 namespace brindle::tool {

@@ -8,8 +8,7 @@
 
 #include <imgui.h>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/version.h"
 #include "cli/option_values.h"

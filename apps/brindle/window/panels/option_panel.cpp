@@ -11,7 +11,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/image.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"

@@ -10,7 +10,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/renderer.h"
 #include "cli/option_values.h"
 #include "session/session_options.h"

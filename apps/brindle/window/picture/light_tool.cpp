@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include "brindle/base/formatted.h"
+#include "brindle/base/text.h"
 #include "brindle/render/parsed_words.h"
 #include "session/session_options.h"
 #include "window/picture/camera_motion.h"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "brindle/base/base64.h"
-#include "brindle/base/input_stream.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/input_file.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/gltf/percent_decoded.h"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 namespace {

@@ -1,7 +1,7 @@
 #include "brindle/files/gltf/gltf_reader.h"
 
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 #ifdef BRINDLE_HAS_JSON

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "brindle/base/formatted.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/text/csv_file.h"

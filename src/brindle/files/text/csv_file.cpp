@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "brindle/base/input_file.h"
-#include "brindle/base/input_stream.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/component_groups.h"

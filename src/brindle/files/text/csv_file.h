@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "brindle/base/input_stream.h"
+#include "brindle/base/input_file.h"
 #include "brindle/data_arrays.h"
 
 namespace brindle {

@@ -9,8 +9,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/text/csv_file.h"

@@ -6,7 +6,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/text/text_positions.h"
 #include "brindle/polygon.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/bits.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/mesh_builder.h"

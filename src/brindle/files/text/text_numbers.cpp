@@ -8,7 +8,7 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/input_file.h"
 #include "brindle/base/memory.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 
 namespace brindle {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "brindle/base/text_output.h"
+#include "brindle/base/output_file.h"
 #include "brindle/local_positions.h"
 
 namespace brindle {

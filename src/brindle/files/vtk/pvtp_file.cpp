@@ -1,7 +1,7 @@
 #include "brindle/files/vtk/pvtp_file.h"
 
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 
 #ifdef BRINDLE_HAS_VTK

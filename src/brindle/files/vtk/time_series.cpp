@@ -9,12 +9,11 @@
 #include <nlohmann/json.hpp>
 #endif
 
+#include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
-#include "brindle/base/named_file.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
-#include "brindle/base/text_output.h"
+#include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files/vtk/xml_text.h"
 

@@ -1,6 +1,6 @@
 #include "brindle/files/vtk/vtk_file.h"
 
-#include "brindle/base/file_extension.h"
+#include "brindle/base/file_names.h"
 #include "brindle/files/vtk/vtk_legacy_file.h"
 #include "brindle/files/vtk/vtk_xml_file.h"
 

@@ -11,7 +11,7 @@
 
 #include "brindle/base/input_file.h"
 #include "brindle/base/memory.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/files.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/color_byte.h"

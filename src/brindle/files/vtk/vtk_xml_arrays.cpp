@@ -16,7 +16,7 @@
 
 #include "brindle/base/base64.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/text/text_numbers.h"
 

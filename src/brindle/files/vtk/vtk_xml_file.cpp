@@ -15,7 +15,7 @@
 #include <pugixml.hpp>
 
 #include "brindle/base/input_file.h"
-#include "brindle/base/printable.h"
+#include "brindle/base/text.h"
 #include "brindle/files/vtk/vtk_surface.h"
 #include "brindle/files/vtk/vtk_xml_arrays.h"
 

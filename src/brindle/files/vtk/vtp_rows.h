@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "brindle/base/output_stream.h"
+#include "brindle/base/output_file.h"
 #include "brindle/files.h"
 
 namespace brindle {

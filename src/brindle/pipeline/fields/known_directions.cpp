@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"
 #include "brindle/waves/direction_graph.h"

@@ -13,7 +13,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/field_index.h"
 #include "brindle/geometry/vertex_triangles.h"

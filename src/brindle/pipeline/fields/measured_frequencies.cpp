@@ -5,7 +5,7 @@
 #include <string>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
 #include "brindle/phases/screened.h"

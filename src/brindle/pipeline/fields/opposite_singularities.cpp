@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/field_index.h"
 #include "brindle/geometry/vertex_triangles.h"
 #include "brindle/pipeline/fields/period_walk.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
 

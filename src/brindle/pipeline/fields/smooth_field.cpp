@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"
 #include "brindle/phases/hierarchy.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/pipeline/frames/frame_check.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/phases/hierarchy.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/waves/slack_check.h"
 

@@ -19,7 +19,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"

@@ -13,7 +13,7 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pipeline/windings/twisted_forms.h"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 
 namespace brindle {
 

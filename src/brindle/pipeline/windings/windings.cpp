@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/windings/harmonic_change.h"
 #include "brindle/pipeline/yielded_stripes.h"

@@ -10,7 +10,6 @@
 
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/text_output.h"
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
 #include "brindle/render/drawing/drawing_size.h"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #undef __cpp_lib_ranges
-#include "brindle/base/ranges.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {

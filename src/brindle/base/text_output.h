@@ -1,2 +1,0 @@
-#pragma once
-#include "brindle/base/output_file.h"
