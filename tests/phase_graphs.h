@@ -9,7 +9,7 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/frequency_field.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/normals.h"
 #include "brindle/phase_graph.h"

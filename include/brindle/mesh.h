@@ -117,8 +117,10 @@ std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
 /// The others stay, in no triangle. Returns how many there are.
 std::size_t join_vertices(Mesh& mesh);
 
-/// For every position the first that is exactly the same; itself for one that is no good.
-std::vector<Index> first_at_each_place(std::span<const Vec3> positions);
+/// For every position the first that is exactly the same; itself for one that is no good. Throws
+/// Cancelled if `progress` asks for it.
+std::vector<Index> first_at_each_place(std::span<const Vec3> positions,
+                                       const Progress& progress = {});
 
 /// As above, with what `first_at_each_place` found.
 std::size_t join_vertices(Mesh& mesh, std::span<const Index> first);

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/normals.h"
 #include "brindle/shapes/parametric_shapes.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 
 namespace brindle {

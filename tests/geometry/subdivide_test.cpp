@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/geometry/half_edges.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/shapes.h"
 #include "brindle/shapes/parametric_shapes.h"
@@ -36,7 +35,7 @@ TEST(Subdivide, KeepsOldVerticesFirst) {
 TEST(Subdivide, KeepsAManifoldClosed) {
   const Mesh mesh = make_torus({.resolution = 20});
   const Mesh fine = subdivide(mesh, 2);
-  EXPECT_TRUE(half_edges(fine).has_value());
+  EXPECT_TRUE(manifold_twins(fine).has_value());
   EXPECT_EQ(fine.triangle_count(), 16 * mesh.triangle_count());
   EXPECT_EQ(fine.vertex_count(), 16 * mesh.vertex_count()) << "V = T / 2 on a torus";
 }

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 
 namespace brindle {

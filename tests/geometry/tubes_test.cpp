@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/geometry/half_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/polylines.h"
 #include "test_points.h"
 
@@ -25,12 +25,12 @@ double volume(const Mesh& mesh) {
 
 TEST(Tubes, AreClosedAndWoundOutwards) {
   const Mesh open = tubes(line_of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, false), {0.1f, 12});
-  EXPECT_TRUE(half_edges(open).has_value());
+  EXPECT_TRUE(manifold_twins(open).has_value());
   EXPECT_EQ(open.positions.size(), 36u);
   EXPECT_NEAR(volume(open), 3 * 6 * 0.01 * std::sin(std::numbers::pi / 6), 1e-4);
 
   const Mesh ring = tubes(line_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, true), {0.1f, 8});
-  EXPECT_TRUE(half_edges(ring).has_value());
+  EXPECT_TRUE(manifold_twins(ring).has_value());
   EXPECT_EQ(ring.triangles.size(), 4u * 16);
   EXPECT_GT(volume(ring), 0);
 }
@@ -75,7 +75,7 @@ TEST(Tubes, AreNotPinchedWhereNormalsChangeSides) {
   ring.normals = normals;
   const Mesh tube = tubes(ring, {0.1f, 12});
   EXPECT_GT(least_agreement(tube, ring, 12), 0.8f);
-  EXPECT_TRUE(half_edges(tube).has_value());
+  EXPECT_TRUE(manifold_twins(tube).has_value());
 }
 
 TEST(Tubes, PassOverPointsThatNearlyRepeat) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/normals.h"
 #include "brindle/shapes.h"
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/half_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/shapes/random.h"
 
 namespace brindle {
@@ -58,7 +58,7 @@ TEST(CapsuleSurface, IsClosedAndWhereTheUnionIsZero) {
   const std::vector<Capsule> parts = {{{0, 0, 0}, {1, 0, 0}, 0.3, 0.2},
                                       {{1, 0, 0}, {1.4, 0.6, 0}, 0.2, 0.15}};
   const Mesh mesh = capsule_surface(parts, 0.05, 0.06f);
-  EXPECT_TRUE(half_edges(mesh).has_value());
+  EXPECT_TRUE(manifold_twins(mesh).has_value());
   const CapsuleUnion expected(parts, 0.05);
   for (const Vec3& p : mesh.positions) EXPECT_NEAR(expected(p.cast<double>()), 0, 1e-3);
 }

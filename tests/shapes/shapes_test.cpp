@@ -15,7 +15,7 @@
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/half_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/normals.h"
 #include "brindle/shapes/implicit_shapes.h"
 #include "brindle/shapes/isosurface.h"
@@ -91,7 +91,7 @@ TEST(Shapes, ClosedOnesAreManifoldWoundOutwardsAndOfTheRightGenus) {
       {"sphere", 2}, {"torus", 0}, {"trefoil", 0}, {"vessels", 2}, {"molecule", 2}, {"box", 0}};
   for (const auto& [name, expected] : characteristic) {
     const Mesh& mesh = every_shape().at(name);
-    EXPECT_TRUE(half_edges(mesh).has_value()) << name;
+    EXPECT_TRUE(manifold_twins(mesh).has_value()) << name;
     EXPECT_GT(volume(mesh), 0) << name;
     EXPECT_EQ(euler_characteristic(mesh), expected) << name;
   }
@@ -198,7 +198,7 @@ TEST(Shapes, AbsurdValuesAreRefused) {
 TEST(Isosurface, OfASphereIsASphere) {
   const auto sphere = [](const Eigen::Vector3d& p) { return p.norm() - 0.5; };
   const Mesh mesh = isosurface(sphere, {Vec3::Constant(-0.5f), Vec3::Constant(0.5f)}, 0.03f);
-  ASSERT_TRUE(half_edges(mesh).has_value());
+  ASSERT_TRUE(manifold_twins(mesh).has_value());
   EXPECT_NEAR(volume(mesh), 4 * M_PI / 3 / 8, 2e-3);
   for (const Vec3& p : mesh.positions) EXPECT_NEAR(p.norm(), 0.5, 1e-6);
   double total = 0;
@@ -211,7 +211,7 @@ TEST(Isosurface, OfASphereIsASphere) {
 TEST(Isosurface, StaysClosedWhereItIsHardlyResolved) {
   for (int resolution = 5; resolution < 30; resolution += 4) {
     const Mesh mesh = make_molecule({.atoms = 20, .resolution = resolution});
-    EXPECT_TRUE(half_edges(mesh).has_value()) << resolution;
+    EXPECT_TRUE(manifold_twins(mesh).has_value()) << resolution;
   }
 }
 

@@ -36,9 +36,9 @@ CompressedRows<Entry> compressed_rows(std::size_t count, const Progress& progres
   // Counted one place to the right, so that filling moves each offset to where it belongs.
   std::vector<Index>& offsets = rows.offsets;
   offsets.assign(count + 2, 0);
-  add_all(progress.part(0, 0.3), [&](std::size_t row, const Entry&) { ++offsets[row + 2]; });
+  add_all(progress.part(0, 0.4), [&](std::size_t row, const Entry&) { ++offsets[row + 2]; });
   for (std::size_t i = 2; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
-  reported_resize(rows.entries, offsets.back(), progress.part(0.3, 0.4));
+  ticking_resize(rows.entries, offsets.back(), progress);
   add_all(progress.part(0.4, 1),
           [&](std::size_t row, const Entry& entry) { rows.entries[offsets[row + 1]++] = entry; });
   offsets.pop_back();

@@ -17,6 +17,7 @@
 #include <tbb/parallel_reduce.h>
 #endif
 
+#include "brindle/base/standard.h"
 #include "brindle/progress.h"
 #include "brindle/threads.h"
 
@@ -131,16 +132,32 @@ void reported_for(std::size_t count, const Progress& progress, const Body& body,
 }
 
 /// Makes a list so long, bit by bit: to fill new memory for the first time takes longer than a
-/// caller should wait.
+/// caller should wait. `progress` ticks.
 template <class Value>
-void reported_resize(std::vector<Value>& list, std::size_t count, const Progress& progress) {
-  constexpr std::size_t kBytesPerReport = 1 << 24;
+void ticking_resize(std::vector<Value>& list, std::size_t count, const Progress& progress) {
+  constexpr std::size_t kBytesPerTick = 1 << 24;
   list.reserve(count);
   while (progress.is_heard() && list.size() < count) {
-    progress.report(static_cast<double>(list.size()) / static_cast<double>(count));
-    list.resize(std::min(count, list.size() + kBytesPerReport / sizeof(Value)));
+    progress.tick();
+    list.resize(std::min(count, list.size() + kBytesPerTick / sizeof(Value)));
   }
   list.resize(count);
+}
+
+/// Sorts as `std::sort` does, comparison by comparison, while `progress` ticks. Where that throws,
+/// what was to be sorted is in no order and may have lost entries.
+template <class Iterator, class Less>
+void ticking_sort(Iterator begin, Iterator end, const Progress& progress, const Less& less) {
+  constexpr std::size_t kComparedPerTick = 16 * kReportSlice;
+  if (!progress.is_heard()) {
+    ranges::sort(begin, end, less);
+    return;
+  }
+  std::size_t compared = 0;
+  ranges::sort(begin, end, [&](const auto& a, const auto& b) {
+    if (++compared % kComparedPerTick == 0) progress.tick();
+    return less(a, b);
+  });
 }
 
 /// Reports of a loop whose rounds differ: whenever another slice of `all` is done.

@@ -7,7 +7,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {

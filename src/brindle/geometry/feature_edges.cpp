@@ -30,9 +30,9 @@ std::vector<std::array<Index, 2>> feature_edges(const Mesh& mesh, const MeshEdge
     for (std::size_t m = 0; m < 3; ++m) {
       const Index edge = edges.of_triangle[t][m];
       const bool forward = triangle[m] < triangle[(m + 1) % 3];
-      if (edges.triangle_counts[edge] != 2) {
+      if (edges.triangle_count(edge) != 2) {
         sharp[edge] = 1;
-      } else if (edges.ranks[t][m] == 0) {
+      } else if (edges.half_edges.of(edge)[0] == 3 * t + m) {
         first[edge] = {normal, forward};
       } else {
         // Wound alike, two triangles run along their edge in opposite ways.

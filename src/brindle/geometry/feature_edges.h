@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 
 namespace brindle {

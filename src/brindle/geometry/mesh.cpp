@@ -9,7 +9,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/text.h"
-#include "brindle/geometry/same_corners.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/local_positions.h"
 
 namespace brindle {

@@ -13,7 +13,7 @@
 #include "brindle/base/array_rows.h"
 #include "brindle/base/parallel.h"
 #include "brindle/geometry/subdivide.h"
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {

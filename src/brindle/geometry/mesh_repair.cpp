@@ -7,8 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
-#include "brindle/geometry/same_corners.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/local_positions.h"
 #include "brindle/mesh.h"
 
@@ -128,24 +129,27 @@ MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept) {
   return repair;
 }
 
-std::vector<Index> first_at_each_place(std::span<const Vec3> positions) {
+std::vector<Index> first_at_each_place(std::span<const Vec3> positions, const Progress& progress) {
   constexpr Index kFree = ~Index{0};
+  constexpr std::size_t kPlacesPerReport = 1 << 12;  // each is somewhere else in memory
   // Open addressing: at most half of the places are taken.
   std::vector<Index> table(std::bit_ceil(2 * positions.size() + 1), kFree);
   std::vector<Index> first(positions.size());
-  for (Index v = 0; v < positions.size(); ++v) {
+  const auto find = [&](std::size_t number) {
+    const auto v = static_cast<Index>(number);
     std::size_t place = hash(positions[v]) & (table.size() - 1);
     // A NaN equals nothing, so it stays apart; all of one kind would share a place.
     if (!usable(positions[v])) {
       first[v] = v;
-      continue;
+      return;
     }
     while (table[place] != kFree && positions[table[place]] != positions[v]) {
       place = (place + 1) & (table.size() - 1);
     }
     if (table[place] == kFree) table[place] = v;
     first[v] = table[place];
-  }
+  };
+  reported_for(positions.size(), progress, find, kPlacesPerReport);
   return first;
 }
 

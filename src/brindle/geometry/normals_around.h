@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/normals.h"
 #include "brindle/progress.h"
 

@@ -10,8 +10,8 @@
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/neighborhood.h"
 #include "brindle/geometry/rounded_midpoints.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 
 namespace brindle {

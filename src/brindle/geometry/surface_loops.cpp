@@ -8,7 +8,7 @@
 
 #include "brindle/base/merged_sets.h"
 #include "brindle/base/standard.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {
@@ -21,7 +21,6 @@ class LoopFinder {
       : mesh_(surface.mesh),
         neighborhood_(*surface.neighborhood),
         edges_(mesh_edges(mesh_, neighborhood_)),
-        triangles_of_(triangles_of_edges(edges_)),
         component_(mesh_.vertex_count(), kNowhere) {}
 
   std::vector<SurfaceLoop> find() {
@@ -49,8 +48,8 @@ class LoopFinder {
       ++count;
     }
     manifold_.assign(count, true);
-    for (std::size_t e = 0; e < edges_.count(); ++e) {
-      if (edges_.triangle_counts[e] > 2) manifold_[component_[edges_.vertices[e][0]]] = false;
+    for (Index e = 0; e < edges_.count(); ++e) {
+      if (edges_.triangle_count(e) > 2) manifold_[component_[edges_.vertices[e][0]]] = false;
     }
   }
 
@@ -74,7 +73,7 @@ class LoopFinder {
     boundary_of_.assign(edges_.count(), kNowhere);
     std::vector<Index> firsts;
     for (Index e = 0; e < edges_.count(); ++e) {
-      if (edges_.triangle_counts[e] == 1 && is_usable(e)) firsts.push_back(e);
+      if (edges_.triangle_count(e) == 1 && is_usable(e)) firsts.push_back(e);
     }
     ranges::sort(firsts.begin(), firsts.end(),
                  [&](Index a, Index b) { return edges_.vertices[a] < edges_.vertices[b]; });
@@ -96,9 +95,9 @@ class LoopFinder {
       loop.vertices.push_back(at);
       at = other_end(edge, at);
       // Round the vertex through its triangles to the next edge that has one alone.
-      Index triangle = triangles_of_[edge][0];
-      for (edge = edge_beside(triangle, edge, at); edges_.triangle_counts[edge] == 2;) {
-        const auto& sides = triangles_of_[edge];
+      Index triangle = edges_.triangles(edge)[0];
+      for (edge = edge_beside(triangle, edge, at); edges_.triangle_count(edge) == 2;) {
+        const auto sides = edges_.triangles(edge);
         triangle = sides[0] == triangle ? sides[1] : sides[0];
         edge = edge_beside(triangle, edge, at);
       }
@@ -108,7 +107,7 @@ class LoopFinder {
 
   /// The end at which a boundary edge starts in its triangle's sense.
   Index starts_at(Index edge) const {
-    const Index t = triangles_of_[edge][0];
+    const Index t = edges_.triangles(edge)[0];
     for (int m = 0; m < 3; ++m) {
       if (edges_.of_triangle[t][m] == edge) return mesh_.triangles[t][m];
     }
@@ -168,7 +167,7 @@ class LoopFinder {
     std::vector<LoopEdge> candidates;
     for (Index e = 0; e < edges_.count(); ++e) {
       const auto [a, b] = edges_.vertices[e];
-      if (!is_usable(e) || edges_.triangle_counts[e] == 0) continue;
+      if (!is_usable(e) || edges_.triangle_count(e) == 0) continue;
       if (parent_[a] == b || parent_[b] == a) continue;
       candidates.push_back({distance_[a] + distance_[b] + edge_length(a, b), e});
     }
@@ -179,7 +178,7 @@ class LoopFinder {
     MergedSets sets(triangles + boundary_count_);
     std::vector<Index> left;
     for (const auto& [length, e] : candidates) {
-      const auto& sides = triangles_of_[e];
+      const auto sides = edges_.triangles(e);
       const Index other = sides[1] == kNoTriangle ? triangles + boundary_of_[e] : sides[1];
       if (!sets.merge(sides[0], other)) left.push_back(e);
     }
@@ -214,7 +213,6 @@ class LoopFinder {
   const Mesh& mesh_;
   const Adjacency& neighborhood_;
   MeshEdges edges_;
-  std::vector<std::array<Index, 2>> triangles_of_;
   std::vector<Index> component_;
   std::vector<bool> manifold_;
   std::vector<Index> boundary_of_;

@@ -122,14 +122,8 @@ void enter_triangle(const Mesh& mesh, const MeshEdges& edges, Index next, Index 
   walker.entered = entered;
 }
 
-Index SurfaceWays::beyond(Index triangle, int edge) const {
-  const Index crossed = edges_.of_triangle[triangle][edge];
-  if (edges_.triangle_counts[crossed] != 2) return kNoTriangle;
-  return triangles_[crossed][1 - edges_.ranks[triangle][edge]];
-}
-
 bool SurfaceWays::go_over(SurfaceWalker& walker, int edge) const {
-  const Index next = beyond(walker.triangle, edge);
+  const Index next = edges_.beyond(walker.triangle, edge);
   if (next == kNoTriangle) return false;
   const auto between = weights_on(walker, mesh_.triangles[walker.triangle], edge);
   enter_triangle(mesh_, edges_, next, edges_.of_triangle[walker.triangle][edge], between, walker);

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/polylines.h"
 
@@ -49,8 +49,7 @@ void enter_triangle(const Mesh& mesh, const MeshEdges& edges, Index next, Index 
 /// Ways over one mesh; all of it must outlive this.
 class SurfaceWays {
  public:
-  SurfaceWays(const Mesh& mesh, const MeshEdges& edges)
-      : mesh_(mesh), edges_(edges), triangles_(triangles_of_edges(edges)) {}
+  SurfaceWays(const Mesh& mesh, const MeshEdges& edges) : mesh_(mesh), edges_(edges) {}
 
   /// Where one arrives who goes straight on from a place, along `way` in its triangle's plane and
   /// as long; shorter where an edge is met beyond which there is not exactly one triangle.
@@ -68,12 +67,10 @@ class SurfaceWays {
                std::vector<Piece>& pieces) const;
 
  private:
-  Index beyond(Index triangle, int edge) const;
   bool go_over(SurfaceWalker& walker, int edge) const;
 
   const Mesh& mesh_;
   const MeshEdges& edges_;
-  std::vector<std::array<Index, 2>> triangles_;
 };
 
 }  // namespace brindle

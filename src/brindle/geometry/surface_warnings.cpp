@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brindle/base/standard.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/surface.h"
 
 namespace brindle {
@@ -21,8 +21,8 @@ std::size_t coinciding_boundary_edges(const Surface& surface) {
   if (!any) return 0;
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
   std::vector<std::array<Index, 2>> places;
-  for (std::size_t e = 0; e < edges.count(); ++e) {
-    if (edges.triangle_counts[e] != 1) continue;
+  for (Index e = 0; e < edges.count(); ++e) {
+    if (edges.triangle_count(e) != 1) continue;
     std::array<Index, 2> place{first[edges.vertices[e][0]], first[edges.vertices[e][1]]};
     if (place[0] > place[1]) std::swap(place[0], place[1]);
     if (place[0] != place[1]) places.push_back(place);

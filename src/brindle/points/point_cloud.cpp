@@ -1,12 +1,8 @@
-#include <algorithm>
-#include <functional>
+#include <cmath>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 
-#include "brindle/base/parallel.h"
-#include "brindle/base/reported_sort.h"
 #include "brindle/error.h"
 #include "brindle/local_positions.h"
 #include "brindle/mesh.h"
@@ -15,32 +11,23 @@
 namespace brindle {
 namespace {
 
-/// The first of all points at one place, in ascending order. `first` tells of every point which
-/// that is.
+/// Of the points in use the first at each place, in ascending order. `first` receives for every
+/// point which that is.
 std::vector<Index> first_at_their_place(const std::vector<Vec3>& positions,
-                                        std::vector<Index> points, std::vector<Index>& first,
+                                        const std::vector<Index>& used, std::vector<Index>& first,
                                         const Progress& progress) {
-  const auto place = [&](Index i) {
-    const Vec3& p = positions[i];
-    return std::tuple(p.x(), p.y(), p.z());
-  };
-  reported_sort(points.begin(), points.end(), progress.part(0, 0.8), [&](Index i, Index j) {
-    return std::tuple(place(i), i) < std::tuple(place(j), j);
-  });
-  progress.report(0.8);
+  std::vector<Vec3> places;
+  places.reserve(used.size());
+  for (const Index i : used) places.push_back(positions[i]);
+  const std::vector<Index> found = first_at_each_place(places, progress);
   first.resize(positions.size());
   std::iota(first.begin(), first.end(), Index{0});
-  reported_for(points.size(), progress.part(0.8, 0.87), [&](std::size_t i) {
-    if (i == 0) return;
-    if (place(points[i]) == place(points[i - 1])) first[points[i]] = first[points[i - 1]];
-  });
-  progress.report(0.87);
-  points.erase(std::unique(points.begin(), points.end(),
-                           [&](Index i, Index j) { return place(i) == place(j); }),
-               points.end());
-  progress.report(0.9);
-  reported_sort(points.begin(), points.end(), progress.part(0.9, 1), std::less<>());
-  return points;
+  std::vector<Index> kept;
+  for (Index k = 0; k < used.size(); ++k) {
+    first[used[k]] = used[found[k]];
+    if (found[k] == k) kept.push_back(used[k]);
+  }
+  return kept;
 }
 
 /// Makes all normals unit vectors; none are left if one of a point in use has no direction.
@@ -73,7 +60,7 @@ LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> nor
   }
   loaded.repair.not_finite = cloud.positions.size() - cloud.used.size();
   const std::size_t count = cloud.used.size();
-  cloud.used = first_at_their_place(cloud.positions, std::move(cloud.used), loaded.first_at_place,
+  cloud.used = first_at_their_place(cloud.positions, cloud.used, loaded.first_at_place,
                                     stages.begin("places"));
   loaded.repair.repeated = count - cloud.used.size();
   if (loaded.repair.repeated == 0) loaded.first_at_place.clear();

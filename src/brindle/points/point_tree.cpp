@@ -1,7 +1,6 @@
 #include "brindle/points/point_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "brindle/error.h"
@@ -16,21 +15,19 @@ namespace brindle {
 
 namespace {
 
-/// Every point is asked for some twenty times on each of the tree's levels.
-constexpr std::size_t kAskedPerReport = 1 << 20;
+/// Some twenty reads for every point on each of the tree's levels.
+constexpr std::size_t kReadsPerTick = 1 << 20;
 
-/// The points as nanoflann wants to see them. It has no progress of its own: while it builds, it
-/// can be stopped where it asks for a point. How often it will ask is not known.
+/// The points for nanoflann. It has no progress of its own: its construction can be cancelled
+/// only where it reads a point.
 struct Points {
   std::span<const Vec3> positions;
   const Progress* progress = nullptr;  ///< while the tree is built
-  mutable std::size_t asked = 0;
+  mutable std::size_t reads = 0;
 
   std::size_t kdtree_get_point_count() const { return positions.size(); }
   float kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    if (progress != nullptr && ++asked % kAskedPerReport == 0) {
-      progress->report(1 - std::pow(0.95, static_cast<double>(asked / kAskedPerReport)));
-    }
+    if (progress != nullptr && ++reads % kReadsPerTick == 0) progress->tick();
     return positions[i][static_cast<Eigen::Index>(axis)];
   }
   template <class Box>

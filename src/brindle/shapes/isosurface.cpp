@@ -14,13 +14,12 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/index_map.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/reported_sort.h"
 #include "brindle/error.h"
-#include "brindle/geometry/half_edges.h"
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/topology.h"
+#include "brindle/shapes/delaunay_flips.h"
+#include "brindle/shapes/index_map.h"
 
 namespace brindle {
 namespace {
@@ -189,21 +188,21 @@ struct TetrahedraAround {
   }
 };
 
-TetrahedraAround tetrahedra_around(const Lattice& lattice, const Progress& progress) {
+TetrahedraAround tetrahedra_around(const Lattice& lattice) {
   const auto& all = lattice.tetrahedra;
   TetrahedraAround around;
   // Counted one place to the right, so that filling moves each offset to where it belongs.
   around.begin.assign(lattice.values.size() + 2, 0);
-  reported_for(all.size(), progress.part(0, 0.4), [&](std::size_t t) {
-    for (const Index point : all[t]) ++around.begin[point + 2];
-  });
+  for (const Tetrahedron& tetrahedron : all) {
+    for (const Index point : tetrahedron) ++around.begin[point + 2];
+  }
   std::partial_sum(around.begin.begin(), around.begin.end(), around.begin.begin());
   around.tetrahedra.resize(4 * all.size());
-  reported_for(all.size(), progress.part(0.4, 1), [&](std::size_t t) {
+  for (std::size_t t = 0; t < all.size(); ++t) {
     for (const Index point : all[t]) {
       around.tetrahedra[around.begin[point + 1]++] = static_cast<Index>(t);
     }
-  });
+  }
   around.begin.pop_back();
   return around;
 }
@@ -240,7 +239,8 @@ SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress
     if (distance < limit) candidates.push_back({distance, a, b});
   };
   EdgeList edges(lattice.values.size());
-  reported_for(lattice.tetrahedra.size(), progress.part(0, 0.2), [&](std::size_t number) {
+  for (std::size_t number = 0; number < lattice.tetrahedra.size(); ++number) {
+    if (number % kReportSlice == 0) progress.tick();
     const Tetrahedron& t = lattice.tetrahedra[number];
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) {
@@ -251,25 +251,25 @@ SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress
         add_candidate(b, a);
       }
     }
-  });
-  reported_sort(candidates.begin(), candidates.end(), progress.part(0.2, 0.6),
-                [](const Candidate& x, const Candidate& y) {
-                  return std::tie(x.distance, x.point, x.other) <
-                         std::tie(y.distance, y.point, y.other);
-                });
-  const TetrahedraAround around = tetrahedra_around(lattice, progress.part(0.6, 0.8));
+  }
+  ticking_sort(
+      candidates.begin(), candidates.end(), progress, [](const Candidate& x, const Candidate& y) {
+        return std::tie(x.distance, x.point, x.other) < std::tie(y.distance, y.point, y.other);
+      });
+  const TetrahedraAround around = tetrahedra_around(lattice);
   std::vector<int> snapped_corners(lattice.tetrahedra.size(), 0);
   SnappedPoints snapped(lattice.values.size());
-  reported_for(candidates.size(), progress.part(0.8, 1), [&](std::size_t number) {
+  for (std::size_t number = 0; number < candidates.size(); ++number) {
+    if (number % kReportSlice == 0) progress.tick();
     const Index point = candidates[number].point, other = candidates[number].other;
-    if (snapped.has(point) || snapped.has(other)) return;
+    if (snapped.has(point) || snapped.has(other)) continue;
     // A tetrahedron that lies in the surface with all its corners is neither inside nor outside.
     const auto flat = [&](Index t) { return snapped_corners[t] == 3; };
     const std::span<const Index> at = around.of(point);
-    if (std::any_of(at.begin(), at.end(), flat)) return;
+    if (std::any_of(at.begin(), at.end(), flat)) continue;
     snapped.move(point, crossing(lattice, point, other));
     for (const Index t : at) ++snapped_corners[t];
-  });
+  }
   return snapped;
 }
 
@@ -281,11 +281,13 @@ class Polygonizer {
         snapped_(snapped),
         vertex_of_point_(lattice.values.size(), kNone),
         edges_(lattice.values.size()) {
-    reported_for(lattice.tetrahedra.size(), progress.part(0, 0.9),
-                 [&](std::size_t t) { add(lattice.tetrahedra[t]); });
-    reported_for(triangles_.size(), progress.part(0.9, 1), [&](std::size_t t) {
-      if (triangles_[t].stays) mesh.triangles.push_back(triangles_[t].corners);
-    });
+    for (std::size_t t = 0; t < lattice.tetrahedra.size(); ++t) {
+      if (t % kReportSlice == 0) progress.tick();
+      add(lattice.tetrahedra[t]);
+    }
+    for (const MadeTriangle& triangle : triangles_) {
+      if (triangle.stays) mesh.triangles.push_back(triangle.corners);
+    }
   }
 
   Mesh mesh;
@@ -401,18 +403,18 @@ class Polygonizer {
 };
 
 /// Vertices that lost all their triangles are left out.
-void drop_unused_vertices(Mesh& mesh, const Progress& progress) {
+void drop_unused_vertices(Mesh& mesh) {
   std::vector<Index> number(mesh.vertex_count(), ~Index{0});
   std::vector<Vec3> positions;
-  reported_for(mesh.triangle_count(), progress, [&](std::size_t t) {
-    for (Index& v : mesh.triangles[t]) {
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& v : triangle) {
       if (number[v] == ~Index{0}) {
         number[v] = static_cast<Index>(positions.size());
         positions.push_back(mesh.positions[v]);
       }
       v = number[v];
     }
-  });
+  }
   mesh.positions = std::move(positions);
 }
 
@@ -454,10 +456,10 @@ Point balance_point(const Mesh& mesh, std::span<const Index> around) {
 
 void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int steps,
            const Progress& progress) {
-  const VertexTriangles around = vertex_triangles(mesh, progress.part(0, 0.1));
+  const VertexTriangles around = vertex_triangles(mesh);
   std::vector<Vec3> moved(mesh.vertex_count());
   parallel_for(
-      mesh.vertex_count(), progress.part(0.1, 1),
+      mesh.vertex_count(), progress,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
           const Point at = balance_point(mesh, around.of(v));
@@ -469,8 +471,8 @@ void relax(const ImplicitFunction& function, Mesh& mesh, double edge_length, int
 }
 
 Mesh polygonize(const Lattice& lattice, const SnappedPoints& snapped, const Progress& progress) {
-  Mesh mesh = std::move(Polygonizer(lattice, snapped, progress.part(0, 0.9)).mesh);
-  drop_unused_vertices(mesh, progress.part(0.9, 1));
+  Mesh mesh = std::move(Polygonizer(lattice, snapped, progress).mesh);
+  drop_unused_vertices(mesh);
   return mesh;
 }
 
@@ -519,25 +521,28 @@ Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float 
   }
   check_room(function, box, edge_length);
   Mesh mesh;
-  std::optional<HalfEdges> edges;
+  std::optional<std::vector<Index>> twins;
   {
     const Lattice lattice(function, box, cell, progress.part(0, 0.2));
-    mesh =
-        polygonize(lattice, snap(lattice, cell, progress.part(0.2, 0.3)), progress.part(0.3, 0.4));
-    edges = half_edges(mesh, progress.part(0.4, 0.45));
-    if (!edges) {
+    const SnappedPoints snapped = snap(lattice, cell, progress);
+    progress.report(0.3);
+    mesh = polygonize(lattice, snapped, progress);
+    progress.report(0.4);
+    twins = manifold_twins(mesh);
+    if (!twins) {
       // Snapping may pinch what is hardly thicker than a cell; without it nothing is pinched.
-      mesh = polygonize(lattice, SnappedPoints(lattice.values.size()), progress.part(0.45, 0.49));
-      edges = half_edges(mesh, progress.part(0.49, 0.5));
+      mesh = polygonize(lattice, SnappedPoints(lattice.values.size()), progress);
+      twins = manifold_twins(mesh);
     }
   }
-  if (!edges) throw Error("the implicit surface leaves its box; enlarge the box");
+  if (!twins) throw Error("the implicit surface leaves its box; enlarge the box");
   constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
     const Progress of_round =
         progress.part(0.5 + 0.5 * round / kRounds, 0.5 + 0.5 * (round + 1) / kRounds);
-    flip_to_delaunay(mesh, *edges, 3, of_round.part(0, 0.5));
-    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 3, of_round.part(0.5, 1));
+    of_round.report(0);
+    flip_to_delaunay(mesh, *twins, 3, of_round);
+    relax(function, mesh, edge_length, round + 1 < kRounds ? 1 : 3, of_round);
   }
   return mesh;
 }
