@@ -7,7 +7,6 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/reported_sort.h"
 #include "brindle/error.h"
 
 namespace brindle {
@@ -41,10 +40,10 @@ Merge merge_neighbors(const Adjacency& adjacency, const SurfaceElements& element
           {elements.normals[i].dot(elements.normals[j]) * std::min(ratio, 1 / ratio), i, j});
     }
   });
-  reported_sort(edges.begin(), edges.end(), progress.part(0.1, 0.9),
-                [](const Edge& a, const Edge& b) {
-                  return std::tuple(-a.score, a.i, a.j) < std::tuple(-b.score, b.i, b.j);
-                });
+  ticking_sort(edges.begin(), edges.end(), progress.part(0.1, 0.9),
+               [](const Edge& a, const Edge& b) {
+                 return std::tuple(-a.score, a.i, a.j) < std::tuple(-b.score, b.i, b.j);
+               });
   constexpr Index kFree = ~Index{0};
   Merge merge{std::vector<Index>(adjacency.node_count(), kFree), 0};
   reported_for(edges.size(), progress.part(0.9, 1), [&](std::size_t e) {
@@ -108,7 +107,7 @@ std::vector<std::tuple<Index, Index, float>> merged_edges(const Adjacency& fine,
     }
   });
   // By weights at last: both directions of an edge then add them in the same order.
-  reported_sort(edges.begin(), edges.end(), progress.part(0.2, 1), std::less<>());
+  ticking_sort(edges.begin(), edges.end(), progress.part(0.2, 1), std::less<>());
   return edges;
 }
 

@@ -5,7 +5,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/error.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {
@@ -21,7 +21,7 @@ std::vector<Vec3> ways_inwards(const Surface& surface) {
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     for (std::size_t m = 0; m < 3; ++m) {
-      if (edges.triangle_counts[edges.of_triangle[t][m]] != 1) continue;
+      if (edges.triangle_count(edges.of_triangle[t][m]) != 1) continue;
       const Index a = triangle[m], b = triangle[(m + 1) % 3], c = triangle[(m + 2) % 3];
       const Vec3 along = (mesh.positions[b] - mesh.positions[a]).stableNormalized();
       const Vec3 way = mesh.positions[c] - mesh.positions[a];

@@ -10,7 +10,6 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/reported_sort.h"
 #include "brindle/base/standard.h"
 
 namespace brindle {
@@ -58,7 +57,7 @@ std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
       triangles.push_back(from_smallest(i, ring[k].second, next));
     }
   });
-  reported_sort(triangles.begin(), triangles.end(), progress.part(0.5, 1), std::less<>());
+  ticking_sort(triangles.begin(), triangles.end(), progress.part(0.5, 1), std::less<>());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }

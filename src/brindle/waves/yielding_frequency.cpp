@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "brindle/error.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/waves/neighbor_triangles.h"
 #include "brindle/waves/slack_check.h"
 #include "brindle/waves/yielding_solver.h"

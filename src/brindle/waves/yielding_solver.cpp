@@ -80,7 +80,7 @@ void YieldingSolver::build(const FrequencyInput& input, const Progress& progress
   progress.report(0.8);
   auto multigrid = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
   const std::size_t vertices = setting_->slack.size();
-  reported_resize(terms_.triangles, built->triangles().corners.size(), progress.part(0.9, 1));
+  ticking_resize(terms_.triangles, built->triangles().corners.size(), progress.part(0.9, 1));
   masses_.resize(built->own());
   next_.resize(vertices);
   frequencies_.resize(vertices);
