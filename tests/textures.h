@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "brindle/direction_field.h"
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 #include "brindle/texture_pattern.h"
 

@@ -16,7 +16,7 @@
 
 #include "brindle/base/two_pi.h"
 #include "brindle/error.h"
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/texture_animator.h"
 #include "brindle/texture_pattern.h"
 #include "brindle/threads.h"

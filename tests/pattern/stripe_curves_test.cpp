@@ -89,7 +89,7 @@ Expected expected_ends(const Solved& solved) {
     const LiftedTriangle triangle = lifted_triangle(corners, waves);
     expected.branch += static_cast<std::size_t>(std::abs(triangle.branch_index));
     for (int m = 0; m < 3; ++m) {
-      const Index sharing = pattern.edges.triangle_counts[pattern.edges.of_triangle[t][m]];
+      const Index sharing = pattern.edges.triangle_count(pattern.edges.of_triangle[t][m]);
       const auto peaks = static_cast<std::size_t>(std::abs(triangle.edges[m].peaks));
       if (sharing == 1) expected.boundary += peaks;
       if (sharing > 2) expected.nonmanifold += peaks;

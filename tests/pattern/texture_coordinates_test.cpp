@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "textures.h"
 
 namespace brindle {

@@ -10,7 +10,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/corner_signs.h"
 #include "brindle/pattern/figure_middle.h"
 
@@ -27,33 +27,6 @@ constexpr float kLeastClearance = 0.03f;  // also of figures that reach farther 
 
 /// By so much may coordinates of one vertex differ from whole tiles, which is but rounding.
 constexpr float kRounding = 2e-4f;
-
-// Half-edge 3 t + c runs from corner c of triangle t to its next one.
-constexpr Index kNoTwin = 0xffffffff;
-constexpr Index kManyTwins = 0xfffffffe;
-
-Index next_corner(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-
-Index half_edge_between(Index a, Index b) { return next_corner(a) == b ? a : b; }
-
-/// The half-edges on the other sides of all half-edges.
-std::vector<Index> twins_of(std::span<const Triangle> triangles) {
-  std::vector<Index> twins(3 * triangles.size(), kNoTwin);
-  for (const SharedEdge& edge : shared_edges(triangles)) {
-    const Index a = half_edge_between(edge.from[0], edge.to[0]);
-    const Index b = half_edge_between(edge.from[1], edge.to[1]);
-    if (twins[a] == kNoTwin && twins[b] == kNoTwin && a / 3 != b / 3) {
-      twins[a] = b;
-      twins[b] = a;
-      continue;
-    }
-    for (const Index h : {a, b}) {
-      if (twins[h] < kManyTwins) twins[twins[h]] = kManyTwins;
-      twins[h] = kManyTwins;
-    }
-  }
-  return twins;
-}
 
 /// What of a mesh stays the same for all its textures.
 struct MeshEdgeTwins {
@@ -306,9 +279,9 @@ class Breaks {
   std::optional<Passage> passage(Index h, Index twin) const {
     // Triangles that are wound alike run along their edge in opposite ways.
     const bool alike = vertices_alike(h, twin);
-    const Place from = place(h), to = place(next_corner(h));
-    const Place other_from = place(alike ? next_corner(twin) : twin);
-    const Place other_to = place(alike ? twin : next_corner(twin));
+    const Place from = place(h), to = place(next_in_triangle(h));
+    const Place other_from = place(alike ? next_in_triangle(twin) : twin);
+    const Place other_to = place(alike ? twin : next_in_triangle(twin));
     const bool same_side = closing(h / 3) == closing(twin / 3);
     for (unsigned turn = 0; turn < 8; ++turn) {
       if (mirrors(turn) != (same_side != alike)) continue;
@@ -328,7 +301,7 @@ class Breaks {
   std::optional<Passage> passage_from(Index t, Index corner, const Place& from, Index twin) const {
     const bool plainly = !turned_.empty() && joins_plainly(t, corner, twin);
     if (!plainly || (figures_.symmetries & 1) == 0) return passage(3 * t + corner, twin);
-    const Place away = place(next_corner(twin)) - from;
+    const Place away = place(next_in_triangle(twin)) - from;
     return Passage{0, static_cast<std::int32_t>(nearest_whole(away.x())),
                    static_cast<std::int32_t>(nearest_whole(away.y()))};
   }
@@ -422,9 +395,9 @@ class Breaks {
     const std::array<Place, 3> own = places(h / 3);
     const float middle = (own[0].y() + own[1].y() + own[2].y()) / 3;
     const bool alike = vertices_alike(h, twin);
-    const Place from = place(alike ? next_corner(twin) : twin);
-    const Place to = place(alike ? twin : next_corner(twin));
-    const float along = place(next_corner(h)).y() - place(h).y(), there = to.y() - from.y();
+    const Place from = place(alike ? next_in_triangle(twin) : twin);
+    const Place to = place(alike ? twin : next_in_triangle(twin));
+    const float along = place(next_in_triangle(h)).y() - place(h).y(), there = to.y() - from.y();
     const float sense = std::abs(there + along) < std::abs(there - along) ? -1.0f : 1.0f;
     const float course = from.y() + sense * (middle - place(h).y());
     const auto row = static_cast<std::int32_t>(std::lround(2 * course));
@@ -438,7 +411,7 @@ class Breaks {
   /// Breaks those of the figures that an edge meets which `counts` takes, all of each.
   template <class Counts>
   void break_along(Index h, const Counts& counts) {
-    const Place a = place(h), b = place(next_corner(h));
+    const Place a = place(h), b = place(next_in_triangle(h));
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
       figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const Middle& m) {
         if (counts(m) && list(h / 3, m)) pending_.push_back({h / 3, m});

@@ -67,7 +67,7 @@ template <class CornersOf>
 std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
                                    PhaseShiftKind kind, const Progress& progress) {
   std::vector<CornerPhases> result;
-  reported_resize(result, triangles, progress.part(0, 0.2));
+  ticking_resize(result, triangles, progress.part(0, 0.2));
   lift_into(std::span(result), corners_of, kind, progress.part(0.2, 1));
   return result;
 }

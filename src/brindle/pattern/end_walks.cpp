@@ -64,7 +64,7 @@ struct EndWalks::Step {
 };
 
 EndWalks::EndWalks(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
-    : waves_(waves), beyond_(beyond), triangles_(triangles_of_edges(waves.pattern().edges)) {}
+    : waves_(waves), beyond_(beyond) {}
 
 EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   const std::array<Point, 3> corners = corners_of(waves_.pattern().mesh, walker.triangle);
@@ -107,8 +107,8 @@ bool EndWalks::cross_edge(Walker& walker, int edge) const {
     walker.walk.between = between;
     return false;
   }
-  if (edges.triangle_counts[crossed] != 2 || beyond == EdgeBeyond::nonmanifold) return false;
-  const Index next = triangles_[crossed][1 - edges.ranks[t][edge]];
+  const Index next = edges.beyond(t, edge);
+  if (next == kNoTriangle || beyond == EdgeBeyond::nonmanifold) return false;
   enter(walker, next, crossed, between);
   return waves_.triangle(next).kind != TriangleKind::no_wave;
 }
@@ -159,7 +159,7 @@ Walk EndWalks::go_on(const Walk& from, Index edge) const {
   Walker walker{{0, Point::Zero(), from.direction}, from};
   walker.walk.state = Walk::State::lost;
   walker.walk.way.clear();
-  enter(walker, triangles_[edge][0], edge, from.between);
+  enter(walker, waves_.pattern().edges.triangles(edge)[0], edge, from.between);
   walker.add_place();
   if (waves_.triangle(walker.triangle).kind != TriangleKind::no_wave) walk(walker);
   return std::move(walker.walk);

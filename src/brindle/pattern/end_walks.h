@@ -66,7 +66,6 @@ class EndWalks {
 
   const LiftedWaves& waves_;
   std::span<const EdgeBeyond> beyond_;
-  std::vector<std::array<Index, 2>> triangles_;  // of every edge of the mesh, the first two
 };
 
 }  // namespace brindle

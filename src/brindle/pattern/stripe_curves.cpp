@@ -175,7 +175,6 @@ class Tracer {
     if (options_.join) end_walks_.emplace(lifted_, beyond_);
     number_nodes(stages_.begin("crossings"));
     link_triangles(stages_.begin("pieces"));
-    find_triangles_of_edges();
     if (!links_.empty()) directions_ = directions_alike(lifted_, stages_.begin("directions"));
     walk(stages_.begin("curves"));
     stages_.finish();
@@ -186,7 +185,7 @@ class Tracer {
   }
 
   bool is_nonmanifold(Index edge) const {
-    return pattern_.edges.triangle_counts[edge] > 2 || beyond(edge) == EdgeBeyond::nonmanifold;
+    return pattern_.edges.triangle_count(edge) > 2 || beyond(edge) == EdgeBeyond::nonmanifold;
   }
 
   Index crossings(Index edge) const {
@@ -195,7 +194,7 @@ class Tracer {
 
   /// An edge of three triangles or more has nodes for each of them.
   std::size_t copies(Index edge) const {
-    return is_nonmanifold(edge) ? pattern_.edges.triangle_counts[edge] : 1;
+    return is_nonmanifold(edge) ? pattern_.edges.triangle_count(edge) : 1;
   }
 
   void number_nodes(const Progress& progress) {
@@ -225,31 +224,18 @@ class Tracer {
   /// What a curve meets on the second side of an edge, as long as it meets no other piece.
   Link beyond_edge(Index edge) const {
     if (is_nonmanifold(edge)) return kNonmanifold;
-    if (pattern_.edges.triangle_counts[edge] > 1) return kNoWave;
+    if (pattern_.edges.triangle_count(edge) > 1) return kNoWave;
     return beyond(edge) == EdgeBeyond::triangle ? kCut : kBoundary;
-  }
-
-  void find_triangles_of_edges() {
-    const MeshEdges& edges = pattern_.edges;
-    first_triangle_.resize(edges.count());
-    std::exclusive_scan(edges.triangle_counts.begin(), edges.triangle_counts.end(),
-                        first_triangle_.begin(), Index{0});
-    triangles_of_edges_.resize(3 * pattern_.mesh.triangle_count());
-    for (Index t = 0; t < pattern_.mesh.triangle_count(); ++t) {
-      for (int m = 0; m < 3; ++m) {
-        triangles_of_edges_[first_triangle_[edges.of_triangle[t][m]] + edges.ranks[t][m]] = t;
-      }
-    }
   }
 
   /// Those that a node's curve comes from: of an edge of three or more, its own one.
   std::array<Index, 2> triangles_at(Index node, Index edge) const {
-    const Index* triangles = &triangles_of_edges_[first_triangle_[edge]];
+    const std::span<const Index> along = pattern_.edges.half_edges.of(edge);
     if (copies(edge) > 1) {
-      const Index own = triangles[(node - first_node_[edge]) / crossings(edge)];
+      const Index own = along[(node - first_node_[edge]) / crossings(edge)] / 3;
       return {own, own};
     }
-    return {triangles[0], triangles[pattern_.edges.triangle_counts[edge] - 1]};
+    return {along.front() / 3, along.back() / 3};
   }
 
   /// Nodes, with what curves have of each.
@@ -325,7 +311,8 @@ class Tracer {
 
   Link edge_slot(std::size_t t, const PieceEnd& end) const {
     const Index edge = pattern_.edges.of_triangle[t][end.side];
-    const Index rank = pattern_.edges.ranks[t][end.side];
+    const std::span<const Index> along = pattern_.edges.half_edges.of(edge);
+    const auto rank = static_cast<Index>(ranges::find(along, 3 * t + end.side) - along.begin());
     const Index node = first_node_[edge] + end.crossing;
     return copies(edge) == 1 ? 2 * node + rank : 2 * (node + rank * crossings(edge));
   }
@@ -499,12 +486,10 @@ class Tracer {
   std::vector<std::array<Link, 2>> links_;  // one per node
   std::vector<CurvePoint> inner_points_;    // nodes on cuts
   std::vector<InnerEnd> inner_ends_;
-  std::vector<Index> first_triangle_;      // of every edge, in:
-  std::vector<Index> triangles_of_edges_;  // ordered by edge, then rank
-  std::optional<EndWalks> end_walks_;      // for `join`
-  std::vector<Vec3> directions_;           // one per vertex, running alike where that can be
-  std::vector<std::uint8_t> visited_;      // one per node
-  std::vector<CurvePoint> curve_;          // that is being walked
+  std::optional<EndWalks> end_walks_;  // for `join`
+  std::vector<Vec3> directions_;       // one per vertex, running alike where that can be
+  std::vector<std::uint8_t> visited_;  // one per node
+  std::vector<CurvePoint> curve_;      // that is being walked
   std::array<std::optional<CutCurve::Crossing>, 2> cuts_ = {};  // its ends
   std::array<std::optional<std::array<Walk, 2>>, 2> walks_ = {};
   StripeCurves curves_;

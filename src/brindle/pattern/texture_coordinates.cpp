@@ -10,7 +10,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/corner_phases.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {
