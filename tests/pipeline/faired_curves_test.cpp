@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/stripe_tracer.h"
 #include "brindle/threads.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 
 namespace brindle {

@@ -12,7 +12,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/frequency_field.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 #include "brindle/stripe_pattern.h"
 
@@ -42,8 +42,8 @@ class Lattice {
     std::vector<double> sums(parent_.size());
     std::vector<bool> open(parent_.size());
     for (std::size_t p = 0; p < parent_.size(); ++p) sums[root(p)] += area_[p];
-    for (std::size_t e = 0; e < edges_.count(); ++e) {
-      if (edges_.triangle_counts[e] == 2) continue;
+    for (Index e = 0; e < edges_.count(); ++e) {
+      if (edges_.triangle_count(e) == 2) continue;
       for (const Index v : edges_.vertices[e]) open[root(v)] = true;
       for (std::size_t k = 0; k + 1 < kStepsPerEdge; ++k) {
         open[root(first_of_edges_ + e * (kStepsPerEdge - 1) + k)] = true;

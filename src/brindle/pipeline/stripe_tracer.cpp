@@ -4,7 +4,7 @@
 #include <string>
 
 #include "brindle/error.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/point_sampling.h"

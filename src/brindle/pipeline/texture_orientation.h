@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/corner_signs.h"
 #include "brindle/progress.h"
 #include "brindle/texture_waves.h"

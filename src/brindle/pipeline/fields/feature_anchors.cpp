@@ -5,7 +5,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/geometry/feature_edges.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/waves/direction_graph.h"
 
 namespace brindle {

@@ -16,7 +16,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/field_index.h"
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/orientation.h"
 #include "brindle/phases/screened.h"
 #include "brindle/pipeline/fields/opposite_singularities.h"

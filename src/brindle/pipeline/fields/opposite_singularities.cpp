@@ -5,7 +5,6 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/field_index.h"
-#include "brindle/geometry/vertex_triangles.h"
 #include "brindle/pipeline/fields/period_walk.h"
 
 namespace brindle {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brindle/base/compressed_rows.h"
-#include "brindle/geometry/shared_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/corner_signs.h"
 #include "brindle/pipeline/texture_orientation.h"
 #include "brindle/texture_animator.h"

@@ -101,9 +101,8 @@ class PairMerger {
         kind_(pattern.phase_shift),
         fixed_(options.fixed_phases),
         z_(pattern.solution.z),
-        edges_(mesh_edges(mesh_, adjacency_, progress.part(0, 0.2))),
+        edges_(mesh_edges(mesh_, adjacency_, progress.part(0, 0.3))),
         forms_(mesh_, edges_, waves_.directions),
-        triangles_of_(triangles_of_edges(edges_, progress.part(0.2, 0.3))),
         index_(mesh_.triangle_count()),
         number_(mesh_.vertex_count(), kNoNumber),
         best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()),
@@ -180,7 +179,7 @@ class PairMerger {
     reported_for(adjacency_.node_count(), progress.part(0.4, 1), [&](std::size_t node) {
       const auto v = static_cast<Index>(node);
       for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
-        edge_at_[k] = edge_between(v, adjacency_.neighbors[k]);
+        edge_at_[k] = edges_.between(v, adjacency_.neighbors[k]);
       }
     });
   }
@@ -258,9 +257,8 @@ class PairMerger {
     const double reach = distance_ * period_at(start);
     const auto push = [&](Index from, int out, int turns, double length, int before) {
       const Index e = edges_.of_triangle[from][out];
-      const auto& sides = triangles_of_[e];
-      const Index to = sides[0] == from ? sides[1] : sides[0];
-      if (to == kNoTriangle || edges_.triangle_counts[e] != 2) return;
+      const Index to = edges_.beyond(from, out);
+      if (to == kNoTriangle) return;
       const double reached =
           length + static_cast<double>((barycentre(to) - barycentre(from)).norm());
       if (reached > reach || reached >= best_[to]) return;
@@ -358,15 +356,6 @@ class PairMerger {
       }
     }
     return found;
-  }
-
-  /// Edges are ordered by their higher vertex, then the lower one (`mesh_edges`).
-  Index edge_between(Index a, Index b) const {
-    const std::array<Index, 2> wanted = {std::min(a, b), std::max(a, b)};
-    const auto at = std::lower_bound(
-        edges_.vertices.begin(), edges_.vertices.end(), wanted,
-        [](const auto& x, const auto& y) { return std::pair(x[1], x[0]) < std::pair(y[1], y[0]); });
-    return static_cast<Index>(at - edges_.vertices.begin());
   }
 
   std::optional<Trial> try_pair(const BranchPair& pair, const Progress& progress) {
@@ -486,7 +475,7 @@ class PairMerger {
   std::vector<Index> triangles_around(const std::vector<Index>& edges) const {
     std::vector<Index> found;
     for (const Index e : edges) {
-      for (const Index t : triangles_of_[e]) {
+      for (const Index t : edges_.triangles(e)) {
         if (t != kNoTriangle) found.push_back(t);
       }
     }
@@ -543,7 +532,6 @@ class PairMerger {
   std::vector<Complex> z_;
   MeshEdges edges_;
   TwistedForms forms_;
-  std::vector<std::array<Index, 2>> triangles_of_;
   std::vector<int> index_;
   mutable std::vector<Index> number_;  ///< of the vertices that are solved for
   std::vector<double> best_;

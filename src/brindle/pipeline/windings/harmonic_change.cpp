@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -27,8 +26,7 @@ class CutFinder {
  public:
   CutFinder(const MeshEdges& edges, const TwistedForms& forms,
             const std::vector<SurfaceLoop>& loops)
-      : edges_(edges), forms_(forms), loops_(loops), triangles_of_(triangles_of_edges(edges)) {
-    for (Index e = 0; e < edges.count(); ++e) edge_of_[edges.vertices[e]] = e;
+      : edges_(edges), forms_(forms), loops_(loops) {
     boundary_of_.assign(edges.count(), -1);
     on_handle_.assign(edges.count(), false);
     for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -54,7 +52,7 @@ class CutFinder {
     for (std::size_t k = way.boundary ? 0 : count - 1; k < count; ++k) {
       const Index e = edge_at(way, k);
       if (way.boundary && on_handle_[e]) continue;
-      push(e, forms_.from(e, way.vertices[k], walk.senses[k]), triangles_of_[e][0], -1);
+      push(e, forms_.from(e, way.vertices[k], walk.senses[k]), edges_.triangles(e)[0], -1);
     }
     const std::optional<int> last = search(loop, taken);
     if (!last) {
@@ -77,11 +75,11 @@ class CutFinder {
 
   Index edge_at(const SurfaceLoop& loop, std::size_t k) const {
     const Index a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
-    return edge_of_.at({std::min(a, b), std::max(a, b)});
+    return edges_.between(a, b);
   }
 
   void push(Index edge, int value, Index next, int before) {
-    const std::size_t side = triangles_of_[edge][0] == next ? 0 : 1;
+    const std::size_t side = edges_.triangles(edge)[0] == next ? 0 : 1;
     const std::size_t key = 4 * edge + 2 * side + (value > 0 ? 1 : 0);
     if (seen_[key]) return;
     seen_[key] = true;
@@ -110,7 +108,7 @@ class CutFinder {
           states_.push_back({e, *value, kNoTriangle, static_cast<int>(i)});
           return static_cast<int>(states_.size() - 1);
         }
-        const auto& sides = triangles_of_[e];
+        const auto sides = edges_.triangles(e);
         push(e, *value, sides[0] == state.next ? sides[1] : sides[0], static_cast<int>(i));
       }
     }
@@ -120,8 +118,6 @@ class CutFinder {
   const MeshEdges& edges_;
   const TwistedForms& forms_;
   const std::vector<SurfaceLoop>& loops_;
-  std::vector<std::array<Index, 2>> triangles_of_;
-  std::map<std::array<Index, 2>, Index> edge_of_;
   std::vector<int> boundary_of_;
   std::vector<bool> on_handle_;
   std::vector<State> states_;

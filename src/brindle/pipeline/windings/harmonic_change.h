@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pipeline/windings/loop_walk.h"
 #include "brindle/surface.h"
 

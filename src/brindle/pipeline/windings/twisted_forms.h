@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 
