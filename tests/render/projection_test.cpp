@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/feature_lines.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/headless_context.h"
 #include "brindle/line_drawing.h"
 #include "brindle/normals.h"

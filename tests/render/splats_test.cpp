@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "render/test_drawings.h"
 
 namespace brindle {

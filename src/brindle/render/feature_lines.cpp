@@ -14,7 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/geometry/feature_edges.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/render/line_segments.h"
 
 namespace brindle {

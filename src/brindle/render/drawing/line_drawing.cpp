@@ -186,7 +186,7 @@ Visibility::Visibility(const Mesh& mesh, const Camera& camera, int width, int he
   check_drawing_size(width, height);
   JobStages stages(progress, {{"hidden lines", 1}});
   const Progress hiding = stages.begin("hidden lines");
-  reported_resize(nearness_, static_cast<std::size_t>(columns_) * rows_, hiding.part(0, 0.1));
+  ticking_resize(nearness_, static_cast<std::size_t>(columns_) * rows_, hiding.part(0, 0.1));
   draw(mesh, hiding.part(0.1, 1));
   stages.finish();
 }

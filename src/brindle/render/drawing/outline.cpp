@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/reported_sort.h"
 #include "brindle/geometry/normals_around.h"
-#include "brindle/geometry/vertex_triangles.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/line_drawing.h"
 #include "brindle/render/line_segments.h"
 
@@ -146,10 +145,9 @@ std::vector<Side> sides_of(const Mesh& mesh, const Progress& progress) {
       sides.push_back({t[corners[0]], t[corners[1]], static_cast<Index>(number), corners});
     }
   });
-  reported_sort(
-      sides.begin(), sides.end(), progress.part(0.3, 1), [](const Side& x, const Side& y) {
-        return std::array{x.low, x.high, x.triangle} < std::array{y.low, y.high, y.triangle};
-      });
+  ticking_sort(sides.begin(), sides.end(), progress.part(0.3, 1), [](const Side& x, const Side& y) {
+    return std::array{x.low, x.high, x.triangle} < std::array{y.low, y.high, y.triangle};
+  });
   return sides;
 }
 
