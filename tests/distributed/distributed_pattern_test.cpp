@@ -11,7 +11,7 @@
 #include "brindle/distributed/shifted_phases.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/smooth_field.h"

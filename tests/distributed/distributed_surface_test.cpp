@@ -9,7 +9,7 @@
 #include "brindle/distributed/distributed_field.h"
 #include "brindle/error.h"
 #include "brindle/geometry/feature_edges.h"
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/smooth_field.h"
 #include "brindle/surface.h"
 #include "ranks.h"

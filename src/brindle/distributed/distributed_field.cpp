@@ -20,7 +20,7 @@
 #include "brindle/distributed/surface/selection.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/orientation.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/pipeline/fields/curvature_anchors.h"

@@ -15,8 +15,7 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/geometry/feature_edges.h"
-#include "brindle/geometry/mesh_edges.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/nearest.h"
 #include "brindle/waves/stroke_parts.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "brindle/error.h"
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {
@@ -138,7 +138,7 @@ std::vector<EdgeBeyond> edges_beyond(const RankSurface& surface, const RankTrian
     const auto [a, b] = triangles.edges.vertices[e];
     if (!is_shared(a) || !is_shared(b)) continue;
     const std::uint64_t low = triangles.ids[a];
-    asked[low % size].push_back({low, triangles.ids[b], triangles.edges.triangle_counts[e]});
+    asked[low % size].push_back({low, triangles.ids[b], triangles.edges.triangle_count(e)});
     edges[low % size].push_back(e);
   }
   const auto all = ranks.swap_lists(totals(ranks.swap_lists(asked)));

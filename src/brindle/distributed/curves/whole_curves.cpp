@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/geometry/mesh_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/stripe_curves.h"
 

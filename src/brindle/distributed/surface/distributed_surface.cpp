@@ -13,8 +13,8 @@
 #include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/error.h"
 #include "brindle/geometry/edge_lengths.h"
-#include "brindle/geometry/neighborhood.h"
 #include "brindle/geometry/normals_around.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "brindle/geometry/neighborhood.h"
+#include "brindle/geometry/topology.h"
 
 namespace brindle {
 
