@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/geometry/half_edges.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "gallery/aneurysm.h"
