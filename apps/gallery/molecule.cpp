@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "brindle/base/random.h"
 #include "brindle/shapes/implicit_shapes.h"
-#include "brindle/shapes/random.h"
 #include "gallery/charges.h"
 #include "gallery/items.h"
 

@@ -6,10 +6,10 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/random.h"
 #include "brindle/mesh.h"
 #include "brindle/shapes/noise.h"
 #include "brindle/shapes/parametric_shapes.h"
-#include "brindle/shapes/random.h"
 #include "gallery/hare.h"
 #include "gallery/items.h"
 #include "gallery/rough_meshes.h"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "brindle/base/elementary.h"
-#include "brindle/shapes/random.h"
+#include "brindle/base/random.h"
 
 namespace brindle {
 namespace {

@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 
 #include "brindle/base/output_file.h"
+#include "brindle/base/random.h"
 #include "brindle/error.h"
-#include "brindle/shapes/random.h"
 #include "test_folder.h"
 
 namespace brindle {

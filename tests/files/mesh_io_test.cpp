@@ -12,12 +12,12 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/random.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/progress.h"
 #include "brindle/shapes.h"
 #include "brindle/shapes/parametric_shapes.h"
-#include "brindle/shapes/random.h"
 #include "progress_reports.h"
 #include "test_folder.h"
 

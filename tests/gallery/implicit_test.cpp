@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/random.h"
 #include "brindle/shapes/parametric_shapes.h"
-#include "brindle/shapes/random.h"
 #include "gallery/hare.h"
 #include "gallery/liver_parts.h"
 

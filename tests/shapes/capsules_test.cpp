@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/random.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/shapes/random.h"
 
 namespace brindle {
 namespace {

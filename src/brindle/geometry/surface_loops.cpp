@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <queue>
 #include <utility>
 
-#include "brindle/base/merged_sets.h"
+#include "brindle/base/graph.h"
 #include "brindle/base/standard.h"
 #include "brindle/geometry/topology.h"
 
@@ -21,7 +20,8 @@ class LoopFinder {
       : mesh_(surface.mesh),
         neighborhood_(*surface.neighborhood),
         edges_(mesh_edges(mesh_, neighborhood_)),
-        component_(mesh_.vertex_count(), kNowhere) {}
+        component_(mesh_.vertex_count(), kNowhere),
+        ways_(mesh_.vertex_count()) {}
 
   std::vector<SurfaceLoop> find() {
     find_components();
@@ -132,27 +132,17 @@ class LoopFinder {
 
   /// Shortest ways along edges from the first vertex of each component.
   void find_tree() {
-    distance_.assign(mesh_.vertex_count(), std::numeric_limits<double>::infinity());
     parent_.assign(mesh_.vertex_count(), kNowhere);
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     std::vector<bool> begun(manifold_.size());
     for (Index v = 0; v < component_.size(); ++v) {
       if (component_[v] == kNowhere || begun[component_[v]]) continue;
       begun[component_[v]] = true;
-      distance_[v] = 0;
-      queue.push({0, v});
+      ways_.offer(v, 0);
     }
-    while (!queue.empty()) {
-      const auto [reached, v] = queue.top();
-      queue.pop();
-      if (reached > distance_[v]) continue;
+    while (const auto reached = ways_.next()) {
+      const auto [distance, v] = *reached;
       for (const Index neighbor : neighborhood_.of(v)) {
-        const double d = reached + edge_length(v, neighbor);
-        if (d >= distance_[neighbor]) continue;
-        distance_[neighbor] = d;
-        parent_[neighbor] = v;
-        queue.push({d, neighbor});
+        if (ways_.offer(neighbor, distance + edge_length(v, neighbor))) parent_[neighbor] = v;
       }
     }
   }
@@ -169,7 +159,7 @@ class LoopFinder {
       const auto [a, b] = edges_.vertices[e];
       if (!is_usable(e) || edges_.triangle_count(e) == 0) continue;
       if (parent_[a] == b || parent_[b] == a) continue;
-      candidates.push_back({distance_[a] + distance_[b] + edge_length(a, b), e});
+      candidates.push_back({ways_.distance(a) + ways_.distance(b) + edge_length(a, b), e});
     }
     ranges::sort(candidates.begin(), candidates.end(), [](const LoopEdge& x, const LoopEdge& y) {
       return std::pair(-x.length, x.edge) < std::pair(-y.length, y.edge);
@@ -217,7 +207,7 @@ class LoopFinder {
   std::vector<bool> manifold_;
   std::vector<Index> boundary_of_;
   std::size_t boundary_count_ = 0;
-  std::vector<double> distance_;
+  ShortestWays<double> ways_;
   std::vector<Index> parent_;
   std::vector<SurfaceLoop> loops_;
 };

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "brindle/base/compressed_rows.h"
-#include "brindle/base/merged_sets.h"
+#include "brindle/base/graph.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 

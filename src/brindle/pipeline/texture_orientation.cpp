@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brindle/base/compressed_rows.h"
-#include "brindle/base/merged_sets.h"
+#include "brindle/base/graph.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/pipeline/agreeing_turns.h"

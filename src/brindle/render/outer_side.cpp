@@ -6,18 +6,16 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/base/merged_sets.h"
+#include "brindle/base/graph.h"
+#include "brindle/base/random.h"
 #include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {
 
-/// A number for an edge that looks random (the finaliser of SplitMix64, Steele et al. 2014).
+/// A number for an edge that looks random.
 std::uint64_t number_of_edge(Index lower, Index upper) {
-  std::uint64_t x = (std::uint64_t{lower} << 32 | upper) + 0x9e3779b97f4a7c15u;
-  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-  return x ^ x >> 31;
+  return mixed_bits((std::uint64_t{lower} << 32 | upper) + kRandomStep);
 }
 
 /// Whether every edge is walked as often one way as the other: the numbers of edges, added and

@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/random.h"
 #include "brindle/shapes/capsules.h"
 #include "brindle/shapes/isosurface.h"
-#include "brindle/shapes/random.h"
 
 namespace brindle {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/random.h"
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
-#include "brindle/shapes/random.h"
 
 namespace brindle {
 namespace {

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "brindle/base/random.h"
+
 namespace brindle {
 namespace {
 
@@ -24,11 +26,7 @@ constexpr int kSeedCycles = 20;
 constexpr std::uint64_t kNoSeed = std::numeric_limits<std::uint64_t>::max();
 
 /// Numbers that follow each other are neighbours on many surfaces; seeds must not be.
-std::uint64_t scattered(std::uint64_t id) {
-  id = (id ^ (id >> 30)) * 0xbf58476d1ce4e5b9u;
-  id = (id ^ (id >> 27)) * 0x94d049bb133111ebu;
-  return id ^ (id >> 31);
-}
+std::uint64_t scattered(std::uint64_t id) { return mixed_bits(id); }
 
 /// A number, or its conjugate, times a factor: z_node = factor z_seed or factor conj(z_seed).
 struct Led {

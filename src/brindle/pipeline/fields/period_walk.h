@@ -2,64 +2,45 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "brindle/base/graph.h"
 #include "brindle/base/standard.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
 
 namespace brindle {
 
-/// Shortest ways along edges (Dijkstra 1959), one walk after the other on one surface.
+/// Shortest ways along edges, one walk after the other on one surface.
 class PeriodWalk {
  public:
   /// `frequencies` are stripes per unit length, one per vertex. Both must outlive the walk.
   PeriodWalk(const Surface& surface, std::span<const float> frequencies)
-      : surface_(surface),
-        frequencies_(frequencies),
-        distance_(frequencies.size(), std::numeric_limits<float>::infinity()) {}
+      : surface_(surface), frequencies_(frequencies), ways_(frequencies.size()) {}
 
   /// Visits the vertices within so many periods of the nearest source, in the order of their
   /// distances, until `visit(vertex, distance)` is false.
   template <class Visit>
   void from(std::span<const Index> sources, float reach, const Visit& visit) {
-    for (const Index source : sources) offer(source, 0);
-    bool goes_on = true;
-    while (goes_on && !next_.empty()) {
-      const auto [far, i] = next_.top();
-      next_.pop();
-      if (far > distance_[i]) continue;
-      goes_on = visit(i, far);
+    for (const Index source : sources) ways_.offer(source, 0);
+    while (const auto next = ways_.next()) {
+      const auto [far, i] = *next;
+      if (!visit(i, far)) break;
       for (const Index j : surface_.neighborhood->of(i)) {
         const float length = (surface_.mesh.positions[j] - surface_.mesh.positions[i]).norm();
         const float farther = far + 0.5f * (frequencies_[i] + frequencies_[j]) * length;
-        if (farther <= reach && farther < distance_[j]) offer(j, farther);
+        if (farther <= reach) ways_.offer(j, farther);
       }
     }
-    next_ = {};
-    for (const Index i : reached_) distance_[i] = std::numeric_limits<float>::infinity();
-    reached_.clear();
+    ways_.clear();
   }
 
  private:
-  using Entry = std::pair<float, Index>;
-
-  void offer(Index vertex, float distance) {
-    distance_[vertex] = distance;
-    reached_.push_back(vertex);
-    next_.emplace(distance, vertex);
-  }
-
   const Surface& surface_;
   std::span<const float> frequencies_;
-  std::vector<float> distance_;  ///< infinite but where a walk has been
-  std::vector<Index> reached_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next_;
+  ShortestWays<float> ways_;
 };
 
 /// How far every vertex is from the next datum, in periods; infinitely far beyond `reach`. A

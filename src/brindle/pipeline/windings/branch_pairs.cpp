@@ -18,11 +18,12 @@
 #include <Eigen/SparseCore>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/graph.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/pipeline/cross_parts.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/oriented_texture.h"
@@ -105,6 +106,7 @@ class PairMerger {
         forms_(mesh_, edges_, waves_.directions),
         index_(mesh_.triangle_count()),
         number_(mesh_.vertex_count(), kNoNumber),
+        ways_(mesh_.vertex_count()),
         best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()),
         turns_(edges_.count()) {
     weigh_edges(options.weights, progress.part(0.3, 0.4));
@@ -319,30 +321,20 @@ class PairMerger {
                                      const Progress& progress) const {
     const double reach = periods * period_at(pair.triangles[0]);
     std::vector<Index> found;
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    std::vector<Entry> reached;
-    const auto seen = [&](Index v) { return number_[v] != kNoNumber; };
     for (const Crossed& crossed : pair.way) {
-      for (const Index v : edges_.vertices[crossed.edge]) queue.push({0, v});
+      for (const Index v : edges_.vertices[crossed.edge]) ways_.offer(v, 0);
     }
-    for (std::size_t steps = 0; !queue.empty(); ++steps) {
+    for (std::size_t steps = 0; const auto next_vertex = ways_.next(); ++steps) {
       if (steps % kStepsPerReport == 0) progress.report(0);
-      const auto [distance, v] = queue.top();
-      queue.pop();
-      if (seen(v)) continue;
-      number_[v] = 0;
-      reached.push_back({distance, v});
+      const auto [distance, v] = *next_vertex;
+      if (is_free(v)) found.push_back(v);
       for (const Index n : adjacency_.of(v)) {
         const double next =
             distance + static_cast<double>((mesh_.positions[n] - mesh_.positions[v]).norm());
-        if (next <= reach && !seen(n)) queue.push({next, n});
+        if (next <= reach) ways_.offer(n, next);
       }
     }
-    for (const auto& [distance, v] : reached) {
-      number_[v] = kNoNumber;
-      if (is_free(v)) found.push_back(v);
-    }
+    ways_.clear();
     return found;
   }
 
@@ -534,6 +526,7 @@ class PairMerger {
   TwistedForms forms_;
   std::vector<int> index_;
   mutable std::vector<Index> number_;  ///< of the vertices that are solved for
+  mutable ShortestWays<double> ways_;
   std::vector<double> best_;
   std::vector<Step> steps_;
   std::vector<double> weight_, shift_;
