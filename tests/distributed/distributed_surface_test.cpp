@@ -8,7 +8,7 @@
 #include "brindle/carried_field.h"
 #include "brindle/distributed/distributed_field.h"
 #include "brindle/error.h"
-#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/smooth_field.h"
 #include "brindle/surface.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/distributed_stripes.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/stripe_pattern.h"
 #include "ranks.h"
 #include "torn_mesh.h"

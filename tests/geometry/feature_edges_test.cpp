@@ -1,7 +1,6 @@
-#include "brindle/geometry/feature_edges.h"
-
 #include <gtest/gtest.h>
 
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 

@@ -7,7 +7,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/areas.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/phases/parsed_words.h"
 #include "brindle/phases/relaxation.h"
 #include "brindle/phases/solver_options.h"

@@ -16,7 +16,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/shapes.h"
 #include "brindle/stripe_animator.h"
 #include "phase_graphs.h"

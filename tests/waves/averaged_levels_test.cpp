@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/geometry/areas.h"
+#include "brindle/geometry/measures.h"
 #include "phase_graphs.h"
 
 namespace brindle {

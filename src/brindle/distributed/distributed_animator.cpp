@@ -9,7 +9,7 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/pattern/quality_sums.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"

@@ -14,7 +14,7 @@
 #include "brindle/distributed/surface/part_of_whole.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_surface.h"
-#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/nearest.h"
 #include "brindle/waves/stroke_parts.h"

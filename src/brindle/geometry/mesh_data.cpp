@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -12,8 +12,9 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/subdivide.h"
+#include "brindle/error.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/nearest.h"
 
 namespace brindle {
 namespace {
@@ -61,30 +62,44 @@ void mean_of_cells(std::span<const Index> cells, std::span<const double> weights
   }
 }
 
-/// Where the vertices and the triangles of a mesh that was subdivided once come from.
-struct Parents {
-  std::vector<RowBlend> of_vertices;
-  std::vector<Index> of_triangles;
-};
+constexpr std::size_t kSearchGrain = 256;  // a search takes longer than what others do per vertex
 
-Parents parents_of(const Mesh& coarse, const Mesh& fine) {
-  Parents parents;
-  parents.of_vertices.resize(fine.vertex_count());
-  for (Index v = 0; v < coarse.vertex_count(); ++v) {
-    parents.of_vertices[v] = {{v, v, v}, {1, 0, 0}};
+/// Calls `take(v, point)` for all vertices of `to`, in coordinates of `from`.
+template <class Take>
+void for_each_vertex_near(const Mesh& from, const Mesh& to, const Progress& progress,
+                          const Take& take) {
+  const Eigen::Vector3d shift = to.origin - from.origin;
+  parallel_for(
+      to.vertex_count(), progress,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          take(v, Eigen::Vector3d(to.positions[v].cast<double>() + shift));
+        }
+      },
+      kSearchGrain);
+}
+
+/// `rows` has a row per point that was found.
+DataArray spread(const DataArray& rows, const NearbyRows& nearby) {
+  const std::vector<double> numbers = doubles_of(rows.view());
+  const auto columns = static_cast<std::size_t>(rows.components);
+  std::vector<double> all(nearby.found.size() * columns, std::numeric_limits<double>::quiet_NaN());
+  auto next = numbers.begin();
+  for (std::size_t v = 0; v < nearby.found.size(); ++v) {
+    if (nearby.found[v] == 0) continue;
+    std::copy_n(next, columns, &all[v * columns]);
+    next += rows.components;
   }
-  for (std::size_t t = 0; t < coarse.triangle_count(); ++t) {
-    const Triangle& inner = fine.triangles[4 * t + 3];  // its corners: the midpoints ab, bc, ca
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(coarse.triangles[t][i], coarse.triangles[t][(i + 1) % 3]);
-      parents.of_vertices[inner[i]] = {{a, b, b}, {0.5, 0.5, 0}};
-    }
+  return make_data_array(rows.name, rows.components, all);
+}
+
+template <class Row>
+std::vector<Row> of_found(const std::vector<Row>& rows, const NearbyRows& nearby) {
+  std::vector<Row> found;
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    if (nearby.found[v] != 0) found.push_back(rows[v]);
   }
-  parents.of_triangles.resize(fine.triangle_count());
-  for (std::size_t t = 0; t < fine.triangle_count(); ++t) {
-    parents.of_triangles[t] = static_cast<Index>(t / 4);
-  }
-  return parents;
+  return found;
 }
 
 }  // namespace
@@ -105,40 +120,49 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells) {
   return make_data_array(cells.name, cells.components, means);
 }
 
-void subdivide(Mesh& mesh, DataArrays& arrays, int times, const Progress& progress) {
-  subdivide(mesh, arrays, times, Midpoints::straight, progress);
+NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
+                       const Progress& progress) {
+  if (from.positions.empty()) throw Error("a mesh without vertices has nothing to carry over");
+  JobStages stages(progress, {{"nearest places", 1}, {"look up", 1}});
+  const Progress building = stages.begin("nearest places");
+  NearbyRows rows;
+  rows.vertices.resize(to.vertex_count(), {{0, 0, 0}, {1, 0, 0}});
+  rows.found.resize(to.vertex_count(), 0);
+  if (from.triangles.empty()) {
+    const NearestVertex nearest(from, building);
+    for_each_vertex_near(
+        from, to, stages.begin("look up"), [&](std::size_t v, const Eigen::Vector3d& point) {
+          const std::optional<VertexNearby> found = nearest.nearest(point, max_distance);
+          if (!found) return;
+          rows.vertices[v] = {{found->vertex, found->vertex, found->vertex}, {1, 0, 0}};
+          rows.found[v] = 1;
+        });
+    stages.finish();
+    return rows;
+  }
+  rows.triangles.resize(to.vertex_count(), 0);
+  const NearestOnMesh nearest(from, building);
+  for_each_vertex_near(
+      from, to, stages.begin("look up"), [&](std::size_t v, const Eigen::Vector3d& point) {
+        const std::optional<PointOnMesh> found = nearest.nearest(point, max_distance);
+        if (!found) return;
+        rows.vertices[v] = {from.triangles[found->triangle], found->barycentric};
+        rows.triangles[v] = found->triangle;
+        rows.found[v] = 1;
+      });
+  stages.finish();
+  return rows;
 }
 
-void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
-               const Progress& progress) {
-  check_subdivisions(mesh.triangle_count(), times);
-  for (const DataArray& array : arrays.points) {
-    check_rows_per_vertex(array, mesh.vertex_count());
+DataArray carried_from_points(const DataArray& points, const NearbyRows& rows) {
+  return spread(blended(points, of_found(rows.vertices, rows)), rows);
+}
+
+DataArray carried_from_cells(const DataArray& cells, const NearbyRows& rows) {
+  if (rows.triangles.empty() && !rows.found.empty()) {
+    throw Error("array '" + cells.name + "' belongs to triangles, and there are none");
   }
-  for (const DataArray& array : arrays.cells) {
-    check_rows_per_triangle(array, mesh.triangle_count());
-  }
-  if (arrays == DataArrays{}) {
-    mesh = progress.is_heard() ? subdivide(mesh, times, midpoints, progress)
-                               : subdivide(std::move(mesh), times, midpoints);
-    return;
-  }
-  if (times == 0 || mesh.triangles.empty()) return;
-  const std::vector<JobStage> rounds = subdivision_rounds(times);
-  JobStages stages(progress, rounds);
-  Mesh result = mesh;
-  DataArrays data = arrays;
-  for (const JobStage& round : rounds) {
-    const Progress stage = stages.begin(round.name);
-    Mesh finer = subdivide(result, 1, midpoints, stage.part(0, 0.5));
-    stage.report(0.5);
-    const Parents parents = parents_of(result, finer);
-    data = {blended(data.points, parents.of_vertices), rows_of(data.cells, parents.of_triangles)};
-    result = std::move(finer);
-  }
-  stages.finish();
-  mesh = std::move(result);
-  arrays = std::move(data);
+  return spread(rows_of(cells, of_found(rows.triangles, rows)), rows);
 }
 
 }  // namespace brindle

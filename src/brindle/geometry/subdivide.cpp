@@ -1,21 +1,99 @@
-#include "brindle/geometry/subdivide.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "brindle/base/array_rows.h"
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/rounded_midpoints.h"
+#include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
+#include "brindle/mesh_data.h"
 
 namespace brindle {
 namespace {
+
+/// Midpoints of edges on a surface that bends between its triangles.
+///
+/// Edges become cubic curves at right angles to the normals at their ends (Vlachos et al. 2001).
+/// Normals are those of an edge: averages over the triangles round its end whose normals are within
+/// 40 degrees of the edge's own. An edge where the surface bends by more, or that has more than two
+/// triangles, stays straight.
+class RoundedMidpoints {
+ public:
+  /// Keeps a reference to the mesh. Throws Cancelled if `progress` asks for it.
+  explicit RoundedMidpoints(const Mesh& mesh, const Progress& progress = {});
+
+  /// From the middle between two neighbours to that of the curve. `a` and `b` may be swapped.
+  Vec3 shift(Index a, Index b) const;
+
+ private:
+  Vec3 normal_of_edge(Index a, Index b) const;
+  Vec3 normal_at(Index vertex, const Vec3& of_edge) const;
+
+  const Mesh& mesh_;
+  VertexTriangles around_;
+  std::vector<TriangleAngles> angles_;
+};
+
+RoundedMidpoints::RoundedMidpoints(const Mesh& mesh, const Progress& progress)
+    : mesh_(mesh),
+      around_(vertex_triangles(mesh, progress.part(0, 0.4))),
+      angles_(mesh.triangle_count()) {
+  std::vector<Vec3> normals(mesh.vertex_count());
+  fill_vertex_normals(mesh, around_, angles_, normals, progress.part(0.4, 1));
+}
+
+/// Zero where the surface has an edge or none to speak of.
+Vec3 RoundedMidpoints::normal_of_edge(Index a, Index b) const {
+  Vec3 sum = Vec3::Zero(), first = Vec3::Zero();
+  bool first_runs_on = false;
+  int count = 0;
+  for (const Index t : around_.of(a)) {
+    const Triangle& triangle = mesh_.triangles[t];
+    const int c = corner_of(triangle, a);
+    const bool runs_on = triangle[(c + 1) % 3] == b;
+    if (!runs_on && triangle[(c + 2) % 3] != b) continue;
+    // Triangles that are wound alike run along their edge in opposite ways.
+    const bool against = count == 1 && runs_on == first_runs_on;
+    const Vec3 normal = against ? Vec3(-angles_[t].normal) : angles_[t].normal;
+    if (++count == 1) {
+      first = normal;
+      first_runs_on = runs_on;
+    } else if (count > 2 || normal.dot(first) < kCosineOfCrease) {
+      return Vec3::Zero();
+    }
+    sum += normal;
+  }
+  return sum.normalized();
+}
+
+Vec3 RoundedMidpoints::normal_at(Index vertex, const Vec3& of_edge) const {
+  Vec3 sum = Vec3::Zero();
+  for (const Index t : around_.of(vertex)) {
+    const TriangleAngles& angles = angles_[t];
+    const float alike = angles.normal.dot(of_edge);
+    if (std::abs(alike) < kCosineOfCrease) continue;
+    const float angle = angles.angle[corner_of(mesh_.triangles[t], vertex)];
+    sum += (alike < 0 ? -angle : angle) * angles.normal;
+  }
+  return sum.normalized();
+}
+
+Vec3 RoundedMidpoints::shift(Index a, Index b) const {
+  if (a > b) std::swap(a, b);
+  const Vec3 of_edge = normal_of_edge(a, b);
+  if (of_edge.isZero(0)) return Vec3::Zero();
+  const Vec3 way = mesh_.positions[b] - mesh_.positions[a];
+  const Vec3 normal_a = normal_at(a, of_edge), normal_b = normal_at(b, of_edge);
+  const Vec3 shift = (way.dot(normal_b) * normal_b - way.dot(normal_a) * normal_a) / 8;
+  return shift.allFinite() ? shift : Vec3(Vec3::Zero());
+}
 
 /// Numbers edges in the order of their smaller, then of their larger end.
 class EdgeNumbers {
@@ -84,8 +162,8 @@ Mesh subdivide_once(Mesh mesh, Midpoints midpoints, const Progress& progress) {
   return mesh;
 }
 
-}  // namespace
-
+/// Throws Error if `times` is negative, or the result would have more triangles than brindle can
+/// number, or than memory holds.
 void check_subdivisions(std::size_t triangles, int times) {
   if (times < 0) throw Error("a mesh cannot be subdivided " + std::to_string(times) + " times");
   std::size_t finer = triangles;
@@ -111,6 +189,7 @@ void check_subdivisions(std::size_t triangles, int times) {
       });
 }
 
+/// A stage for each time that a mesh is subdivided, four times as long as the one before.
 std::vector<JobStage> subdivision_rounds(int times) {
   std::vector<JobStage> rounds;
   for (int i = 0; i < times; ++i) {
@@ -118,6 +197,34 @@ std::vector<JobStage> subdivision_rounds(int times) {
   }
   return rounds;
 }
+
+/// Where the vertices and the triangles of a mesh that was subdivided once come from.
+struct Parents {
+  std::vector<RowBlend> of_vertices;
+  std::vector<Index> of_triangles;
+};
+
+Parents parents_of(const Mesh& coarse, const Mesh& fine) {
+  Parents parents;
+  parents.of_vertices.resize(fine.vertex_count());
+  for (Index v = 0; v < coarse.vertex_count(); ++v) {
+    parents.of_vertices[v] = {{v, v, v}, {1, 0, 0}};
+  }
+  for (std::size_t t = 0; t < coarse.triangle_count(); ++t) {
+    const Triangle& inner = fine.triangles[4 * t + 3];  // its corners: the midpoints ab, bc, ca
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(coarse.triangles[t][i], coarse.triangles[t][(i + 1) % 3]);
+      parents.of_vertices[inner[i]] = {{a, b, b}, {0.5, 0.5, 0}};
+    }
+  }
+  parents.of_triangles.resize(fine.triangle_count());
+  for (std::size_t t = 0; t < fine.triangle_count(); ++t) {
+    parents.of_triangles[t] = static_cast<Index>(t / 4);
+  }
+  return parents;
+}
+
+}  // namespace
 
 Mesh subdivide(Mesh mesh, int times, const Progress& progress) {
   return subdivide(std::move(mesh), times, Midpoints::straight, progress);
@@ -133,6 +240,42 @@ Mesh subdivide(Mesh mesh, int times, Midpoints midpoints, const Progress& progre
   }
   stages.finish();
   return mesh;
+}
+
+void subdivide(Mesh& mesh, DataArrays& arrays, int times, const Progress& progress) {
+  subdivide(mesh, arrays, times, Midpoints::straight, progress);
+}
+
+void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
+               const Progress& progress) {
+  check_subdivisions(mesh.triangle_count(), times);
+  for (const DataArray& array : arrays.points) {
+    check_rows_per_vertex(array, mesh.vertex_count());
+  }
+  for (const DataArray& array : arrays.cells) {
+    check_rows_per_triangle(array, mesh.triangle_count());
+  }
+  if (arrays == DataArrays{}) {
+    mesh = progress.is_heard() ? subdivide(mesh, times, midpoints, progress)
+                               : subdivide(std::move(mesh), times, midpoints);
+    return;
+  }
+  if (times == 0 || mesh.triangles.empty()) return;
+  const std::vector<JobStage> rounds = subdivision_rounds(times);
+  JobStages stages(progress, rounds);
+  Mesh result = mesh;
+  DataArrays data = arrays;
+  for (const JobStage& round : rounds) {
+    const Progress stage = stages.begin(round.name);
+    Mesh finer = subdivide(result, 1, midpoints, stage.part(0, 0.5));
+    stage.report(0.5);
+    const Parents parents = parents_of(result, finer);
+    data = {blended(data.points, parents.of_vertices), rows_of(data.cells, parents.of_triangles)};
+    result = std::move(finer);
+  }
+  stages.finish();
+  mesh = std::move(result);
+  arrays = std::move(data);
 }
 
 }  // namespace brindle

@@ -7,7 +7,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/areas.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/nearest.h"
 #include "brindle/pattern/coverage_places.h"
 

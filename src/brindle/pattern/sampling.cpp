@@ -11,7 +11,7 @@
 #include "brindle/base/memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/areas.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {

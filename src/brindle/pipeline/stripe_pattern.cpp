@@ -9,8 +9,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
-#include "brindle/geometry/areas.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/pattern/point_quality.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel_waves.h"

@@ -4,7 +4,7 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/edge_lengths.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/points.h"
 #include "brindle/points/point_normals.h"
 

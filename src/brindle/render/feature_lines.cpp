@@ -13,7 +13,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/render/line_segments.h"
 

@@ -13,7 +13,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/nearest.h"
 #include "brindle/waves/direction_graph.h"
 #include "brindle/waves/stroke_parts.h"

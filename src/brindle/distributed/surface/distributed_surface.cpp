@@ -12,7 +12,7 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/error.h"
-#include "brindle/geometry/edge_lengths.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
 

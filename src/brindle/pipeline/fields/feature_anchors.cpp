@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brindle/base/elementary.h"
-#include "brindle/geometry/feature_edges.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/waves/direction_graph.h"
 

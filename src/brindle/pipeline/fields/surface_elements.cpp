@@ -5,8 +5,7 @@
 #include <numeric>
 
 #include "brindle/base/parallel.h"
-#include "brindle/geometry/areas.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 
 namespace brindle {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/cotangent_weights.h"
+#include "brindle/geometry/measures.h"
 #include "brindle/pipeline/windings/twisted_forms.h"
 #include "brindle/waves/direction_graph.h"
 
