@@ -5,7 +5,6 @@
 
 #include "brindle/cross_cover.h"
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"

@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/cross_cover.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_pattern.h"
+#include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/curvature.h"
 #include "brindle/export.h"
+#include "brindle/normals.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {

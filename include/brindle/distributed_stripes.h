@@ -9,7 +9,6 @@
 #include "brindle/corner_phases.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"

@@ -25,7 +25,6 @@
 #include "brindle/export.h"
 #include "brindle/measured_field.h"
 #include "brindle/mesh.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/smooth_field.h"
 

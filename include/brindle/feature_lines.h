@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/line_drawing.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
 #include "brindle/polylines.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
 

@@ -11,7 +11,6 @@
 
 #include "brindle/export.h"
 #include "brindle/gpu_solver.h"
-#include "brindle/pimpl.h"
 #include "brindle/stripe_animator.h"
 
 namespace BRINDLE_EXPORT brindle {

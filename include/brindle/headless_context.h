@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 
 namespace BRINDLE_EXPORT brindle {
 

@@ -10,7 +10,6 @@
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/frequency_field.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 

@@ -1,9 +1,13 @@
-/// Arrays that belong to a mesh: what becomes of them where the mesh or the place changes.
+/// Arrays that belong to a mesh: on finer meshes, at vertices instead of triangles, and at the
+/// vertices of another mesh.
 #pragma once
+
+#include <vector>
 
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -19,5 +23,28 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells);
 void subdivide(Mesh& mesh, DataArrays& arrays, int times = 1, const Progress& progress = {});
 void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
                const Progress& progress = {});
+
+/// For every point the rows of a mesh's arrays that stand for it.
+struct NearbyRows {
+  std::vector<RowBlend> vertices;  ///< those of the nearest place
+  std::vector<Index> triangles;    ///< where that is; empty for a mesh without triangles
+  std::vector<char> found;         ///< 1, or 0 if no place is near enough: the rows are any then
+};
+
+/// What of `from` is nearest to the vertices of `to`, up to `max_distance` away: places on its
+/// triangles, or vertices if it has none. Origins need not be the same. Throws Error as
+/// `NearestOnMesh` and `NearestVertex` do, and for a mesh without vertices; Cancelled if `progress`
+/// asks for it.
+NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
+                       const Progress& progress = {});
+
+/// A row per point of an array with a row per vertex: between vertices the blend of three
+/// (`blended`); in double precision, NaN where nothing was found. Throws Error, naming the array,
+/// if it has fewer rows than `from` had vertices.
+DataArray carried_from_points(const DataArray& points, const NearbyRows& rows);
+
+/// The same of an array with a row per triangle: the row of the nearest one. Throws Error also if
+/// there are no triangles.
+DataArray carried_from_cells(const DataArray& cells, const NearbyRows& rows);
 
 }  // namespace brindle

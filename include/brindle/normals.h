@@ -1,10 +1,12 @@
-/// Unit normals of triangles and vertices.
+/// Unit normals of triangles and vertices, and principal curvatures.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -17,5 +19,22 @@ Vec3 triangle_normal(const Mesh& mesh, const Triangle& triangle);
 /// each other (Möbius strip, triangle soup) the average would cancel; there the normal is the
 /// direction that agrees best with all of them up to sign. Zero for a vertex without a triangle.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
+
+/// Principal curvatures at a vertex, in 1 / length, positive where the surface bends away from its
+/// normal (a sphere of radius r wound outwards has 1 / r). `maximum` has the larger absolute value.
+struct PrincipalCurvature {
+  float maximum = 0;
+  float minimum = 0;
+  Vec3 maximum_direction = Vec3::Zero();  ///< unit tangent vector, up to sign
+  Vec3 minimum_direction = Vec3::Zero();  ///< unit tangent vector, orthogonal to the other
+};
+
+/// One value per vertex, by a least-squares fit of the shape operator to the change of the normal
+/// along the edges of each vertex. Vertices without neighbours have zero directions. Throws
+/// Cancelled if `progress` asks for it.
+std::vector<PrincipalCurvature> principal_curvatures(std::span<const Vec3> positions,
+                                                     std::span<const Vec3> normals,
+                                                     const Adjacency& neighborhood,
+                                                     const Progress& progress = {});
 
 }  // namespace brindle

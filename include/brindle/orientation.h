@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <span>
 
-#include "brindle/adjacency.h"
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
 

@@ -7,7 +7,6 @@
 #include "brindle/corner_phases.h"
 #include "brindle/export.h"
 #include "brindle/pattern_buffers.h"
-#include "brindle/pimpl.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
 #include "brindle/progress.h"

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/progress.h"

@@ -14,7 +14,6 @@
 #include "brindle/image.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/texture_waves.h"
 

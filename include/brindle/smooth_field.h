@@ -6,7 +6,6 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/strokes.h"
 #include "brindle/surface.h"

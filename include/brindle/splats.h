@@ -5,12 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/phase_graph.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/renderer.h"
+#include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
 

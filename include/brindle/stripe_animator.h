@@ -5,10 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"

@@ -8,7 +8,6 @@
 #include "brindle/curve_measures.h"
 #include "brindle/curves.h"
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/samples.h"
 #include "brindle/stripe_pattern.h"

@@ -7,7 +7,6 @@
 
 #include "brindle/color_map.h"
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/renderer.h"
 

@@ -7,7 +7,6 @@
 
 #include "brindle/broken_tiles.h"
 #include "brindle/export.h"
-#include "brindle/pimpl.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"

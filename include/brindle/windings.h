@@ -8,7 +8,7 @@
 
 #include "brindle/export.h"
 #include "brindle/stripe_pattern.h"
-#include "brindle/surface_loops.h"
+#include "brindle/surface.h"
 
 namespace BRINDLE_EXPORT brindle {
 

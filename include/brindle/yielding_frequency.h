@@ -9,7 +9,6 @@
 #include "brindle/export.h"
 #include "brindle/frequency_field.h"
 #include "brindle/phase_graph.h"
-#include "brindle/pimpl.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
 

@@ -6,7 +6,7 @@
 
 #include <brindle/data_arrays.h>
 #include <brindle/error.h>
-#include <brindle/polygon.h>
+#include <brindle/mesh.h>
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

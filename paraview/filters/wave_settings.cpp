@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include <brindle/adjacency.h>
 #include <brindle/distributed_waves.h>
 #include <brindle/error.h>
 #include <brindle/frequency_field.h>
 #include <brindle/measured_field.h>
 #include <brindle/smooth_field.h>
+#include <brindle/types.h>
 
 #include "vtk_arrays.h"
 

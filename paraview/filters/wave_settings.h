@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <brindle/array_field.h>
-#include <brindle/curvature.h>
 #include <brindle/data_arrays.h>
 #include <brindle/direction_field.h>
 #include <brindle/measured_field.h>
+#include <brindle/normals.h>
 #include <brindle/phase_graph.h>
 #include <brindle/surface.h>
 #include <brindle/tensor_field.h>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <brindle/polygon.h>
+#include <brindle/mesh.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>

@@ -2,7 +2,7 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
-#include "brindle/surface_loops.h"
+#include "brindle/surface.h"
 #include "brindle/windings.h"
 #include "job.h"
 #include "pattern_data.h"

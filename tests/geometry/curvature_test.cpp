@@ -1,5 +1,3 @@
-#include "brindle/curvature.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,3 @@
-#include "brindle/nearby_data.h"
-
 #include <cmath>
 #include <cstring>
 

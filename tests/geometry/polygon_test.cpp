@@ -1,11 +1,11 @@
-#include "brindle/polygon.h"
-
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

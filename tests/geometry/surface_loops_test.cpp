@@ -1,5 +1,3 @@
-#include "brindle/surface_loops.h"
-
 #include <algorithm>
 #include <numbers>
 #include <string>
@@ -8,6 +6,7 @@
 
 #include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 namespace {

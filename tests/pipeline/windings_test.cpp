@@ -10,8 +10,8 @@
 
 #include "brindle/boundary_phases.h"
 #include "brindle/branch_pairs.h"
-#include "brindle/curvature.h"
 #include "brindle/error.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/threads.h"

@@ -10,7 +10,6 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/mesh_data.h"
-#include "brindle/nearby_data.h"
 #include "input/surface_options.h"
 
 namespace brindle::tool {

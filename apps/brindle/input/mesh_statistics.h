@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "brindle/adjacency.h"
 #include "brindle/mesh.h"
 #include "brindle/points.h"
+#include "brindle/types.h"
 
 namespace brindle::tool {
 

@@ -6,9 +6,9 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/text.h"
-#include "brindle/curvature.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/normals.h"
 #include "brindle/surface_tones.h"
 #include "cli/option_values.h"
 #include "input/array_source.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "brindle/base/text.h"
-#include "brindle/curvature.h"
 #include "brindle/frequency_field.h"
+#include "brindle/normals.h"
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
 

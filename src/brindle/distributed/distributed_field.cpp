@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/curvature.h"
 #include "brindle/distributed/averaged_piece.h"
 #include "brindle/distributed/distributed_strokes.h"
 #include "brindle/distributed/levels/gathered_graph.h"
@@ -21,6 +20,7 @@
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/normals.h"
 #include "brindle/orientation.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/pipeline/fields/curvature_anchors.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "brindle/local_positions.h"
-#include "brindle/polygon.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

@@ -21,7 +21,7 @@
 #include "brindle/files/piecewise_arrays.h"
 #include "brindle/files/ply_positions.h"
 #include "brindle/files/written_arrays.h"
-#include "brindle/polygon.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

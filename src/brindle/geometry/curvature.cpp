@@ -1,5 +1,3 @@
-#include "brindle/curvature.h"
-
 #include <cmath>
 #include <utility>
 
@@ -7,6 +5,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/normals.h"
 
 namespace brindle {
 namespace {

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -1,6 +1,6 @@
-#include "brindle/polygon.h"
-
 #include <Eigen/Geometry>
+
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

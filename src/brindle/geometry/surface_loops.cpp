@@ -1,5 +1,3 @@
-#include "brindle/surface_loops.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "brindle/base/graph.h"
 #include "brindle/base/standard.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 namespace {

@@ -11,10 +11,10 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/base/compressed_rows.h"
 #include "brindle/mesh.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "brindle/adjacency.h"
 #include "brindle/quality.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

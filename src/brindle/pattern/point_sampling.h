@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/phase_graph.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/phases/sliced_graph.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

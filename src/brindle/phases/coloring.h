@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

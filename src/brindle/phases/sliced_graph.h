@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phases/coloring.h"
 #include "brindle/progress.h"

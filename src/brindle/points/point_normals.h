@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/progress.h"
 #include "brindle/types.h"
 

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 
-#include "brindle/adjacency.h"
 #include "brindle/phase_graph.h"
 #include "brindle/types.h"
 

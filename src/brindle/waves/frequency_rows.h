@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/base/compressed_rows.h"
 #include "brindle/mesh.h"
+#include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/row_levels.h"
 #include "brindle/waves/row_peers.h"

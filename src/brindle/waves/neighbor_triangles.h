@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/mesh.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

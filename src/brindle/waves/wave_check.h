@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 
-#include "brindle/adjacency.h"
 #include "brindle/phase_graph.h"
 #include "brindle/types.h"
 

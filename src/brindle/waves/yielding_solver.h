@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/frequency_rows.h"
 #include "brindle/waves/row_peers.h"

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/phases/hierarchy.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/communicator.h"
 #include "brindle/distributed/halo.h"
+#include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/row_levels.h"
 #include "brindle/waves/row_peers.h"

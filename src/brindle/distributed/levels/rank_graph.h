@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/communicator.h"
 #include "brindle/distributed/halo.h"
 #include "brindle/phases/coloring.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -9,7 +9,7 @@
 #include "brindle/base/text.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/text/text_positions.h"
-#include "brindle/polygon.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

@@ -13,7 +13,7 @@
 #include "brindle/error.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/mesh_builder.h"
-#include "brindle/polygon.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "brindle/curvature.h"
+#include "brindle/normals.h"
 #include "brindle/phase_graph.h"
 #include "brindle/smooth_field.h"
 

@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "brindle/adjacency.h"
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
 #include "brindle/smooth_field.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

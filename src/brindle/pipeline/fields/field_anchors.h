@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "brindle/adjacency.h"
 #include "brindle/strokes.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/direction_field.h"
 #include "brindle/pipeline/fields/followed_field.h"
 #include "brindle/smooth_field.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

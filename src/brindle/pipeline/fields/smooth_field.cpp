@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/standard.h"
-#include "brindle/curvature.h"
 #include "brindle/error.h"
+#include "brindle/normals.h"
 #include "brindle/orientation.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"

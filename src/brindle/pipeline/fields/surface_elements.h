@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "brindle/adjacency.h"
 #include "brindle/phase_graph.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
+#include "brindle/types.h"
 
 namespace brindle {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "brindle/corner_phases.h"
-#include "brindle/surface_loops.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 

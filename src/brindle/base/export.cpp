@@ -1,4 +1,4 @@
-#include "brindle/pimpl.h"
+#include "brindle/export.h"
 
 #include "brindle/error.h"
 
