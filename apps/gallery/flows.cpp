@@ -81,7 +81,7 @@ GalleryFile vortex_step(int number, const Mesh& pebble) {
     core.push_back(kNone);
   }
   for (std::size_t k = 0; k < cores.size(); ++k) {
-    Mesh ball = make_sphere({.radius = 0.07f, .resolution = 8});
+    Mesh ball = mesh_of(sphere_strips({.radius = 0.07f, .resolution = 8}));
     translate(ball, cores[k].cast<float>());
     for (std::size_t v = 0; v < ball.vertex_count(); ++v) {
       flow.add(Vec3::Zero());

@@ -120,7 +120,8 @@ Mesh incomplete_mesh(double detail, const Progress& progress) {
 
 Mesh non_manifold_mesh(double detail) {
   const int resolution = std::max(4, static_cast<int>(46 * detail));
-  Mesh mesh = make_sheets({.count = 5, .width = 0.95f, .height = 2, .resolution = resolution});
+  Mesh mesh =
+      mesh_of(sheets_strips({.count = 5, .width = 0.95f, .height = 2, .resolution = resolution}));
   for (Vec3& p : mesh.positions) {
     const float out = p.head<2>().norm();
     const float turn = 0.55f * p.z() + 0.9f * out;
@@ -149,8 +150,8 @@ Mesh segmented_mesh(double detail, const Progress& progress) {
 }
 
 Mesh noisy_mesh(double detail) {
-  Mesh mesh =
-      make_trefoil({.radius = 0.2f, .resolution = std::max(8, static_cast<int>(44 * detail))});
+  Mesh mesh = mesh_of(
+      trefoil_strips({.radius = 0.2f, .resolution = std::max(8, static_cast<int>(44 * detail))}));
   for (Vec3& p : mesh.positions) p = Vec3(p.z(), p.x(), p.y());  // upright
   add_noise(mesh, 0.3f, 7);
   return mesh;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/files.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 #include "vtk_surfaces.h"
 
 namespace brindle {

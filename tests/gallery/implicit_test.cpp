@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/random.h"
-#include "brindle/shapes/parametric_shapes.h"
 #include "gallery/hare.h"
 #include "gallery/liver_parts.h"
+#include "parametric_meshes.h"
 
 namespace brindle {
 namespace {

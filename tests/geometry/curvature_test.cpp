@@ -7,7 +7,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/normals.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 
 namespace brindle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "brindle/arrays.h"
 #include "brindle/error.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 #include "test_numbers.h"
 
 namespace brindle {

@@ -5,7 +5,7 @@
 
 #include "brindle/error.h"
 #include "brindle/mesh_data.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 
 namespace brindle {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/shapes.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 #include "test_meshes.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 #include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/shapes.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 
 namespace brindle {
 namespace {

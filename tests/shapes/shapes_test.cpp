@@ -19,7 +19,7 @@
 #include "brindle/normals.h"
 #include "brindle/shapes/implicit_shapes.h"
 #include "brindle/shapes/isosurface.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 #include "test_meshes.h"
 
 namespace brindle {

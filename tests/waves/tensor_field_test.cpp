@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/shapes/parametric_shapes.h"
+#include "parametric_meshes.h"
 
 namespace brindle {
 namespace {

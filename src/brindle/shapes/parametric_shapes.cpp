@@ -556,15 +556,4 @@ StripShape pieces_strips(const PiecesShape& shape) {
   return joined_shapes(std::move(shapes));
 }
 
-Mesh make_plane(const PlaneShape& shape) { return mesh_of(plane_strips(shape)); }
-Mesh make_cylinder(const CylinderShape& shape) { return mesh_of(cylinder_strips(shape)); }
-Mesh make_tube(const TubeShape& shape) { return mesh_of(tube_strips(shape)); }
-Mesh make_sphere(const SphereShape& shape) { return mesh_of(sphere_strips(shape)); }
-Mesh make_torus(const TorusShape& shape) { return mesh_of(torus_strips(shape)); }
-Mesh make_trefoil(const TrefoilShape& shape) { return mesh_of(trefoil_strips(shape)); }
-Mesh make_hemisphere(const HemisphereShape& shape) { return mesh_of(hemisphere_strips(shape)); }
-Mesh make_mobius(const MobiusShape& shape) { return mesh_of(mobius_strips(shape)); }
-Mesh make_sheets(const SheetsShape& shape) { return mesh_of(sheets_strips(shape)); }
-Mesh make_pieces(const PiecesShape& shape) { return mesh_of(pieces_strips(shape)); }
-
 }  // namespace brindle

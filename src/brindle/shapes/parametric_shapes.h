@@ -2,7 +2,7 @@
 ///
 /// All are centred at the origin, about two units large, and wound outwards (the plane: towards
 /// +z). Triangles are near equilateral. `resolution` counts the edges along what each shape names.
-/// Each comes whole, or in strips of which parts can be made.
+/// Each comes in strips, of which the whole (`mesh_of`) or parts can be made.
 #pragma once
 
 #include "brindle/mesh.h"
@@ -17,7 +17,6 @@ struct PlaneShape {
   int resolution = 160;  ///< edges along x
 };
 StripShape plane_strips(const PlaneShape& shape = {});
-Mesh make_plane(const PlaneShape& shape = {});
 
 /// The side surface, about the z axis.
 struct CylinderShape {
@@ -26,7 +25,6 @@ struct CylinderShape {
   int resolution = 240;  ///< edges around
 };
 StripShape cylinder_strips(const CylinderShape& shape = {});
-Mesh make_cylinder(const CylinderShape& shape = {});
 
 /// An open tube about an arc in the plane y = 0: a sleeve, a bottle, a horn.
 struct TubeShape {
@@ -38,7 +36,6 @@ struct TubeShape {
   int resolution = 104;  ///< edges around
 };
 StripShape tube_strips(const TubeShape& shape = {});
-Mesh make_tube(const TubeShape& shape = {});
 
 /// An icosahedron, each face divided along great circles.
 struct SphereShape {
@@ -46,7 +43,6 @@ struct SphereShape {
   int resolution = 56;  ///< edges along an edge of the icosahedron
 };
 StripShape sphere_strips(const SphereShape& shape = {});
-Mesh make_sphere(const SphereShape& shape = {});
 
 /// Around the z axis. The vertices are a lattice in conformal coordinates, so triangles are near
 /// equilateral everywhere and larger outside than inside.
@@ -56,7 +52,6 @@ struct TorusShape {
   int resolution = 300;  ///< edges along the major circle
 };
 StripShape torus_strips(const TorusShape& shape = {});
-Mesh make_torus(const TorusShape& shape = {});
 
 /// A tube along a trefoil knot, of radius `radius`; the knot's extent in x and y is about 2.
 struct TrefoilShape {
@@ -64,7 +59,6 @@ struct TrefoilShape {
   int resolution = 56;  ///< edges around the tube
 };
 StripShape trefoil_strips(const TrefoilShape& shape = {});
-Mesh make_trefoil(const TrefoilShape& shape = {});
 
 /// The upper half of a sphere, open.
 struct HemisphereShape {
@@ -72,7 +66,6 @@ struct HemisphereShape {
   int resolution = 110;  ///< edges from the pole to the rim
 };
 StripShape hemisphere_strips(const HemisphereShape& shape = {});
-Mesh make_hemisphere(const HemisphereShape& shape = {});
 
 /// A strip of the given width with one half turn, its ends joined: one side, one border.
 struct MobiusShape {
@@ -81,7 +74,6 @@ struct MobiusShape {
   int resolution = 56;  ///< edges across the strip
 };
 StripShape mobius_strips(const MobiusShape& shape = {});
-Mesh make_mobius(const MobiusShape& shape = {});
 
 /// Half-planes that all end in the z axis, at equal angles: its edges have `count` triangles.
 struct SheetsShape {
@@ -91,7 +83,6 @@ struct SheetsShape {
   int resolution = 80;  ///< edges from the common edge outwards
 };
 StripShape sheets_strips(const SheetsShape& shape = {});
-Mesh make_sheets(const SheetsShape& shape = {});
 
 /// Unconnected spheres, tori and cylinders, in turn, on a circle.
 struct PiecesShape {
@@ -99,6 +90,5 @@ struct PiecesShape {
   int resolution = 20;  ///< as of a SphereShape; the others are sampled alike
 };
 StripShape pieces_strips(const PiecesShape& shape = {});
-Mesh make_pieces(const PiecesShape& shape = {});
 
 }  // namespace brindle
