@@ -25,28 +25,16 @@ BoundingBox box_around(const std::vector<Vec3>& positions) {
   return box;
 }
 
-void check_positions_table(const ArrayView& positions) {
+/// With `checked`, throws for what no mesh may have; otherwise a later repair sees to it.
+std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions, bool checked) {
   check_columns(positions, 3, "positions");
   if (positions.rows() >= std::numeric_limits<Index>::max()) {
     throw Error("positions: more vertices than brindle can number; split the mesh into parts");
   }
-}
-
-std::vector<Eigen::Vector3d> unchecked_coordinates(const ArrayView& positions) {
-  check_positions_table(positions);
-  std::vector<Eigen::Vector3d> result(positions.rows());
-  for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
-    result[vertex][static_cast<Eigen::Index>(axis)] = static_cast<double>(number);
-  });
-  return result;
-}
-
-std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
-  check_positions_table(positions);
   std::vector<Eigen::Vector3d> result(positions.rows());
   for_each_number(positions, [&](std::size_t vertex, std::size_t axis, auto number) {
     const auto coordinate = static_cast<double>(number);
-    if (!(std::abs(coordinate) <= kLargestCoordinate)) {
+    if (checked && !(std::abs(coordinate) <= kLargestCoordinate)) {
       throw Error("positions: a coordinate of vertex " + std::to_string(vertex) + " is " +
                   formatted("%g", coordinate) + "; correct it or leave the vertex out" +
                   (std::isfinite(coordinate) ? ", or give all coordinates in larger units" : ""));
@@ -62,38 +50,19 @@ std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions) {
               ", but there are " + std::to_string(vertices) + " vertices, numbered from 0");
 }
 
-[[noreturn]] void refuse_fractions() {
-  throw Error("triangles: their corners must be whole numbers, not floating-point ones");
-}
-
-std::vector<Triangle> corners(const ArrayView& triangles, std::size_t vertices) {
+/// Without `checked`, a corner that is no vertex becomes one that no mesh has.
+std::vector<Triangle> corners(const ArrayView& triangles, std::size_t vertices, bool checked) {
   check_columns(triangles, 3, "triangles");
   std::vector<Triangle> result(triangles.rows());
   for_each_number(triangles, [&](std::size_t triangle, std::size_t corner, auto number) {
     if constexpr (std::is_integral_v<decltype(number)>) {
       // A negative number becomes a very large one.
-      if (static_cast<std::uint64_t>(number) >= vertices) {
-        refuse_corner(triangle, std::to_string(number), vertices);
-      }
-      result[triangle][corner] = static_cast<Index>(number);
-    } else {
-      refuse_fractions();
-    }
-  });
-  return result;
-}
-
-/// A corner that is no vertex becomes one that no mesh has.
-std::vector<Triangle> unchecked_corners(const ArrayView& triangles, std::size_t vertices) {
-  check_columns(triangles, 3, "triangles");
-  std::vector<Triangle> result(triangles.rows());
-  for_each_number(triangles, [&](std::size_t triangle, std::size_t corner, auto number) {
-    if constexpr (std::is_integral_v<decltype(number)>) {
       const bool is_vertex = static_cast<std::uint64_t>(number) < vertices;
+      if (checked && !is_vertex) refuse_corner(triangle, std::to_string(number), vertices);
       result[triangle][corner] =
           is_vertex ? static_cast<Index>(number) : std::numeric_limits<Index>::max();
     } else {
-      refuse_fractions();
+      throw Error("triangles: their corners must be whole numbers, not floating-point ones");
     }
   });
   return result;
@@ -135,10 +104,10 @@ Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles, BadTriang
                const Progress& progress) {
   JobStages stages(progress, {{"positions", 1}, {"triangles", 1}, {"origin", 1}});
   stages.begin("positions");
-  const std::vector<Eigen::Vector3d> places = coordinates(positions);
+  const std::vector<Eigen::Vector3d> places = coordinates(positions, true);
   Mesh mesh;
   stages.begin("triangles");
-  mesh.triangles = corners(triangles, places.size());
+  mesh.triangles = corners(triangles, places.size(), true);
   stages.begin("origin");
   mesh.origin = origin_near(places);
   mesh.positions = positions_about(mesh.origin, places);
@@ -150,10 +119,10 @@ Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles, BadTriang
 RepairedMesh make_repaired_mesh(const ArrayView& positions, const ArrayView& triangles) {
   RepairedMesh result;
   Mesh& mesh = result.mesh;
-  const std::vector<Eigen::Vector3d> places = unchecked_coordinates(positions);
+  const std::vector<Eigen::Vector3d> places = coordinates(positions, false);
   mesh.origin = origin_near(places);
   mesh.positions = positions_about(mesh.origin, places);
-  mesh.triangles = unchecked_corners(triangles, places.size());
+  mesh.triangles = corners(triangles, places.size(), false);
   const std::size_t count = mesh.triangle_count();
   std::vector<Index> first = first_at_each_place(mesh.positions);
   const std::size_t joined = join_vertices(mesh, first);
