@@ -1,4 +1,4 @@
-/// Arrays of other programs, as they stand in memory: vertex buffers, numpy, VTK, CAD kernels.
+/// Views of other programs' arrays in memory: vertex buffers, numpy, VTK, CAD kernels.
 #pragma once
 
 #include <concepts>

@@ -52,8 +52,8 @@ DataArray make_data_array(std::string name, int components, const std::vector<Nu
 /// Three floats per vector.
 DataArray make_data_array(std::string name, std::span<const Vec3> vectors);
 
-/// What belongs to a mesh: of every array in `points` a row per vertex, of every one in `cells` a
-/// row per triangle.
+/// The arrays of a mesh: those in `points` have a row per vertex, those in `cells` a row per
+/// triangle.
 struct DataArrays {
   std::vector<DataArray> points;
   std::vector<DataArray> cells;
@@ -75,13 +75,13 @@ struct RowBlend {
   std::array<double, 3> weights;
 };
 
-/// An array with a row per blend: the weighted mean of floating-point numbers; of whole numbers,
-/// which may be labels, the row with the largest weight, of equal ones the first. A row with weight
+/// An array with a row per blend: the weighted mean of floating-point numbers; for whole numbers,
+/// which may be labels, the row with the largest weight, the first of equal ones. A row with weight
 /// 0 does not count, even if it is NaN. Throws Error, naming the array, for a row that it has not.
 DataArray blended(const DataArray& array, std::span<const RowBlend> blends);
 std::vector<DataArray> blended(std::span<const DataArray> arrays, std::span<const RowBlend> blends);
 
-/// What users want to know of an array.
+/// Statistics of an array.
 struct ArrayFigures {
   double minimum = 0, maximum = 0;  ///< of all finite numbers; of rows with more than one component
                                     ///< the length of the vector. Both 0 if there are none

@@ -16,8 +16,8 @@ namespace BRINDLE_EXPORT brindle {
 /// Throws Error: an object that was moved from can be assigned to and destroyed, nothing else.
 [[noreturn]] void refuse_moved_from();
 
-/// The one owner of an object's state. Moving leaves the other object without any, and whoever
-/// calls it then gets an Error.
+/// The one owner of an object's state. An object that was moved from has none, and using it throws
+/// Error.
 template <class State>
 class Pimpl {
  public:

@@ -17,9 +17,9 @@ namespace BRINDLE_EXPORT brindle {
 /// Three vertex numbers, counter-clockwise seen from outside where the surface has an outside.
 using Triangle = std::array<Index, 3>;
 
-/// A triangle mesh. Nothing is asked of its topology: it may be open, non-manifold, unorientable,
-/// or in pieces, and may have vertices that no triangle uses. Positions are finite and triangle
-/// corners in range and different from each other; `repair_mesh` (mesh_repair.h) sees to that.
+/// A triangle mesh. Its topology may be any: open, non-manifold, unorientable, or in pieces, and
+/// may have vertices that no triangle uses. Positions are finite and triangle corners in range and
+/// different from each other; `repair_mesh` sees to that.
 struct Mesh {
   std::vector<Vec3> positions;  ///< relative to `origin`
   std::vector<Triangle> triangles;
@@ -43,25 +43,24 @@ struct BoundingBox {
 
 BoundingBox bounding_box(const Mesh& mesh);
 
-/// What `make_mesh` does with triangles that have two corners alike or stand twice.
+/// How `make_mesh` treats triangles that have two equal corners or occur twice.
 enum class BadTriangles {
   refused,
-  kept  ///< for `repair_mesh`, or where patterns have nothing to do with them
+  kept  ///< for `repair_mesh`, or where no pattern is made
 };
 
-/// A mesh of another program's arrays: three coordinates per vertex, three vertex numbers from 0
+/// A mesh from another program's arrays: three coordinates per vertex, three vertex numbers from 0
 /// per triangle, signed or not. Vertices and triangles keep their numbers. Coordinates that are
 /// large against the mesh's size are made relative to `Mesh::origin`. Throws Error, naming the
 /// first vertex or triangle and the remedy, for coordinates that are not finite or beyond 1e18,
 /// corners that are no vertices, triangles with two corners alike or with the corners of an earlier
 /// one, and arrays that have not three columns or no whole numbers where these are asked for.
 /// Vertices at one place stay apart, and so do the triangles on both sides: `surface_warnings`
-/// tells, `make_repaired_mesh` joins them.
-/// Throws Cancelled if `progress` asks for it.
+/// tells, `make_repaired_mesh` joins them. Throws Cancelled if `progress` asks for it.
 Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles,
                BadTriangles bad = BadTriangles::refused, const Progress& progress = {});
 
-/// What was wrong with a mesh. Apart from `vertices_unreferenced`, nothing of it is left.
+/// Defects of a mesh. All are repaired, except `vertices_unreferenced`.
 struct MeshRepair {
   std::size_t vertices_not_finite = 0;     ///< a coordinate was NaN, infinite or beyond 1e18
   std::size_t vertices_joined = 0;         ///< stood exactly where an earlier vertex stands
@@ -88,17 +87,17 @@ std::string describe(const MeshRepair& repair);
 /// vertex still match: those that are not finite are moved to the centroid of the others.
 MeshRepair repair_mesh(Mesh& mesh);
 
-/// As above; `kept` receives, of every triangle that is left, the number that it had.
+/// As above; `kept` receives the previous number of every remaining triangle.
 MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept);
 
-/// A mesh of another program's arrays, and what became of their rows.
+/// A mesh from another program's arrays, with the rows that its vertices and triangles come from.
 struct RepairedMesh {
   Mesh mesh;
   MeshRepair repair;
   /// For every vertex the one that triangles use in its place: itself, or the first at the same
   /// place. Empty if nothing was joined.
   std::vector<Index> vertex_of_row;
-  /// Of every triangle that is left the number that it had. Empty if all are left.
+  /// The previous number of every remaining triangle. Empty if all remain.
   std::vector<Index> kept_triangles;
 };
 
@@ -122,11 +121,11 @@ std::size_t join_vertices(Mesh& mesh);
 std::vector<Index> first_at_each_place(std::span<const Vec3> positions,
                                        const Progress& progress = {});
 
-/// As above, with what `first_at_each_place` found.
+/// As above, with the result of `first_at_each_place`.
 std::size_t join_vertices(Mesh& mesh, std::span<const Index> first);
 
 /// Removes vertices that no triangle uses; the others are renumbered in order. Returns the new
-/// number of every vertex that is left.
+/// number of every remaining vertex.
 std::vector<Index> drop_unreferenced_vertices(Mesh& mesh);
 
 /// Adds all vertices and triangles of `other` behind those of `mesh`, whose origin stays unless it
@@ -145,8 +144,8 @@ Mesh subdivide(Mesh mesh, int times = 1, const Progress& progress = {});
 
 /// Where the midpoints of edges lie: straight between their ends, or on a curve at right angles to
 /// the surface's normals there (the edges of curved point-normal triangles, Vlachos et al. 2001),
-/// so that a coarse mesh of something round becomes round. Old vertices stay. Straight all the same
-/// are edges where the surface bends by more than 40 degrees, and those of three triangles or more.
+/// so that a coarse mesh of something round becomes round. Old vertices stay. Edges stay straight
+/// where the surface bends by more than 40 degrees, and where three triangles or more meet.
 enum class Midpoints { straight, rounded };
 Mesh subdivide(Mesh mesh, int times, Midpoints midpoints, const Progress& progress = {});
 

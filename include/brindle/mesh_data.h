@@ -24,17 +24,16 @@ void subdivide(Mesh& mesh, DataArrays& arrays, int times = 1, const Progress& pr
 void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
                const Progress& progress = {});
 
-/// For every point the rows of a mesh's arrays that stand for it.
+/// For every point the rows of another mesh's arrays to take.
 struct NearbyRows {
   std::vector<RowBlend> vertices;  ///< those of the nearest place
   std::vector<Index> triangles;    ///< where that is; empty for a mesh without triangles
   std::vector<char> found;         ///< 1, or 0 if no place is near enough: the rows are any then
 };
 
-/// What of `from` is nearest to the vertices of `to`, up to `max_distance` away: places on its
-/// triangles, or vertices if it has none. Origins need not be the same. Throws Error as
-/// `NearestOnMesh` and `NearestVertex` do, and for a mesh without vertices; Cancelled if `progress`
-/// asks for it.
+/// The places of `from` nearest to the vertices of `to`, up to `max_distance` away: on its
+/// triangles, or vertices if it has none. Origins may differ. Throws Error as `NearestOnMesh` and
+/// `NearestVertex` do, and for a mesh without vertices; Cancelled if `progress` asks for it.
 NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
                        const Progress& progress = {});
 

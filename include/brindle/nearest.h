@@ -1,4 +1,4 @@
-/// What of a mesh is nearest to a point.
+/// The nearest places and vertices of a mesh.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@ struct PointOnMesh {
   Index triangle = 0;
   std::array<double, 3> barycentric{};                 ///< not negative, sums to 1
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< relative to the mesh's origin
-  double distance = 0;                                 ///< from the point that was asked for
+  double distance = 0;                                 ///< from the query point
 };
 
 /// The nearest place of a mesh's triangles, of any kind: bent, flat, without area. Built once, in
-/// time O(n log n) for n triangles, then asked from any number of threads. What it finds does not
-/// depend on how it searches.
+/// time O(n log n) for n triangles, then queried from any number of threads. Results do not depend
+/// on the order of the search.
 class NearestOnMesh {
  public:
   /// The mesh must outlive this and stay as it is. Throws Error as `make_surface` does, and
@@ -36,7 +36,7 @@ class NearestOnMesh {
 
   /// The place nearest to `point`, which is relative to the mesh's `origin`: a vertex of a mesh
   /// with another origin must be moved by the difference of both. Of places equally near, the one
-  /// on the triangle with the smallest number. Nothing if there is none within `max_distance`, or a
+  /// on the triangle with the smallest number. None if there is none within `max_distance`, or if a
   /// coordinate is not finite or beyond 1e150.
   std::optional<PointOnMesh> nearest(
       const Eigen::Vector3d& point,

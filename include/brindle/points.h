@@ -22,7 +22,7 @@ struct PointCloud {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< see `Mesh`
 };
 
-/// What was wrong with a list of points.
+/// Defects of a list of points.
 struct PointRepair {
   std::size_t not_finite = 0;      ///< a coordinate was NaN, infinite or beyond 1e18: set aside
   std::size_t repeated = 0;        ///< stood exactly where an earlier point stands: set aside
@@ -54,7 +54,7 @@ LoadedPoints make_point_cloud(std::vector<Vec3> positions, std::vector<Vec3> nor
 LoadedPoints make_placed_point_cloud(std::span<const Eigen::Vector3d> positions,
                                      std::vector<Vec3> normals = {}, const Progress& progress = {});
 
-/// Whether this build has trees of points, which all that looks for near points needs: nanoflann.
+/// Whether this build has nanoflann, which every search for nearby points needs.
 bool has_point_trees();
 
 /// Joins each of the `used` points to the `count` nearest others of them; j is a neighbour of i if

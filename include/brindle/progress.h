@@ -20,13 +20,13 @@ class Cancelled : public Error {
   using Error::Error;
 };
 
-/// A part of a job that comes before or after others.
+/// A stage of a job.
 struct JobStage {
   std::string name;
   double weight = 1;  ///< how long it takes, against the others'; above 0
 };
 
-/// What a job says of itself, again and again.
+/// A report of a running job.
 struct ProgressReport {
   double fraction = 0;               ///< done of the whole job, in [0, 1]; never falls
   std::string_view step;             ///< what is being done: a stage, or a step within one
@@ -37,7 +37,7 @@ struct ProgressReport {
 
 #if defined(BRINDLE_SILENT)
 
-/// In builds that nobody hears of (CMake's BRINDLE_PROGRESS): jobs say nothing, cannot be stopped,
+/// In builds without progress (CMake's BRINDLE_PROGRESS): jobs report nothing, cannot be cancelled,
 /// and are a tenth smaller.
 class Progress {
  public:
@@ -79,21 +79,21 @@ class Progress {
   explicit Progress(Callback callback);
   explicit Progress(JobCallback callback);
 
-  /// Says that so much of a step is done, which is so much of what this was handed out for. Throws
-  /// Cancelled if the callback asks for it.
+  /// Reports the fraction done of a step, which is also that of the share of the job that this
+  /// stands for. Throws Cancelled if the callback asks for it.
   void report(std::string_view step, double fraction) const;
 
-  /// The same of the stage that this was handed out for.
+  /// The same for the stage that this was handed out for.
   void report(double fraction) const;
 
-  /// Hands on what another job says, all of which is what this was handed out for.
+  /// Passes on the report of an inner job, the whole of which is the share that this stands for.
   void report(const ProgressReport& inner) const;
 
-  /// Says the same again as the last report. Throws Cancelled if the callback asks for it. Long
-  /// loops that do not know their share of a stage call it.
+  /// Repeats the last report. Throws Cancelled if the callback asks for it. For long loops that do
+  /// not know their share of a stage.
   void tick() const;
 
-  /// What to hand to a job that does a share of this: `begin` to `end`, in [0, 1].
+  /// For a job that does a share of this: `begin` to `end`, in [0, 1].
   Progress part(double begin, double end) const;
 
   /// The same as this, with another name for what `report(fraction)` is about.
@@ -102,7 +102,7 @@ class Progress {
   /// The stages of the whole job, once it has begun; `ProgressReport` has the same.
   std::span<const JobStage> stages() const;
 
-  /// Whether anybody listens.
+  /// Whether there is a callback.
   bool is_heard() const { return state_ != nullptr; }
 
  private:
@@ -118,18 +118,18 @@ class Progress {
   double from_ = 0, to_ = 1;    // in that
 };
 
-/// How a job divides what it was handed, stage by stage. The outermost job's stages are those that
-/// `ProgressReport` lists.
+/// Divides the progress that a job was handed into stages. The outermost job's stages are those
+/// that `ProgressReport` lists.
 class JobStages {
  public:
   /// Throws Error if no stage is given, or one whose weight is not above 0.
   JobStages(const Progress& progress, std::vector<JobStage> stages);
 
   /// The next stage of that name begins; those before it are over. Reports it, which may throw
-  /// Cancelled. What is done in the stage is handed the result. Throws Error for an unknown name.
+  /// Cancelled. Hand the result to the work of the stage. Throws Error for an unknown name.
   Progress begin(std::string_view name);
 
-  /// All is done. Reports it, which may throw Cancelled.
+  /// Reports that all is done, which may throw Cancelled.
   void finish() const;
 
  private:

@@ -13,13 +13,13 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Builds a shape from its name and, after commas, parameters that are not to have their defaults:
+/// Builds a shape from its name and, after commas, parameters that differ from their defaults:
 /// "torus" or "torus,resolution=64,minor=0.3". Every shape takes `noise` (see add_noise; 0 by
 /// default) and `noise_seed`.
 ///
 /// Throws Error, listing what is known, for an unknown name or parameter, and for a value that is
 /// no number or out of the parameter's range; also, before anything is made, for a resolution whose
-/// vertices memory does not hold, naming one that would do. Throws Cancelled if `progress` asks for
+/// vertices do not fit into memory, naming one that fits. Throws Cancelled if `progress` asks for
 /// it.
 Mesh make_shape(std::string_view spec, const Progress& progress = {});
 
@@ -30,9 +30,9 @@ struct ShapePart {
 };
 
 /// Part `part` of `parts`, made without the others: all triangles of part 0, then those of part 1
-/// and so on are those of `make_shape`. A part may have no triangle. Nothing for what can be made
-/// whole alone: vessels, molecule, box, and shapes with `noise`. Throws Error as `make_shape`, and
-/// for parts that there are not.
+/// and so on are those of `make_shape`. A part may have no triangle. None for shapes that can only
+/// be made whole: vessels, molecule, box, and shapes with `noise`. Throws Error as `make_shape`,
+/// and for a part number out of range.
 std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts);
 
 /// All names, in the order in which help lists them.

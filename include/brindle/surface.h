@@ -29,9 +29,8 @@ struct Surface {
 /// `progress` asks for it.
 Surface make_surface(Mesh mesh, const Progress& progress = {});
 
-/// What is probably not meant, a sentence each without a full stop; `join` says how vertices are
-/// joined: edges at the border of the surface that stand exactly where others do, so that the
-/// surface is cut there, and stripes end. Empty if there is nothing to say.
+/// Likely mistakes, one sentence each without a full stop: boundary edges at exactly the same place
+/// as others, where the surface is cut and stripes end. `join` tells how to join vertices.
 std::vector<std::string> surface_warnings(
     const Surface& surface, const std::string& join = "join them with make_repaired_mesh");
 
@@ -57,7 +56,7 @@ struct SurfaceLoop {
 };
 
 /// All boundary loops, then for every handle its two loops (for every cross-cap its one): together
-/// they generate all ways round on the surface. Loops of handles are the shortest of those that a
+/// they generate all closed ways on the surface. Loops of handles are the shortest of those that a
 /// tree of shortest ways from one vertex of each piece allows (Erickson and Whittlesey 2005). A
 /// piece with an edge of three triangles or more has none; nor have points without triangles.
 std::vector<SurfaceLoop> surface_loops(const Surface& surface);

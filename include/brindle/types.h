@@ -13,7 +13,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Number of a vertex, node, edge or triangle.
+/// The number of a vertex, node, edge or triangle.
 using Index = std::uint32_t;
 
 /// A point or direction in space.

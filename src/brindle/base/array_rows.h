@@ -1,4 +1,4 @@
-/// Arrays that belong to a mesh.
+/// Checks and copies of rows of arrays that belong to a mesh.
 #pragma once
 
 #include <cstddef>

@@ -13,20 +13,20 @@
 
 namespace brindle {
 
-/// Takes bytes off a text one after the other. White space is passed over, and padding may also
-/// stand in the middle, where one encoded text follows another.
+/// Decodes a text piece by piece. White space is passed over, and padding may also stand in the
+/// middle, where one encoded text follows another.
 class Base64Reader {
  public:
   explicit Base64Reader(std::string_view text) : text_(text) {}
 
-  /// Fills `bytes` as far as the text goes or until something else stands in it. Returns how many
-  /// bytes there were.
+  /// Fills `bytes` up to the end of the text or the first invalid letter. Returns how many bytes
+  /// were decoded.
   std::size_t read_some(std::span<std::byte> bytes);
 
   /// No more bytes than these are left.
   std::size_t most_left() const { return left_over_ + text_.size() / 4 * 3 + 3; }
 
-  /// Whether the whole text was read, and nothing else stood in it.
+  /// Whether the whole text was read, and all of it was valid.
   bool at_end() const { return !damaged_ && left_over_ == 0 && text_.empty(); }
 
  private:

@@ -1,4 +1,4 @@
-/// Compressed rows: lists of entries, one a row, in one list.
+/// Compressed rows: the entries of all rows in one list.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct CompressedRows {
   }
 };
 
-/// Rows of what `add_all(progress, add)` adds by `add(row, entry)`, those of a row in that order.
-/// It is called twice, to count and to fill, and has to do the same both times.
+/// Builds rows. `add_all(progress, add)` calls `add(row, entry)` for all entries, those of a row in
+/// order; it is called twice, to count and to fill, and must add the same both times.
 template <class Entry, class AddAll>
 CompressedRows<Entry> compressed_rows(std::size_t count, const Progress& progress,
                                       const AddAll& add_all) {

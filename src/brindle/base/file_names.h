@@ -1,4 +1,4 @@
-/// What names of files tell, and which of them other files can mention.
+/// Names of files: extensions, and names that other files can mention.
 #pragma once
 
 #include <filesystem>

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Who wants the header alone reads little more.
+/// Small, so that reading a header alone reads little more.
 constexpr std::size_t kFirstSize = std::size_t{1} << 14;
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
 constexpr std::size_t kReportedSize = std::size_t{1} << 24;

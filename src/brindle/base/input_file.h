@@ -24,7 +24,7 @@ class InputStream {
   InputStream(InputStream&& other) noexcept;
   InputStream& operator=(InputStream&&) = delete;
 
-  /// How many bytes there were: fewer than `count` at the file's end, and if it is `bad`.
+  /// Reads up to `count` bytes and returns how many: fewer at the file's end, and if it is `bad`.
   std::size_t read(void* bytes, std::size_t count);
 
   /// Where the next byte is read.
@@ -40,12 +40,12 @@ class InputStream {
   bool bad_ = false;
 };
 
-/// The lines of a file, from here on.
+/// The lines of a file, from the stream's place on.
 class InputLines {
  public:
   explicit InputLines(InputStream stream) : stream_(std::move(stream)) {}
 
-  /// Whether there is one more, which takes the place of `line`, without its end.
+  /// Replaces `line` by the next one, without its end; false if there is none.
   bool next(std::string& line);
 
   bool bad() const { return stream_.bad(); }
@@ -56,22 +56,22 @@ class InputLines {
   std::size_t begin_ = 0;  ///< what of the buffer has not been handed out
 };
 
-/// Opens a regular file, as bytes. Devices and pipes are refused: they have no size, and some never
-/// end. Throws Error, naming the file and the remedy, for these, for a folder, and for what is not
-/// there or may not be read. `kind` is what the file should be: "a mesh file".
+/// Opens a regular file, as bytes. Throws Error, naming the file and the remedy, for a file that
+/// does not exist or may not be read, for a folder, and for devices and pipes: these have no size,
+/// and some never end. `kind` is what the file should be: "a mesh file".
 InputStream open_input(const std::filesystem::path& path, const std::string& kind);
 
-/// All that is in the file. Throws Error as `open_input` does, and where reading fails.
+/// The whole content of the file. Throws Error as `open_input` does, and where reading fails.
 std::string whole_input(const std::filesystem::path& path, const std::string& kind);
 
-/// What may stand before the first line of a text in UTF-8.
+/// An optional mark before the first line of a text in UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 class InputFile {
  public:
   /// Throws Error, with the remedy, if there is no such file, it is a folder or no regular file,
-  /// cannot be read, or is empty. Whenever more is read, `progress` hears "loading PATH" and how
-  /// much of the file that is.
+  /// cannot be read, or is empty. `progress` reports "loading PATH" with the fraction of the file
+  /// that was read.
   explicit InputFile(const std::filesystem::path& path, Progress progress = {});
 
   /// The next line without its end and, of the first, a byte-order mark; nothing after the last.
@@ -81,8 +81,8 @@ class InputFile {
   /// The next `count` bytes; valid until the next call. Throws Error if the file ends before.
   const char* take(std::size_t count);
 
-  /// Fills `bytes` from that place in the file on, whatever has been handed out. Throws Error if
-  /// the file ends before.
+  /// Fills `bytes` from that place in the file on, apart from the lines read in order. Throws Error
+  /// if the file ends before.
   void read_at(std::uint64_t place, std::span<std::byte> bytes);
 
   /// Bytes of the whole file.

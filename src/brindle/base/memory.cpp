@@ -41,12 +41,12 @@ std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std
   return static_cast<std::size_t>(count) * bytes_each;
 }
 
-/// What fits now may not fit when it is asked for again.
+/// What fits now may not fit in another attempt.
 constexpr double kSure = 0.6;
 
 void check_fits(double count, double bytes_each, const std::string& what, const std::string& things,
                 const std::function<std::string(double)>& remedy) {
-  // What is small needs no asking.
+  // Small results need no check.
   constexpr double kSmall = 1 << 20;
   if (count * bytes_each <= kSmall) return;
   const double most = count_that_fits(bytes_each);

@@ -1,5 +1,5 @@
-/// Results that no memory holds are refused before they are begun: a system that hands out more
-/// than it has ends the process later, without a word.
+/// Results that do not fit into memory are rejected before work on them begins: a system that
+/// overcommits would kill the process later, without a message.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +11,27 @@
 
 namespace brindle {
 
-/// Thrown for a result that memory does not hold.
+/// Thrown for a result that does not fit into memory.
 class TooLarge : public Error {
  public:
   TooLarge(const std::string& message, double most_share) : Error(message), share_(most_share) {}
 
-  /// How much of what was asked for there is room for, between 0 and 1.
+  /// The share of the requested size that fits, between 0 and 1.
   double share() const { return share_; }
 
  private:
   double share_;
 };
 
-/// Bytes that this process may still take: what the system has left, within the limits of the
-/// process and of its control group. Infinite where none of it is known.
+/// Bytes that this process may still allocate: free memory of the system, within the limits of the
+/// process and of its control group. Infinite where none of these is known.
 double available_memory();
 
-/// How many things of so many bytes a result may have. Half of the memory is left for what is made
-/// of it.
+/// How many items of so many bytes fit. Half of the memory is left for later steps.
 double count_that_fits(double bytes_each);
 
-/// `count` things of so many bytes each in bytes. Throws Error naming `what` if no size is as
-/// large: where sizes have 32 bits, counts of files may have more.
+/// The size of `count` items of so many bytes each. Throws Error naming `what` if it overflows:
+/// where sizes have 32 bits, counts in files may have more.
 std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std::string& what);
 
 /// Throws TooLarge if that is less than `count`: "WHAT would be 2.3e+12 THINGS, and memory has room
@@ -40,11 +39,11 @@ std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std
 void check_fits(double count, double bytes_each, const std::string& what, const std::string& things,
                 const std::function<std::string(double)>& remedy);
 
-/// A number for such a message with two digits, on the safe side.
+/// A number with two digits for such a message, rounded to the safe side.
 std::string rounded_up(double number);
 std::string rounded_down(double number);
 
-/// Lets the process believe in so much memory while it lives, as tests do.
+/// Overrides the available memory while it lives, for tests.
 class AssumedMemory {
  public:
   explicit AssumedMemory(double bytes);

@@ -17,12 +17,12 @@
 
 namespace brindle {
 
-/// What goes into an open file, in large pieces. It keeps the system's reason for a failure, which
-/// streams of the standard library forget, and needs none of their locales, a twelfth of a module
-/// for browsers. After a failure, and once cancelled, it takes no more.
+/// Writes into an open file in large blocks, or into a text. It keeps the system's reason for a
+/// failure, unlike streams of the standard library, and needs none of their locales, a twelfth of a
+/// module for browsers. After a failure, and once cancelled, it ignores what follows.
 class OutputStream {
  public:
-  /// `progress` hears of every few megabytes.
+  /// `progress` reports after every few megabytes.
   OutputStream(system::Descriptor descriptor, const Progress& progress);
   /// Into a text, at once.
   explicit OutputStream(std::string& text) : text_(&text) {}
@@ -40,10 +40,10 @@ class OutputStream {
     return write(digits, static_cast<std::size_t>(end - digits));
   }
 
-  /// Hands on what has gathered.
+  /// Writes what was buffered.
   void flush();
 
-  /// Whether something could not be written; what comes after that is lost.
+  /// Whether something could not be written; everything after that is lost.
   bool bad() const { return reason_ != 0 || cancelled_; }
 
   /// 0, or the system's reason for the first failure.
@@ -63,7 +63,7 @@ class OutputStream {
   bool cancelled_ = false;
 };
 
-/// Thrown by those who write much where the file takes no more: `write_file` knows why.
+/// Thrown by long writers once the file takes no more; `write_file` reports the reason.
 class OutputStopped : public Error {
  public:
   OutputStopped() : Error("the output takes no more") {}
@@ -114,20 +114,20 @@ class TextOutput {
 };
 
 /// Lets `write` fill a file that has no name yet, then gives it the name `path`. On any failure,
-/// and if the process is killed meanwhile, nothing stays behind and what stood at `path` before
+/// and if the process is killed meanwhile, nothing is left behind, and an earlier file at `path`
 /// stays as it was. (Where the file system knows no files without names, the file is called
 /// .brindle-NUMBER.tmp until it is whole, and being killed leaves that.) A file that is replaced
 /// hands its owner and permissions on; a link is followed, and stays. A `path` that is not a
-/// regular file (a device, a pipe) is written to directly.
-/// Throws Error, naming the path, the system's reason and the remedy, if the folder does not exist,
-/// cannot be written to or is full; passes on what `write` throws. `progress` hears "writing PATH"
-/// after every few megabytes, and Cancelled leaves the path as any failure does; how large the file
-/// will be is not known, so that the fraction nears 1 ever more slowly.
+/// regular file (a device, a pipe) is written to directly. Throws Error, naming the path, the
+/// system's reason and the remedy, if the folder does not exist, cannot be written to or is full;
+/// passes on what `write` throws. `progress` reports "writing PATH" after every few megabytes; the
+/// size of the file is not known, so the fraction approaches 1 ever more slowly. Cancelled leaves
+/// the path as any failure does.
 void write_file(const std::filesystem::path& path, const std::function<void(OutputStream&)>& write,
                 const Progress& progress = {});
 
-/// The same in two steps, for who cannot write to a stream, and for who has to hear of other files
-/// before this one gets its name: a file without a name.
+/// The same in two steps: a file without a name, for writers that need its descriptor, and for
+/// those that complete other files before this one gets its name.
 class UnfinishedFile {
  public:
   /// Throws Error as `write_file` does. `path` is no device.
@@ -141,7 +141,7 @@ class UnfinishedFile {
   /// Lets `write` fill the file, as `write_file` does.
   void write(const std::function<void(OutputStream&)>& write, const Progress& progress = {});
 
-  /// By what other programs can open it, as long as this lives.
+  /// A path by which other programs can open the file while this object lives.
   std::filesystem::path place() const;
 
   /// Gives the file its name. Throws Error as `write_file` does.
@@ -154,8 +154,8 @@ class UnfinishedFile {
 };
 
 /// Throws the Error that `write_file` would throw for a `path` that is a folder, lies in a folder
-/// that does not exist or may not be written to, or has too long a name. Ask before a long job,
-/// whose result would be lost.
+/// that does not exist or may not be written to, or has too long a name. For checks before a long
+/// job, whose result would be lost.
 void check_output_path(const std::filesystem::path& path);
 
 /// Whether something is there that is no regular file: a device or a pipe, written to directly.

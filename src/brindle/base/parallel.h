@@ -1,5 +1,5 @@
-/// Threads behind a few functions, which give bit-identical results for every number of threads, and
-/// without oneTBB.
+/// Threads behind a few functions, which give bit-identical results for every number of threads,
+/// and without oneTBB.
 #pragma once
 
 #include <algorithm>
@@ -107,8 +107,8 @@ void parallel_both(const First& first, const Second& second) {
 #endif
 }
 
-/// As above, and `progress` hears how much is done before every slice of the range. Reports come at
-/// places that depend on `count` alone, and from the calling thread.
+/// As above; `progress` reports the fraction done before every slice of the range. The number of
+/// reports depends on `count` alone; they come from the calling thread.
 template <class Body>
 void parallel_for(std::size_t count, const Progress& progress, const Body& body,
                   std::size_t grain = kParallelGrain, std::size_t slice = kReportSlice) {
@@ -121,7 +121,7 @@ void parallel_for(std::size_t count, const Progress& progress, const Body& body,
   }
 }
 
-/// Calls `body(i)` for every i below `count`, one after the other; reports as above.
+/// Calls `body(i)` for every i below `count`, in order; reports as above.
 template <class Body>
 void reported_for(std::size_t count, const Progress& progress, const Body& body,
                   std::size_t slice = kReportSlice) {
@@ -160,13 +160,13 @@ void ticking_sort(Iterator begin, Iterator end, const Progress& progress, const 
   });
 }
 
-/// Reports of a loop whose rounds differ: whenever another slice of `all` is done.
+/// Reports for a loop whose rounds differ: whenever another slice of `all` is done.
 class Reporter {
  public:
   Reporter(Progress progress, std::size_t all, std::size_t slice = kReportSlice)
       : progress_(std::move(progress)), all_(all), slice_(slice), next_(slice) {}
 
-  /// So much more. Throws Cancelled if the callback asks for it.
+  /// `more` was done. Throws Cancelled if the callback asks for it.
   void done(std::size_t more) {
     done_ += more;
     if (done_ < next_) return;
@@ -193,8 +193,8 @@ Value halving_sum(std::size_t begin, std::size_t end, const Body& body, std::siz
 }
 
 #ifdef BRINDLE_HAS_TBB
-/// What oneTBB's reduction asks for. Its reduction of functions would copy the neutral element out
-/// of the caller before a task has begun, where `TaskOrder` cannot tell of it.
+/// The body of oneTBB's reduction. Its reduction of functions would copy the neutral element out of
+/// the caller before a task has begun, where `TaskOrder` cannot record it.
 template <class Value, class Body>
 class PartialSum {
  public:
@@ -239,7 +239,7 @@ Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kPar
 #endif
 }
 
-/// As above, bit for bit, and `progress` hears how much is done before every slice.
+/// As above, bit for bit; `progress` reports the fraction done before every slice.
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Progress& progress, const Body& body,
                    std::size_t grain = kParallelGrain, std::size_t slice = kReportSlice) {
@@ -254,8 +254,8 @@ Value parallel_sum(std::size_t count, const Progress& progress, const Body& body
   return halving_sum<Value>(0, count, sum_slice, std::max(slice, grain));
 }
 
-/// The most threads that can work at the same time, and the number, from 0, of the one that asks.
-/// A thread keeps its number during a body of `parallel_for`.
+/// The most threads that can work at the same time, and the number, from 0, of the calling one. A
+/// thread keeps its number during a body of `parallel_for`.
 std::size_t thread_capacity();
 std::size_t thread_number();
 

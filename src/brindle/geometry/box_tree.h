@@ -1,4 +1,4 @@
-/// A tree of boxes around things, to find the nearest of them.
+/// A tree of bounding boxes, to find the nearest of numbered items.
 #pragma once
 
 #include <array>

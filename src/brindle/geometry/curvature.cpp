@@ -35,7 +35,7 @@ struct ShapeOperatorFit {
   }
 
   Eigen::Vector3d solve() const {
-    // Where all edges run along one line they tell nothing of the curvature across it: 0.
+    // Where all edges run along one line the curvature across it is unknown: 0.
     return (matrix + 1e-9 * weight * Eigen::Matrix3d::Identity()).ldlt().solve(right);
   }
 };

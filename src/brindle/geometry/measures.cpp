@@ -145,7 +145,7 @@ std::vector<std::array<Index, 2>> feature_edges(const Mesh& mesh, const MeshEdge
       } else if (edges.half_edges.of(edge)[0] == 3 * t + m) {
         first[edge] = {normal, forward};
       } else {
-        // Wound alike, two triangles run along their edge in opposite ways.
+        // Two triangles that are wound alike run along their edge in opposite ways.
         const float cosine = first[edge].normal.dot(normal);
         sharp[edge] = (forward == first[edge].forward ? -cosine : cosine) < flattest;
       }

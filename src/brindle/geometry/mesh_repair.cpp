@@ -17,8 +17,8 @@ namespace brindle {
 namespace {
 
 constexpr auto kLargestFloat = static_cast<float>(kLargestCoordinate);
-/// Twice the area over the square of the longest edge below which a triangle has no area. What
-/// rounding of float coordinates leaves of it is far larger.
+/// Twice the area over the square of the longest edge below which a triangle has no area. Rounding
+/// of float coordinates leaves far more.
 constexpr double kSmallestArea = 1e-12;
 
 bool usable(const Vec3& position) {
@@ -33,7 +33,7 @@ bool has_area(const Mesh& mesh, const Triangle& t) {
   return longest2 > 0 && a.cross(b).norm() > kSmallestArea * longest2;
 }
 
-/// Leaves triangles whose entry in `bad` is 0, and their entries in `kept`.
+/// Keeps the triangles whose entry in `bad` is 0, with their entries in `kept`.
 void drop_triangles(Mesh& mesh, const std::vector<char>& bad, std::vector<Index>& kept) {
   std::size_t left = 0;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -138,7 +138,7 @@ std::vector<Index> first_at_each_place(std::span<const Vec3> positions, const Pr
   const auto find = [&](std::size_t number) {
     const auto v = static_cast<Index>(number);
     std::size_t place = hash(positions[v]) & (table.size() - 1);
-    // A NaN equals nothing, so it stays apart; all of one kind would share a place.
+    // A NaN equals nothing: it keeps its own number, and needs no place in the table.
     if (!usable(positions[v])) {
       first[v] = v;
       return;

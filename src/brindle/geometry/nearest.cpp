@@ -23,7 +23,7 @@ void take_if_nearer(Candidate& best, const Candidate& other) {
   if (other.square < best.square) best = other;
 }
 
-/// With its distance, after what rounding has put outside its box is back in it.
+/// With its distance, after rounding errors outside its box are clamped.
 Candidate measured(Candidate candidate, const Eigen::Vector3d& lower, const Eigen::Vector3d& upper,
                    const Eigen::Vector3d& point) {
   candidate.position = candidate.position.cwiseMax(lower).cwiseMin(upper);

@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// What one adjacent triangle tells about a vertex.
+/// The part of one adjacent triangle in a vertex's normal.
 struct Corner {
   Vec3 normal;
   float angle;  ///< radians, at the vertex

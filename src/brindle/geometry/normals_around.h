@@ -19,11 +19,11 @@ inline int corner_of(const Triangle& triangle, Index vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
 }
 
-/// As `vertex_normals` of normals.h, with what `vertex_triangles` found.
+/// As `vertex_normals` of normals.h, with the result of `vertex_triangles`.
 std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around,
                                  const Progress& progress = {});
 
-/// What all corners of a triangle tell about their vertices.
+/// A triangle's normal and angles, for the normals at its corners.
 struct TriangleAngles {
   Vec3 normal;
   std::array<float, 3> angle;  ///< radians; zero without an area

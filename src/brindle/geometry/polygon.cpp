@@ -6,8 +6,8 @@ namespace brindle {
 namespace {
 
 constexpr std::size_t kMostClipped = 1000;  // clipping takes the square of the corners
-/// Looks at corners, in parts of that square. Polygons that cross themselves everywhere would take
-/// the cube; their cuts are as good as any others.
+/// The most tests of corners, in multiples of that square. Polygons that cross themselves
+/// everywhere would need the cube; any cuts of theirs are as good.
 constexpr std::size_t kMostLooks = 8;
 
 using Point = Eigen::Vector3d;
@@ -30,8 +30,8 @@ struct Outline {
   }
 };
 
-/// Whether `b` can be cut off: it is convex, and no other corner lies in its triangle. Takes the
-/// looks that it needs off `looks`.
+/// Whether `b` can be cut off: it is convex, and no other corner lies in its triangle. Subtracts
+/// its tests from `looks`.
 bool is_ear(const Outline& outline, const std::vector<std::size_t>& left, std::size_t at,
             std::size_t& looks) {
   if (looks > 0) --looks;

@@ -27,7 +27,7 @@ void check_triangles(const Mesh& mesh) {
               " vertices, numbered from 0; correct or drop it, as repair_mesh does");
 }
 
-/// How many edges of one triangle stand exactly where others do.
+/// How many boundary edges are at exactly the place of another.
 std::size_t coinciding_boundary_edges(const Surface& surface) {
   const std::vector<Index> first = first_at_each_place(surface.mesh.positions);
   bool any = false;

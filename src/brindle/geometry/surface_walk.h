@@ -1,4 +1,4 @@
-/// Ways over a mesh from triangle to triangle.
+/// Walks over a mesh from triangle to triangle.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ Eigen::Vector3d position_in(const Mesh& mesh, const TrianglePoint& place);
 /// Not of unit length; zero for a triangle without area.
 Eigen::Vector3d normal_of(const std::array<Eigen::Vector3d, 3>& corners);
 
-/// Somebody on the way in a triangle.
+/// A walker in a triangle.
 struct SurfaceWalker {
   Index triangle = 0;
   Eigen::Vector3d place;      ///< barycentric
@@ -29,20 +29,20 @@ struct SurfaceWalker {
   int entered = -1;           ///< the edge that was passed last, if any
 };
 
-/// What a walker's barycentric coordinates change by along its direction, per unit of length.
+/// The change of a walker's barycentric coordinates along its direction, per unit of length.
 Eigen::Vector3d change_along(const std::array<Eigen::Vector3d, 3>& corners,
                              const Eigen::Vector3d& direction);
 
-/// How far it is straight on to the edge by which a walker leaves its triangle; an infinite way and
-/// no edge where it never does.
+/// The distance straight on to the edge by which a walker leaves its triangle; infinite, without an
+/// edge, where it never does.
 struct WayOut {
   double distance;
   int edge;
 };
 WayOut way_out(const SurfaceWalker& walker, const Eigen::Vector3d& change);
 
-/// Into triangle `next` over `edge` at the point with the weights `between` of the edge's ends, the
-/// one of lower number first, straight on.
+/// Moves straight on into triangle `next` over `edge`, at the point with the weights `between` of
+/// the edge's ends, the one of lower number first.
 void enter_triangle(const Mesh& mesh, const MeshEdges& edges, Index next, Index edge,
                     const std::array<double, 2>& between, SurfaceWalker& walker);
 
@@ -51,8 +51,8 @@ class SurfaceWays {
  public:
   SurfaceWays(const Mesh& mesh, const MeshEdges& edges) : mesh_(mesh), edges_(edges) {}
 
-  /// Where one arrives who goes straight on from a place, along `way` in its triangle's plane and
-  /// as long; shorter where an edge is met beyond which there is not exactly one triangle.
+  /// The end of a straight walk from a place, along `way` in its triangle's plane and as long;
+  /// shorter where it meets an edge that does not have exactly two triangles.
   TrianglePoint straight_on(const TrianglePoint& from, const Eigen::Vector3d& way) const;
 
   /// A piece within a triangle.

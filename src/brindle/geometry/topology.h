@@ -46,7 +46,7 @@ VertexTriangles vertex_triangles(const Mesh& mesh, const Progress& progress = {}
 /// neighbours.
 Adjacency vertex_neighborhood(const Mesh& mesh, const Progress& progress = {});
 
-/// The same, with what `vertex_triangles` found.
+/// The same, with the result of `vertex_triangles`.
 Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around,
                               const Progress& progress = {});
 

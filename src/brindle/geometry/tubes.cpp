@@ -27,7 +27,7 @@ std::vector<TubePoint> distinct_points(const Polylines& lines, std::size_t line,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool last = i + 1 == points.size() && !lines.closed[line];
     const bool near = !result.empty() && (points[i] - result.back().position).norm() < gap;
-    // The last point of an open line is where it ends: the one before gives way.
+    // The last point of an open line stays: the one before it is dropped.
     if (near && last && result.size() > 1) result.pop_back();
     if (!near || last) result.push_back({points[i], normals[i]});
   }

@@ -11,8 +11,8 @@
 namespace brindle {
 namespace {
 
-/// Of the points in use the first at each place, in ascending order. `first` receives for every
-/// point which that is.
+/// The first of the points in use at each place, in ascending order. `first` receives its number
+/// for every point.
 std::vector<Index> first_at_their_place(const std::vector<Vec3>& positions,
                                         const std::vector<Index>& used, std::vector<Index>& first,
                                         const Progress& progress) {

@@ -13,8 +13,8 @@
 namespace brindle {
 namespace {
 
-/// Squares of the width over the length below which points lie on a line, and below which their
-/// plane hangs on few of them.
+/// Squares of the width over the length: below the first points lie on a line, below the second few
+/// of them determine their plane.
 constexpr double kThinnest = 1e-8;
 constexpr double kThin = 0.1;
 

@@ -16,8 +16,9 @@ std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacenc
 
 /// Turns normals round so that neighbours agree, spreading along the edges where normals differ
 /// least (Hoppe et al. 1992: minimum spanning tree). Those of every component then point outwards,
-/// or up (z) where it encloses nothing. Normals that are zero stay and pass nothing on. Where the
-/// surface cannot be oriented, or sheets are closer than points, some neighbours keep disagreeing.
+/// or up (z) where it encloses nothing. Normals that are zero stay, and orientation does not spread
+/// across them. Where the surface cannot be oriented, or sheets are closer than points, some
+/// neighbours keep disagreeing.
 void orient_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,
                     std::span<Vec3> normals, const Progress& progress = {});
 

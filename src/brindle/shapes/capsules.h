@@ -29,8 +29,8 @@ class CapsuleDistance {
 };
 
 /// The smooth minimum of the distances to all capsules, with blends of about radius `blend`, above
-/// 0: what `isosurface` takes. Of many capsules, a grid of cells knows which ones count where, so
-/// that a value costs what is near. There is at least one capsule.
+/// 0: what `isosurface` takes. For many capsules a grid of cells lists those that count in each
+/// cell, so that the cost of a value depends on nearby ones alone. There is at least one capsule.
 class CapsuleUnion {
  public:
   CapsuleUnion(std::span<const Capsule> parts, double blend);

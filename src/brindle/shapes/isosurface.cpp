@@ -28,7 +28,7 @@ using Point = Eigen::Vector3d;
 using Cell = Eigen::Vector3i;
 using Tetrahedron = std::array<Index, 4>;
 
-/// Edges of the resulting triangles over the lattice's cells, by measurement.
+/// Measured ratio of the lattice's cells to the edges of the resulting triangles.
 constexpr double kCellPerEdge = 1.29;
 constexpr int kMaxCells = 1 << 12;  ///< along one axis
 constexpr std::size_t kValuesPerReport = 1 << 12;
@@ -62,8 +62,8 @@ class EdgeList {
   std::vector<Edge> edges_;
 };
 
-/// The body-centred cubic lattice near the surface: points with what the function is there, and
-/// all tetrahedra that it crosses.
+/// The body-centred cubic lattice near the surface: points with the function's values, and all
+/// tetrahedra that the surface crosses.
 class Lattice {
  public:
   Lattice(const ImplicitFunction& function, const BoundingBox& box, double cell,
@@ -357,8 +357,8 @@ class Polygonizer {
       triangles_.push_back({t, true, kNone});
       return;
     }
-    // It is met from both sides: it stays once if one side is in and the other out, and not at all
-    // otherwise.
+    // It is added from both sides: it stays, once, only if one side is inside and the other
+    // outside.
     if (MadeTriangle* reversed = face({t[0], t[2], t[1]})) {
       reversed->stays = false;
     } else if (!face(t)) {
@@ -525,10 +525,11 @@ Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float 
   {
     const Lattice lattice(function, box, cell, progress.part(0, 0.2));
     const SnappedPoints snapped = snap(lattice, cell, progress);
-    progress.report(0.3);
+    progress.report(0.28);
     mesh = polygonize(lattice, snapped, progress);
-    progress.report(0.4);
+    progress.report(0.36);
     twins = manifold_twins(mesh);
+    progress.report(0.44);
     if (!twins) {
       // Snapping may pinch what is hardly thicker than a cell; without it nothing is pinched.
       mesh = polygonize(lattice, SnappedPoints(lattice.values.size()), progress);
