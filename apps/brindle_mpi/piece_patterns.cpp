@@ -11,7 +11,6 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/frequency_field.h"
-#include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"

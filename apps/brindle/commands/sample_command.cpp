@@ -6,7 +6,6 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/files.h"
-#include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"

@@ -6,7 +6,6 @@
 
 #include "brindle/base/formatted.h"
 #include "brindle/base/ranges.h"
-#include "brindle/recipe/option_row.h"
 #include "brindle/samples.h"
 
 namespace brindle {
