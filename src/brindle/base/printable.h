@@ -2,10 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace brindle {
+
+/// A letter in UTF-8.
+struct Utf8Letter {
+  std::size_t bytes = 0;  ///< 0 if the text does not begin with one
+  std::uint32_t code = 0;
+};
+
+/// The letter that a text begins with, in its shortest form alone (RFC 3629).
+Utf8Letter first_utf8_letter(std::string_view text);
 
 /// `text` as a terminal can show it: bytes that are not printable ASCII as \xe9, and three dots
 /// instead of what follows the first `most` bytes.

@@ -13,9 +13,8 @@
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/component_groups.h"
-#include "brindle/files/piecewise_arrays.h"
-#include "brindle/files/text/letters.h"
+#include "brindle/files/read_arrays.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
@@ -28,9 +27,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// Where a cell in quotation marks that begins at `begin` ends behind its mark; nowhere unless the
-/// separator or the row's end follows. `vain` are marks that led nowhere before, and need not be
-/// followed again: many marks that nothing closes would take the square of their number.
+/// The place after the closing mark of a quoted cell that begins at `begin`; npos unless the
+/// separator or the row's end follows it. `vain` are marks that closed nothing before and are not
+/// followed again: many unclosed marks would take quadratic time.
 std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separator,
                           std::set<std::size_t>& vain) {
   std::vector<std::size_t> followed;
@@ -72,7 +71,7 @@ bool has_separator(std::string_view row, char separator) {
     return place == std::string_view::npos ||
            kSeparators.find(row[place]) != std::string_view::npos;
   };
-  bool begins = true, closes = true;  // what one mark does not find, no later one does
+  bool begins = true, closes = true;  // after one unclosed mark, no later one is closed
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] == separator) return true;
     if (row[i] == '"' && begins && closes) {
@@ -108,7 +107,7 @@ void cut(std::string_view row, std::vector<std::string_view>& cells) {
   }
 }
 
-/// Whether all cells are numbers, which `values` then has.
+/// Whether all cells are numbers; `values` receives them.
 bool parse(const std::vector<std::string_view>& cells, std::vector<double>& values) {
   values.clear();
   for (const std::string_view cell : cells) {
@@ -279,11 +278,6 @@ CsvTable CsvFile::read_table() {
                 "again");
   }
   return table;
-}
-
-void read_csv(const std::filesystem::path& path, const CsvKind& kind,
-              const std::function<void(std::size_t line, std::span<const double> values)>& use) {
-  CsvFile(path, kind).read(use);
 }
 
 std::vector<DataArray> csv_columns(const std::filesystem::path& path) {

@@ -15,19 +15,19 @@
 
 namespace brindle {
 
-/// What a file is, for messages: "field", "x,y,z or x,y,z,frequency".
+/// The words of messages for a kind of file: "field", "x,y,z or x,y,z,frequency".
 struct CsvKind {
   std::string what;
   std::string columns;
 };
 
-/// Where a row stands, as messages begin: "'path', line 7: ".
+/// The beginning of messages on a row: "'path', line 7: ".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
 
 /// Columns of numbers that the first row names.
 struct CsvTable {
   std::vector<DataArray> columns;  ///< float64, one component each
-  std::vector<std::size_t> lines;  ///< of every row where it stands in the file
+  std::vector<std::size_t> lines;  ///< the line of each row
 
   /// The numbers of the first column of that name, in small or capital letters; empty if there is
   /// none, and for an empty name.
@@ -43,7 +43,7 @@ class CsvFile {
  public:
   CsvFile(std::filesystem::path path, CsvKind kind);
 
-  /// What the first row says if none of its cells is a number; otherwise empty.
+  /// The first row if none of its cells is a number; otherwise empty.
   const std::vector<std::string>& names() const { return names_; }
 
   /// Calls `use(line, values)` for every row of numbers, `line` counted from 1; a first row of
@@ -71,9 +71,5 @@ class CsvFile {
   std::vector<std::string> names_;
   std::vector<std::string_view> cells_;  ///< of `row_`
 };
-
-/// CsvFile::read.
-void read_csv(const std::filesystem::path& path, const CsvKind& kind,
-              const std::function<void(std::size_t line, std::span<const double> values)>& use);
 
 }  // namespace brindle

@@ -9,12 +9,13 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/text/csv_file.h"
-#include "brindle/files/text/letters.h"
+#include "brindle/files/text/text_words.h"
 #include "brindle/waves/float_vector.h"
 
 namespace brindle {
@@ -75,7 +76,7 @@ void read_named_field(const std::filesystem::path& path, CsvFile& file,
   }
 }
 
-/// Whether a file's columns are told by their names and not by their places.
+/// Whether a file's columns are found by their names and not by their places.
 bool has_named_columns(const std::vector<std::string>& names) {
   if (!has_name(names, "x") || !has_name(names, "y") || !has_name(names, "z")) return false;
   const bool first =
@@ -84,7 +85,7 @@ bool has_named_columns(const std::vector<std::string>& names) {
          has_name(names, "frequency_v");
 }
 
-/// Rows of one vertex, gathered.
+/// The mean direction of the rows of one vertex.
 class RowMean {
  public:
   void add(const Vec3& vector) {
@@ -126,7 +127,7 @@ std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
   return result;
 }
 
-/// The field of a mesh's vertices from that of its file's.
+/// The field of a mesh's vertices from the rows of its file's vertices.
 FieldFile of_vertices(const FieldFile& rows, std::size_t vertex_count,
                       std::span<const Index> vertex_of_row) {
   std::vector<RowMean> gathered(vertex_count);
@@ -145,6 +146,56 @@ std::string counts(std::size_t vertices, std::size_t rows) {
   std::string text = std::to_string(vertices);
   if (rows > vertices) text += ", or " + std::to_string(rows) + " in its file";
   return text;
+}
+
+[[noreturn]] void refuse_calm_rows(const std::filesystem::path& path, std::size_t rows,
+                                   std::size_t line, std::size_t vertex_count,
+                                   std::size_t file_vertices) {
+  std::string count = std::to_string(vertex_count);
+  if (file_vertices > vertex_count)
+    count += ", or " + std::to_string(file_vertices) + " in its file,";
+  const std::string has = rows == 0 ? std::string("has no rows")
+                                    : "ends at line " + std::to_string(line) + " after " +
+                                          std::to_string(rows) + " rows";
+  throw Error("'" + shown(path.string()) + "' " + has + ", but the mesh has " + count +
+              " vertices; give one row per vertex");
+}
+
+float checked_calm(const std::filesystem::path& path, std::size_t line, double value) {
+  if (value >= 0 && value <= 1) return static_cast<float>(value);
+  throw Error(at_line(path, line) + formatted("calm is %g; give a number from 0 to 1", value));
+}
+
+struct CalmRows {
+  std::vector<float> calm;
+  std::size_t last_line = 0;  ///< where the last row stands in the file
+};
+
+CalmRows read_calm_rows(const std::filesystem::path& path) {
+  CalmRows rows;
+  const auto add = [&](std::size_t line, double value) {
+    rows.calm.push_back(checked_calm(path, line, value));
+    rows.last_line = line;
+  };
+  CsvFile file(path, {"calm", "one number from 0 to 1"});
+  if (file.names().size() > 1) {
+    const CsvTable table = file.read_table();
+    const std::vector<double> values = table.numbers_of("calm");
+    if (values.empty()) {
+      throw Error("'" + shown(path.string()) +
+                  "' has no column of numbers named calm; name one so");
+    }
+    for (std::size_t row = 0; row < values.size(); ++row) add(table.lines[row], values[row]);
+    return rows;
+  }
+  file.read([&](std::size_t line, std::span<const double> values) {
+    if (values.size() != 1) {
+      throw Error(at_line(path, line) + std::to_string(values.size()) +
+                  " columns; give one number from 0 to 1 a row, or name a column calm");
+    }
+    add(line, values[0]);
+  });
+  return rows;
 }
 
 }  // namespace
@@ -173,6 +224,21 @@ FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_c
   throw Error("'" + shown(path.string()) + "' has " + std::to_string(field.vectors.size()) +
               " rows, but the mesh has " + counts(vertex_count, vertex_of_row.size()) +
               " vertices; give one row per vertex");
+}
+
+std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
+                                 std::span<const Index> vertex_of_row) {
+  CalmRows rows = read_calm_rows(path);
+  if (rows.calm.size() == vertex_count) return std::move(rows.calm);
+  if (vertex_of_row.empty() || rows.calm.size() != vertex_of_row.size()) {
+    refuse_calm_rows(path, rows.calm.size(), rows.last_line, vertex_count, vertex_of_row.size());
+  }
+  std::vector<float> calm(vertex_count);
+  for (std::size_t row = 0; row < rows.calm.size(); ++row) {
+    float& greatest = calm[vertex_of_row[row]];
+    greatest = std::max(greatest, rows.calm[row]);
+  }
+  return calm;
 }
 
 }  // namespace brindle

@@ -16,7 +16,7 @@
 #include "brindle/base/ranges.h"
 #include "brindle/base/text_output.h"
 #include "brindle/error.h"
-#include "brindle/files/vtk/xml_text.h"
+#include "brindle/files/vtk/vtp_file.h"
 
 #ifdef BRINDLE_HAS_VTK
 #include <pugixml.hpp>

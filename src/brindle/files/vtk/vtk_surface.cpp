@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/file_extension.h"
+#include "brindle/files/vtk/vtk_file.h"
 
 namespace brindle {
 namespace {
@@ -25,7 +27,7 @@ enum class CellKind {
   unknown
 };
 
-/// What VTK's types are (vtkCellType.h).
+/// The kinds of VTK's types (vtkCellType.h).
 CellKind kind_of(std::uint8_t type) {
   switch (type) {
     case 0:
@@ -64,7 +66,7 @@ CellKind kind_of(std::uint8_t type) {
   return volume ? CellKind::volume : CellKind::unknown;
 }
 
-/// Corners of a quadratic or biquadratic cell; of a quadratic polygon half of its points.
+/// Corners of a quadratic or biquadratic cell; a quadratic polygon has half as many as points.
 std::size_t sides_of(std::uint8_t type, std::size_t points) {
   switch (type) {
     case 22:
@@ -78,7 +80,8 @@ std::size_t sides_of(std::uint8_t type, std::size_t points) {
   }
 }
 
-/// A whole number as another type; one that it cannot hold, and any other, as its largest.
+/// A whole number as another type; its largest number for values that it cannot hold and for
+/// floating-point numbers.
 template <class Number, class Stored>
 Number as(Stored value) {
   if constexpr (std::is_integral_v<Stored>) {
@@ -113,6 +116,16 @@ IndexReader index_reader(NumberType type) {
 }
 
 }  // namespace
+
+bool is_vtk_format(const std::filesystem::path& path) {
+  const std::string kind = lower_extension(path);
+  return kind == ".vtp" || kind == ".vtu" || kind == ".vtk";
+}
+
+RawMesh read_vtk(const std::filesystem::path& path, const Progress& progress) {
+  return lower_extension(path) == ".vtk" ? read_vtk_legacy(path, progress)
+                                         : read_vtk_xml(path, progress);
+}
 
 std::uint64_t vtk_points_of_cells(const DataArray& ends) {
   if (ends.rows() == 0) return 0;
@@ -303,7 +316,7 @@ RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
   raw.taken = std::move(boundary);
   raw.normals = std::move(normals_);
   raw.has_faces = has_faces;
-  // What would be an answer if there were triangles is none.
+  // Surface cells without a triangle are explained by the mesh's repair instead.
   if (surfaces_ == 0) raw.why_empty = why_empty();
   return raw;
 }

@@ -17,8 +17,8 @@
 #include "brindle/base/base64.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/printable.h"
-#include "brindle/files/byte_order.h"
-#include "brindle/files/text/text_numbers.h"
+#include "brindle/files/binary_numbers.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
@@ -35,9 +35,9 @@ constexpr std::array<std::pair<std::string_view, NumberType>, 10> kVtkXmlTypes =
      {"Int64", NumberType::int64},
      {"UInt64", NumberType::uint64}}};
 
-/// The zlib format cannot make less of its content than this part.
+/// The zlib format compresses by no larger factor.
 constexpr std::uint64_t kMostInflation = 1100;
-/// Blocks that are worth another thread.
+/// Blocks per task: fewer are not worth another thread.
 constexpr std::size_t kBlockGrain = 8;
 
 std::optional<NumberType> number_type_of(const pugi::xml_node& element) {
@@ -48,7 +48,7 @@ std::optional<NumberType> number_type_of(const pugi::xml_node& element) {
   return std::nullopt;
 }
 
-/// Where a compressed block stands before and after.
+/// Where a block is among the compressed bytes and among the others.
 struct PackedBlock {
   std::uint64_t begin, size;
   std::uint64_t unpacked_begin, unpacked_size;
@@ -66,7 +66,7 @@ bool inflate_block(const PackedBlock& block, std::span<const std::byte> packed,
 
 }  // namespace
 
-/// Bytes that follow each other somewhere in the file.
+/// A sequence of bytes of the file.
 class VtkXmlArrays::Bytes {
  public:
   virtual ~Bytes() = default;

@@ -1,5 +1,7 @@
-#include "brindle/files/text/text_numbers.h"
+#include "brindle/files/text/text_words.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <optional>
@@ -32,6 +34,32 @@ std::optional<Number> number_in(std::string_view word) {
 }
 
 }  // namespace
+
+std::string small_letters(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+    return std::tolower(x) == std::tolower(y);
+  });
+}
+
+std::string percent_decoded(std::string_view name) {
+  std::string decoded;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = name.data() + i + 1;
+    const bool escape = name[i] == '%' && i + 2 < name.size() &&
+                        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    decoded.push_back(escape ? static_cast<char>(byte) : name[i]);
+    if (escape) i += 2;
+  }
+  return decoded;
+}
 
 std::string_view take_word_of_lines(std::string_view& text) {
   const char* begin = text.data();

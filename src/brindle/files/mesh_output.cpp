@@ -2,20 +2,13 @@
 #include <string>
 
 #include "brindle/base/file_extension.h"
-#include "brindle/base/input_file.h"
 #include "brindle/base/named_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/gltf/gltf_reader.h"
-#include "brindle/files/gltf/gltf_writer.h"
-#include "brindle/files/ply_file.h"
-#include "brindle/files/stl_file.h"
-#include "brindle/files/surface_file.h"
-#include "brindle/files/text/obj_file.h"
-#include "brindle/files/text/off_file.h"
-#include "brindle/files/vtk/vtk_file.h"
+#include "brindle/files/gltf/gltf_file.h"
+#include "brindle/files/mesh_formats.h"
 #include "brindle/files/vtk/vtp_file.h"
 #include "brindle/files/written_arrays.h"
 
@@ -23,48 +16,6 @@ namespace brindle {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kReadable =
-    "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
-
-/// Lets triangles use one of the vertices at one place, and removes the others where they have no
-/// numbers.
-void join(const fs::path& path, LoadedMesh& loaded) {
-  std::vector<Index> first = first_at_each_place(loaded.mesh.positions);
-  loaded.repair.vertices_joined = join_vertices(loaded.mesh, first);
-  if (loaded.repair.vertices_joined == 0) return;
-  if (lower_extension(path) == ".stl") {
-    const std::vector<Index> number = drop_unreferenced_vertices(loaded.mesh);
-    for (Index& v : first) v = number[v];
-    loaded.renumbered = true;
-  }
-  loaded.vertex_of_row = std::move(first);
-}
-
-/// Drops triangles that cannot be used, with their rows.
-void repair(LoadedMesh& loaded) {
-  const std::size_t joined = loaded.repair.vertices_joined, count = loaded.mesh.triangle_count();
-  std::vector<Index> kept;
-  loaded.repair = repair_mesh(loaded.mesh, kept);
-  loaded.repair.vertices_joined = joined;
-  if (kept.size() < count) loaded.arrays.cells = rows_of(loaded.arrays.cells, kept);
-}
-
-void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::string& why_empty) {
-  if (!loaded.mesh.triangles.empty()) return;
-  if (!why_empty.empty()) throw Error(shown(path.string()) + ": " + why_empty);
-  const MeshRepair& repair = loaded.repair;
-  std::string why = "has no triangles";
-  if (repair.triangles_not_finite > 0) {
-    why =
-        "has no usable triangle: the corners of all have coordinates that are no numbers or beyond "
-        "1e18, for which larger units are needed";
-  } else if (repair.triangles_degenerate > 0) {
-    why = "has no usable triangle: none has an area";
-  }
-  throw Error(shown(path.string()) + ": " + why +
-              "; export the mesh again, as a surface with faces");
-}
 
 /// The arrays as the file holds them, if it holds them all.
 DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
@@ -124,46 +75,6 @@ void write_as(OutputStream& out, const std::string& kind, const Mesh& mesh,
 }
 
 }  // namespace
-
-RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
-  const std::string kind = lower_extension(path);
-  if (kind == ".obj") return {read_obj(path, progress)};
-  if (kind == ".ply") return read_ply(path, progress);
-  if (kind == ".off") return {read_off(path, progress)};
-  if (kind == ".stl") return {read_stl(path, progress)};
-  if (kind == ".gltf" || kind == ".glb") return read_gltf(path, progress);
-  if (is_vtk_format(path)) return read_vtk(path, progress);
-  const InputFile readable(path);
-  if (kind == ".pvtp") {
-    readable.fail_whole(
-        "names the pieces of a surface, which 'mpirun -n 1 brindle-mpi' reads; or save it in "
-        "ParaView as .vtp");
-  }
-  readable.fail_whole("brindle cannot tell the format by the extension '" +
-                      shown(path.extension().string()) + "'; " + kReadable);
-}
-
-LoadedMesh mesh_of(const fs::path& path, RawMesh raw) {
-  LoadedMesh loaded;
-  loaded.mesh = std::move(raw.mesh);
-  loaded.arrays = std::move(raw.arrays);
-  loaded.left_out = raw.taken + raw.left_out;
-  join(path, loaded);
-  repair(loaded);
-  check_usable(path, loaded, raw.why_empty);
-  return loaded;
-}
-
-Mesh read_vertices(const fs::path& path) {
-  try {
-    LoadedMesh loaded;
-    loaded.mesh = read_raw_mesh(path, {}).mesh;
-    join(path, loaded);
-    return std::move(loaded.mesh);
-  } catch (const std::bad_alloc&) {
-    throw Error(shown(path.string()) + ": there is not enough memory for this mesh");
-  }
-}
 
 void write_mesh(const fs::path& path, const Mesh& mesh, std::span<const DataArray> point_arrays,
                 std::span<const DataArray> cell_arrays, const Progress& progress) {

@@ -6,18 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
 #include "brindle/base/ranges.h"
 #include "brindle/error.h"
-#include "brindle/files.h"
-#include "brindle/files/component_groups.h"
-#include "brindle/files/piecewise_arrays.h"
-#include "brindle/files/ply_file.h"
-#include "brindle/files/surface_file.h"
+#include "brindle/files/mesh_formats.h"
+#include "brindle/files/read_arrays.h"
 #include "brindle/files/text/csv_file.h"
-#include "brindle/files/text/letters.h"
-#include "brindle/files/text/obj_file.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
@@ -26,7 +21,7 @@ namespace fs = std::filesystem;
 
 using Names = std::array<std::string_view, 3>;
 
-/// What columns of positions and of normals are called.
+/// Names of the columns of positions and of normals.
 constexpr std::array<Names, 3> kPositions = {
     {{"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}, {"x", "y", "z"}}};
 constexpr std::array<Names, 3> kNormals = {{{"Normals:0", "Normals:1", "Normals:2"},
@@ -44,7 +39,7 @@ const Names* names_among(std::span<const Names> known, std::span<const std::stri
   return nullptr;
 }
 
-/// Whether columns have names, and are not those that files without names have.
+/// Whether names find the columns: not if the columns are just those of files without names.
 bool has_named_points(const std::vector<std::string>& names) {
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr) return false;
@@ -85,6 +80,8 @@ LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   return loaded;
 }
 
+}  // namespace
+
 LoadedPoints read_csv_points(const fs::path& path) {
   CsvFile file(path, {"points", "x,y,z or x,y,z,nx,ny,nz"});
   if (has_named_points(file.names())) return read_named_points(path, file);
@@ -105,39 +102,6 @@ LoadedPoints read_csv_points(const fs::path& path) {
     }
   });
   return make_placed_point_cloud(positions, std::move(normals));
-}
-
-/// The array that the file says are normals, or one that is called so.
-const DataArray* normals_of(const RawMesh& raw) {
-  for (const std::string& name : {raw.normals, std::string("Normals"), std::string("normal")}) {
-    const DataArray* array = find_array(raw.arrays.points, name);
-    if (array != nullptr && array->components == 3) return array;
-  }
-  return nullptr;
-}
-
-}  // namespace
-
-LoadedPoints points_of(RawMesh raw) {
-  const DataArray* normals = normals_of(raw);
-  LoadedPoints loaded = make_point_cloud(
-      std::move(raw.mesh.positions),
-      normals != nullptr ? vectors_of(normals->view(), "normals") : std::vector<Vec3>());
-  loaded.cloud.origin = raw.mesh.origin;
-  loaded.arrays = std::move(raw.arrays.points);
-  loaded.left_out = std::move(raw.left_out);
-  return loaded;
-}
-
-LoadedPoints read_raw_points(const fs::path& path) {
-  const std::string kind = lower_extension(path);
-  if (kind == ".csv") return read_csv_points(path);
-  if (kind == ".ply") return read_ply_points(path);
-  if (kind == ".obj") return read_obj_points(path);
-  Mesh mesh = read_vertices(path);
-  LoadedPoints loaded = make_point_cloud(std::move(mesh.positions));
-  loaded.cloud.origin = mesh.origin;
-  return loaded;
 }
 
 }  // namespace brindle
