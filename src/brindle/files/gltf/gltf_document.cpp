@@ -1,5 +1,7 @@
 #include "brindle/files/gltf/gltf_document.h"
 
+#include "brindle/files.h"
+
 #ifdef BRINDLE_HAS_JSON
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 #include "brindle/base/input_stream.h"
 #include "brindle/base/printable.h"
 #include "brindle/error.h"
-#include "brindle/files.h"
 #include "brindle/files/text/text_words.h"
 
 namespace brindle {

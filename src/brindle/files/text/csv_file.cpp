@@ -172,14 +172,30 @@ std::string at_line(const std::filesystem::path& path, std::size_t line) {
   return "'" + shown(path.string()) + "', line " + std::to_string(line) + ": ";
 }
 
-std::vector<double> CsvTable::numbers_of(std::string_view name) const {
-  for (const DataArray& column : columns) {
-    if (name.empty() || !same_letters(column.name, name)) continue;
-    std::vector<double> numbers(column.rows());
-    std::memcpy(numbers.data(), column.bytes.data(), column.bytes.size());
-    return numbers;
+bool has_column(std::span<const std::string> names, std::string_view name) {
+  return ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
+}
+
+std::vector<std::string> CsvTable::names() const {
+  std::vector<std::string> result;
+  for (const DataArray& column : columns) result.push_back(column.name);
+  return result;
+}
+
+void CsvTable::for_each_row(std::span<const std::string_view> names, const CsvRowUse& use) const {
+  std::vector<const std::byte*> numbers;
+  for (const std::string_view name : names) {
+    const auto column = ranges::find_if(
+        columns, [&](const DataArray& one) { return same_letters(one.name, name); });
+    numbers.push_back(column->bytes.data());
   }
-  return {};
+  std::vector<double> values(names.size());
+  for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      std::memcpy(&values[i], numbers[i] + row * sizeof(double), sizeof(double));
+    }
+    use(lines[row], values);
+  }
 }
 
 CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
@@ -227,8 +243,7 @@ void CsvFile::refuse_cell(std::size_t column) const {
                       : "write a number, or nothing where there is none"));
 }
 
-void CsvFile::read(
-    const std::function<void(std::size_t line, std::span<const double> values)>& use) {
+void CsvFile::read(const CsvRowUse& use) {
   std::vector<double> values;
   for (bool more = first_; more; more = next_row()) {
     if (parse(cells_, values)) {

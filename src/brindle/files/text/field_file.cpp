@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +11,6 @@
 
 #include "brindle/base/formatted.h"
 #include "brindle/base/printable.h"
-#include "brindle/base/ranges.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/text/csv_file.h"
@@ -44,45 +43,28 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
   if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
 }
 
-/// Whether the name of a column is among these.
-bool has_name(std::span<const std::string> names, std::string_view name) {
-  return ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
-}
-
-/// The columns x, y, z and those of frequencies that a table has.
-std::vector<std::vector<double>> field_columns(const std::filesystem::path& path,
-                                               std::span<const std::string> names,
-                                               const CsvTable& table) {
-  std::vector<std::vector<double>> columns;
+/// Calls `use` for every row of a field whose columns have names: x, y, z and frequencies.
+void read_named_field(const std::filesystem::path& path, CsvFile& file, const CsvRowUse& use) {
+  const CsvTable table = file.read_table();
+  const std::vector<std::string> of_numbers = table.names();
+  std::vector<std::string_view> columns;
   for (const char* name : {"x", "y", "z", "frequency", "frequency_v"}) {
-    if (!has_name(names, name)) break;
-    columns.push_back(table.numbers_of(name));
-    if (!columns.back().empty()) continue;
+    if (!has_column(file.names(), name)) break;
+    columns.push_back(name);
+    if (has_column(of_numbers, name)) continue;
     throw Error("'" + shown(path.string()) + "': column '" + name +
                 "' does not begin with a number; write numbers below its name");
   }
-  return columns;
-}
-
-/// Calls `use(line, values)` for every row of a field whose columns have names.
-void read_named_field(const std::filesystem::path& path, CsvFile& file,
-                      const std::function<void(std::size_t, std::span<const double>)>& use) {
-  const CsvTable table = file.read_table();
-  const auto columns = field_columns(path, file.names(), table);
-  std::vector<double> values(columns.size());
-  for (std::size_t row = 0; row < table.lines.size(); ++row) {
-    ranges::transform(columns, values.begin(), [&](auto& column) { return column[row]; });
-    use(table.lines[row], values);
-  }
+  table.for_each_row(columns, use);
 }
 
 /// Whether a file's columns are found by their names and not by their places.
 bool has_named_columns(const std::vector<std::string>& names) {
-  if (!has_name(names, "x") || !has_name(names, "y") || !has_name(names, "z")) return false;
+  if (!has_column(names, "x") || !has_column(names, "y") || !has_column(names, "z")) return false;
   const bool first =
       same_letters(names[0], "x") && same_letters(names[1], "y") && same_letters(names[2], "z");
-  return !first || names.size() > 5 || has_name(names, "frequency") ||
-         has_name(names, "frequency_v");
+  return !first || names.size() > 5 || has_column(names, "frequency") ||
+         has_column(names, "frequency_v");
 }
 
 /// The mean direction of the rows of one vertex.
@@ -180,12 +162,13 @@ CalmRows read_calm_rows(const std::filesystem::path& path) {
   CsvFile file(path, {"calm", "one number from 0 to 1"});
   if (file.names().size() > 1) {
     const CsvTable table = file.read_table();
-    const std::vector<double> values = table.numbers_of("calm");
-    if (values.empty()) {
+    if (!has_column(table.names(), "calm")) {
       throw Error("'" + shown(path.string()) +
                   "' has no column of numbers named calm; name one so");
     }
-    for (std::size_t row = 0; row < values.size(); ++row) add(table.lines[row], values[row]);
+    table.for_each_row(
+        std::array<std::string_view, 1>{"calm"},
+        [&](std::size_t line, std::span<const double> values) { add(line, values[0]); });
     return rows;
   }
   file.read([&](std::size_t line, std::span<const double> values) {

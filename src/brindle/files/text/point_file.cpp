@@ -31,10 +31,7 @@ constexpr std::array<Names, 3> kNormals = {{{"Normals:0", "Normals:1", "Normals:
 /// The first of these threes that are all there; or none.
 const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {
   for (const Names& three : known) {
-    const bool all = ranges::all_of(three, [&](std::string_view wanted) {
-      return ranges::any_of(names, [&](auto& name) { return same_letters(name, wanted); });
-    });
-    if (all) return &three;
+    if (ranges::all_of(three, [&](auto name) { return has_column(names, name); })) return &three;
   }
   return nullptr;
 }
@@ -49,29 +46,32 @@ bool has_named_points(const std::vector<std::string>& names) {
   return !plain;
 }
 
-/// Three columns as vectors.
-std::vector<Eigen::Vector3d> vectors_in(const CsvTable& table, const Names& names) {
-  std::vector<Eigen::Vector3d> vectors(table.lines.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double> numbers = table.numbers_of(names[static_cast<std::size_t>(axis)]);
-    for (std::size_t row = 0; row < numbers.size(); ++row) vectors[row][axis] = numbers[row];
+struct PointRows {
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Vec3> normals;
+
+  /// x,y,z or x,y,z,nx,ny,nz.
+  void add(std::span<const double> row) {
+    positions.emplace_back(row[0], row[1], row[2]);
+    if (row.size() < 6) return;
+    normals.push_back(Eigen::Vector3d(row[3], row[4], row[5]).cast<float>());
   }
-  return vectors;
-}
+};
 
 /// Points of a file whose first row names their columns; the others are arrays.
 LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   CsvTable table = file.read_table();
-  std::vector<std::string> names;
-  for (const DataArray& column : table.columns) names.push_back(column.name);
+  const std::vector<std::string> names = table.names();
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr)
     throw Error(shown(path.string()) + ": its columns of positions hold words; write numbers");
-  std::vector<Vec3> normals;
-  if (const Names* three = names_among(kNormals, names)) {
-    for (const Eigen::Vector3d& n : vectors_in(table, *three)) normals.push_back(n.cast<float>());
+  std::vector<std::string_view> columns(positions->begin(), positions->end());
+  if (const Names* normals = names_among(kNormals, names)) {
+    columns.insert(columns.end(), normals->begin(), normals->end());
   }
-  LoadedPoints loaded = make_placed_point_cloud(vectors_in(table, *positions), std::move(normals));
+  PointRows rows;
+  table.for_each_row(columns, [&](std::size_t, std::span<const double> row) { rows.add(row); });
+  LoadedPoints loaded = make_placed_point_cloud(rows.positions, std::move(rows.normals));
   std::erase_if(table.columns, [&](const DataArray& column) {
     return ranges::any_of(*positions, [&](auto name) { return same_letters(column.name, name); });
   });
@@ -85,23 +85,19 @@ LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
 LoadedPoints read_csv_points(const fs::path& path) {
   CsvFile file(path, {"points", "x,y,z or x,y,z,nx,ny,nz"});
   if (has_named_points(file.names())) return read_named_points(path, file);
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<Vec3> normals;
+  PointRows rows;
   file.read([&](std::size_t line, std::span<const double> row) {
     if (row.size() != 3 && row.size() != 6) {
       throw Error(at_line(path, line) + std::to_string(row.size()) +
                   " columns; a row must have 3 (x,y,z) or 6 (x,y,z,nx,ny,nz)");
     }
-    if (!positions.empty() && (row.size() == 6) == normals.empty()) {
+    if (!rows.positions.empty() && (row.size() == 6) == rows.normals.empty()) {
       throw Error(at_line(path, line) + std::to_string(row.size()) +
                   " columns where the rows before have another number; give all the same");
     }
-    positions.emplace_back(row[0], row[1], row[2]);
-    if (row.size() == 6) {
-      normals.push_back(Eigen::Vector3d(row[3], row[4], row[5]).cast<float>());
-    }
+    rows.add(row);
   });
-  return make_placed_point_cloud(positions, std::move(normals));
+  return make_placed_point_cloud(rows.positions, std::move(rows.normals));
 }
 
 }  // namespace brindle

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -27,57 +28,31 @@ enum class CellKind {
   unknown
 };
 
+bool is_among(std::uint8_t type, std::initializer_list<std::uint8_t> types) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
 /// The kinds of VTK's types (vtkCellType.h).
 CellKind kind_of(std::uint8_t type) {
-  switch (type) {
-    case 0:
-      return CellKind::nothing;
-    case 1:
-    case kVtkPolyVertex:
-    case 3:
-    case kVtkPolyLine:
-    case 21:
-    case 35:
-    case 68:
-    case 75:
-      return CellKind::point_or_line;
-    case 5:
-    case kVtkPolygon:
-    case 9:
-      return CellKind::polygon;
-    case kVtkTriangleStrip:
-      return CellKind::strip;
-    case 8:
-      return CellKind::pixel;
-    case 22:
-    case 23:
-    case 28:
-    case 34:
-    case 36:
-      return CellKind::curved;
-    case 30:
-      return CellKind::half_curved;
-    default:
-      break;
+  if (type == 0) return CellKind::nothing;
+  if (is_among(type, {1, kVtkPolyVertex, 3, kVtkPolyLine, 21, 35, 68, 75})) {
+    return CellKind::point_or_line;
   }
-  const bool volume = (type >= 10 && type <= 16) || (type >= 24 && type <= 33 && type != 30) ||
-                      type == 37 || type == 41 || type == 42 || (type >= 64 && type <= 67) ||
+  if (is_among(type, {5, kVtkPolygon, 9})) return CellKind::polygon;
+  if (type == kVtkTriangleStrip) return CellKind::strip;
+  if (type == 8) return CellKind::pixel;
+  if (is_among(type, {22, 23, 28, 34, 36})) return CellKind::curved;
+  if (type == 30) return CellKind::half_curved;
+  const bool volume = (type >= 10 && type <= 16) || (type >= 24 && type <= 33) || type == 37 ||
+                      type == 41 || type == 42 || (type >= 64 && type <= 67) ||
                       (type >= 71 && type <= 74) || (type >= 78 && type <= 81);
   return volume ? CellKind::volume : CellKind::unknown;
 }
 
 /// Corners of a quadratic or biquadratic cell; a quadratic polygon has half as many as points.
 std::size_t sides_of(std::uint8_t type, std::size_t points) {
-  switch (type) {
-    case 22:
-    case 34:
-      return 3;
-    case 23:
-    case 28:
-      return 4;
-    default:
-      return points / 2;
-  }
+  if (is_among(type, {22, 34})) return 3;
+  return is_among(type, {23, 28}) ? 4 : points / 2;
 }
 
 /// A whole number as another type; its largest number for values that it cannot hold and for

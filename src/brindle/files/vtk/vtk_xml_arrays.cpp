@@ -19,21 +19,10 @@
 #include "brindle/base/printable.h"
 #include "brindle/files/binary_numbers.h"
 #include "brindle/files/text/text_words.h"
+#include "brindle/files/vtk/vtp_file.h"
 
 namespace brindle {
 namespace {
-
-constexpr std::array<std::pair<std::string_view, NumberType>, 10> kVtkXmlTypes = {
-    {{"Float32", NumberType::float32},
-     {"Float64", NumberType::float64},
-     {"Int8", NumberType::int8},
-     {"UInt8", NumberType::uint8},
-     {"Int16", NumberType::int16},
-     {"UInt16", NumberType::uint16},
-     {"Int32", NumberType::int32},
-     {"UInt32", NumberType::uint32},
-     {"Int64", NumberType::int64},
-     {"UInt64", NumberType::uint64}}};
 
 /// The zlib format compresses by no larger factor.
 constexpr std::uint64_t kMostInflation = 1100;
@@ -42,8 +31,8 @@ constexpr std::size_t kBlockGrain = 8;
 
 std::optional<NumberType> number_type_of(const pugi::xml_node& element) {
   const std::string_view type = element.attribute("type").value();
-  for (const auto& [name, kind] : kVtkXmlTypes) {
-    if (name == type) return kind;
+  for (int kind = 0; kind <= static_cast<int>(NumberType::uint64); ++kind) {
+    if (vtk_type(static_cast<NumberType>(kind)) == type) return static_cast<NumberType>(kind);
   }
   return std::nullopt;
 }
