@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/text.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"

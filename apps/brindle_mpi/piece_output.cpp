@@ -10,7 +10,6 @@
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"
 #include "brindle/files/vtk/vtp_file.h"
-#include "brindle/files/vtk/xml_text.h"
 #include "brindle/files/written_arrays.h"
 
 namespace brindle::tool {

@@ -6,12 +6,12 @@
 
 #include "bench/resident_memory.h"
 #include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/frequency_field.h"
-#include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"

@@ -20,7 +20,7 @@
 #include "brindle/distributed/surface/shared_places.h"
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"
-#include "brindle/files/vtk/vtk_xml_file.h"
+#include "brindle/files/vtk/vtk_file.h"
 #include "brindle/local_positions.h"
 #include "input/array_source.h"
 #include "rank_arrays.h"

@@ -18,7 +18,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Arrays that every program understands by their own way of storing them: "normal" (unit vectors)
+/// Arrays that formats store in their own way: "normal" (unit vectors)
 /// of 3 floating-point numbers; "color" (red, green, blue) of 3, floating-point from 0 to 1 or
 /// uint8 from 0 to 255; "uv" (texture coordinates in sides of the picture, from its lower left
 /// corner to the right and up) of 2 floating-point numbers.
@@ -33,7 +33,7 @@ struct FittedArrays {
                                       ///< kept in .glb"
 };
 
-/// What the mesh file `path` holds of `arrays`, by its extension:
+/// The part of `arrays` that the file `path` can hold, by its extension:
 /// .vtp         everything; names are as they are, but for characters that XML has not;
 /// .ply         everything but 64-bit numbers that are neither 32-bit ones nor a double exactly;
 ///              arrays of cells are properties of faces. Names are one word: other characters than
@@ -48,22 +48,22 @@ FittedArrays fitted_arrays(const std::filesystem::path& path, DataArrays arrays)
 
 struct LoadedMesh {
   Mesh mesh;
-  MeshRepair repair;  ///< what was wrong with the file's mesh
+  MeshRepair repair;  ///< defects of the file's mesh
   /// For every vertex of the file, in its order, the vertex that triangles use in its place:
   /// itself, or the first at the same place. Empty if nothing was joined.
   std::vector<Index> vertex_of_row;
-  /// What the file says of the mesh: a row per vertex of `mesh` and per triangle.
+  /// Arrays of the file, with a row per vertex of `mesh` and per triangle.
   DataArrays arrays = {};
   bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
-  /// A line, as for a report to the user, per kind of thing in the file that is not here.
+  /// Lines for the user on parts of the file that are missing here.
   std::string left_out = {};
 };
 
 /// Reads VTP, VTU, legacy VTK, PLY, OBJ, OFF, STL, glTF and GLB, told apart by the path's
 /// extension; polygons are cut into triangles, and all objects of the file become one mesh. Arrays
 /// of numbers in files of VTK, properties of PLY and attributes of glTF come with it, of the types
-/// that they have there. What else the file holds is told in `left_out`. Of a file of VTK with
-/// volume cells alone the mesh is their boundary: the faces that belong to one cell only.
+/// that they have there. `left_out` lists the rest of the file. The mesh of a file of VTK with
+/// volume cells alone is their boundary: the faces that belong to one cell only.
 ///
 /// Vertices of VTK, OBJ, PLY and OFF files keep their numbers, so that data per vertex match,
 /// whether or not a triangle uses them. In every format, triangles use the first of all vertices
@@ -74,11 +74,10 @@ struct LoadedMesh {
 ///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle; and
-/// Cancelled if `progress`, which hears how much of the file is read, asks for it.
+/// Cancelled if `progress`, which reports the share of the file that is read, asks for it.
 LoadedMesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
-/// The files that `read_mesh` reads besides a .gltf; nothing of one that cannot be read, which is
-/// for the reader to say.
+/// The files that `read_mesh` reads besides a .gltf; empty if that cannot be read.
 std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& gltf);
 
 /// The vertices that `read_mesh` reads, of a file with or without triangles. Coordinates that are
@@ -107,8 +106,8 @@ void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
 /// mesh would name a file beside it whose name has control characters, such as line breaks.
 std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
 
-/// A file of a mesh or of points, which is read once whatever is asked of it and in which order:
-/// what had to be read to know whether it has faces is kept until the mesh or the points are taken.
+/// A file of a mesh or of points, which is read once: if it had to be read to find out whether it
+/// has faces, the result is kept until the mesh or the points are taken.
 class SurfaceFile {
  public:
   /// Reads nothing.
@@ -120,8 +119,8 @@ class SurfaceFile {
   const std::filesystem::path& path() const;
 
   /// False for .csv, and for .vtp, .vtu, .vtk, .ply and .obj without faces (and without volume
-  /// cells, whose boundary are faces). True for what cannot be read: `mesh` will say why. Throws
-  /// Cancelled if `progress` asks for it.
+  /// cells, whose boundary are faces). True if the file cannot be read: `mesh` throws the reason.
+  /// Throws Cancelled if `progress` asks for it.
   bool has_faces(const Progress& progress = {});
 
   /// What `read_mesh` returns, and throws.
@@ -136,8 +135,8 @@ class SurfaceFile {
 };
 
 /// Whether a file holds points and no faces: .csv, and .vtp, .vtu, .vtk, .ply and .obj without
-/// faces (and without volume cells, whose boundary are faces). False for what cannot be read:
-/// `read_mesh` will say why. Who reads the file next asks a `SurfaceFile`.
+/// faces (and without volume cells, whose boundary are faces). False if the file cannot be
+/// read: `read_mesh` throws the reason. Use a `SurfaceFile` to read it next.
 bool is_point_file(const std::filesystem::path& path);
 
 /// Reads points, and normals if there are as many, from
@@ -201,32 +200,32 @@ std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path);
 /// counted from 0. Columns of words have not been left out.
 std::vector<DataArray> csv_columns(const std::filesystem::path& path);
 
-/// What a field file holds: one row per vertex.
+/// The rows of a field file, one per vertex.
 struct FieldFile {
   std::vector<Vec3> vectors;
   std::vector<float> frequencies;    ///< stripes per unit length; empty if the file has 3 columns
   std::vector<float> frequencies_v;  ///< of the crossing stripes; empty below 5 columns
 };
 
-/// Reads a CSV file (`read_csv`) of 3 columns x,y,z, 4 with the frequency, or 5 with the frequency
-/// of the stripes that cross the others where a texture is laid along both. Of a file whose first
-/// row names columns x, y and z, these and, if there are such names, `frequency` and `frequency_v`
-/// are taken wherever they stand; unless x,y,z come first, of five columns or fewer, and the others
-/// have other names: then these are the frequencies. `nan` is a value: no wave here. Of vectors the
-/// direction alone counts, however long or short they are.
+/// Reads a CSV file (`read_csv_arrays`) of 3 columns x,y,z, 4 with the frequency, or 5 with the
+/// frequency of the stripes that cross the others where a texture is laid along both. Of a file
+/// whose first row names columns x, y and z, these and, if there are such names, `frequency` and
+/// `frequency_v` are taken wherever they stand; unless x,y,z come first, of five columns or fewer,
+/// and the others have other names: then these are the frequencies. `nan` is a value: no wave here.
+/// The length of vectors does not matter.
 ///
 /// A row stands for a vertex of the mesh or, if there are as many rows as entries in
-/// `vertex_of_row`, for a vertex of the mesh's file (`LoadedMesh`). Of the rows of one vertex the
-/// mean of their directions counts, up to sign, and the mean of their frequencies.
+/// `vertex_of_row`, for a vertex of the mesh's file (`LoadedMesh`). Several rows of one vertex
+/// are averaged: directions up to sign, and frequencies.
 /// Throws Error naming the file, the line and the remedy if the file cannot be read, a row has
 /// another number of columns or a word in it, a frequency is not above zero, or the number of rows
 /// is neither of both.
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
                          std::span<const Index> vertex_of_row = {});
 
-/// Reads a CSV file of one number from 0 to 1 a row, or with a column of the name `calm`: how
-/// little frequencies are to yield (`Slack::calm`). A row stands for a vertex as in
-/// `read_field_csv`; of the rows of one vertex the greatest counts. Throws Error as that does.
+/// Reads a CSV file of one number from 0 to 1 a row, or with a column of the name `calm`: the
+/// weight of branch avoidance (`Slack::calm`). Rows are assigned to vertices as in
+/// `read_field_csv`; the greatest of several rows of one vertex is used. Throws Error as that does.
 std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
                                  std::span<const Index> vertex_of_row = {});
 

@@ -1,6 +1,6 @@
-/// What a pattern can be asked for, option by option: the one place that says how an option is
-/// called and written, what it means and which values it takes. Command lines, windows, other
-/// languages and the documentation read it. Experimental: rows and fields may still change.
+/// The table of options of patterns: the name, syntax, meaning and values of each. Command lines,
+/// windows, other languages and the documentation are made from it. Experimental: rows and fields
+/// may still change.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class OptionKind : std::uint8_t {
   number,   ///< a number
   numbers,  ///< two numbers, "A,B"
   length,   ///< a length in the mesh's units, or "P%" of the diagonal of its bounding box
-  text      ///< what `form` says: a file, a name, a vector
+  text      ///< as `form` describes: a file, a name, a vector
 };
 
 /// Jobs that options are for, as a set of bits.
@@ -32,18 +32,18 @@ enum class PatternJob : std::uint8_t {
   compare = 16
 };
 
-/// What has to be made anew when an option changes, as a set of bits: that, and all that follows
-/// from it.
+/// The stages that a change of an option makes stale, as a set of bits; all that follow from them
+/// are stale, too.
 enum class OptionStage : std::uint8_t {
   none = 0,     ///< where results are written and on which threads they are computed
   surface = 1,  ///< the mesh
   field = 2,    ///< the direction field, which takes long
   waves = 4,    ///< turns and frequencies of the field
   second = 8,   ///< the waves of V beside those of U
-  phases = 16,  ///< how they are solved for
+  phases = 16,  ///< the solution
   values = 32,  ///< the values that a picture reads
   margin = 64,  ///< the room that a picture's legends take
-  style = 128   ///< what is drawn of the pattern
+  style = 128   ///< the drawing of the pattern
 };
 
 constexpr OptionStage operator|(OptionStage a, OptionStage b) {
@@ -60,12 +60,12 @@ struct NumberRange {
   bool above_least = false;  ///< without `least` itself
   bool below_most = false;   ///< without `most` itself
 
-  /// Whether it takes `value`; what is not finite never is in range.
+  /// Whether `value` is in range; infinities and NaN never are.
   bool contains(double value) const;
 };
 
-/// The numbers that are of use most often: how far a slider reaches. Of lengths: in hundredths of
-/// the diagonal.
+/// The range of a slider: the numbers that are useful most often. Lengths are in hundredths of the
+/// diagonal.
 struct SliderRange {
   double lowest = 0;
   double highest = 1;
@@ -75,22 +75,21 @@ struct SliderRange {
 /// A row of the table. Texts live as long as the program.
 struct OptionInfo {
   std::string_view name = {};   ///< long, without dashes: "stripe-width"
-  std::string_view words = {};  ///< what panels call it: "width of stripes"; empty: nothing does
-  std::string_view group = {};  ///< where a list of options shows it: "Stripes"
+  std::string_view words = {};  ///< label in panels: "width of stripes"; empty: not shown there
+  std::string_view group = {};  ///< heading in lists of options: "Stripes"
   OptionKind kind = OptionKind::text;
   std::string_view form = {};  ///< how a value is written: "N", "FILE|array:NAME"; of flags: empty
   std::string_view unit = {};  ///< of numbers and lengths; empty: none
-  std::string_view standard =
-      {};                       ///< what counts where the option is not given; empty: nothing does
-  NumberRange range = {};       ///< of whole numbers, numbers and lengths
-  SliderRange slider = {};      ///< the same
-  bool several = false;         ///< it may be given more than once
-  bool file = false;            ///< the value may be the name of a file
-  bool by_camera = false;       ///< the value may follow a picture's camera or light
-  std::string_view needs = {};  ///< options, separated by spaces, that must be given with it
+  std::string_view standard = {};  ///< default; empty: none
+  NumberRange range = {};          ///< of whole numbers, numbers and lengths
+  SliderRange slider = {};         ///< the same
+  bool several = false;            ///< it may be given more than once
+  bool file = false;               ///< the value may be the name of a file
+  bool by_camera = false;          ///< the value may follow a picture's camera or light
+  std::string_view needs = {};     ///< options, separated by spaces, that must be given with it
   std::string_view excludes = {};  ///< options, separated by spaces, that must not
   bool own = false;                ///< of curves and samples: kept apart from what stripes have
-  OptionStage stale = OptionStage::none;  ///< what a change of it makes stale
+  OptionStage stale = OptionStage::none;  ///< stages that a change makes stale
   unsigned jobs = 0;                      ///< bits of PatternJob
   std::string_view help = {};             ///< a sentence or two; no full stop at the end
 

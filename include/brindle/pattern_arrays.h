@@ -1,4 +1,4 @@
-/// Arrays of what was made, a row per vertex and per triangle, for mesh files.
+/// Arrays of patterns for mesh files, with a row per vertex or per triangle.
 #pragma once
 
 #include <cstdint>
@@ -48,23 +48,22 @@ struct NamedPattern {
 DataArrays textured_arrays(const TexturedMesh& textured, const Surface& surface,
                            std::span<const NamedPattern> patterns, float missing);
 
-/// The array of points that says by how many degrees waves are turned from the field that they were
-/// made of (--rotate, and 90 with --along): the same number in all rows. Where they run along it,
-/// there is none.
+/// The array of points with the angle in degrees by which waves are turned from their field: the
+/// same number in all rows. It is missing where the angle is 0.
 inline constexpr const char* kTurnArray = "turn_deg";
 
-/// Adds it.
+/// Adds the array `kTurnArray`, unless the angle is 0.
 void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows);
 
 /// Adds the array "agreement", how much the data of a measured field agree
 /// (`DetailedField::agreement`); nothing if that is empty.
 void add_agreement(std::vector<DataArray>& arrays, std::span<const float> agreement);
 
-/// What it says; 0 if there is none. Throws Error if it is not the same finite number in all rows.
+/// The angle in `kTurnArray`; 0 if there is none. Throws Error if it is not the same finite number
+/// in all rows.
 float turn_said_by(std::span<const DataArray> arrays);
 
-/// Without what the input says of how other waves are turned (`kTurnArray`), for files that say it
-/// of theirs.
+/// The input without its `kTurnArray`, which describes other waves.
 DataArrays without_turn(const DataArrays& input);
 
 /// The array original_id of such a mesh: -1 of vertices that are new.

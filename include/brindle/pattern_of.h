@@ -1,5 +1,5 @@
-/// From waves to a pattern: stripes, a texture or crosses, in the same steps in the same order for
-/// every program, at once or frame after frame. Experimental: fields may still be added.
+/// Patterns of waves: stripes, a texture or crosses, in the same steps for every program, at once
+/// or frame after frame. Experimental: fields may still be added.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// What waves become.
+/// Kinds of patterns.
 enum class PatternKind : std::uint8_t {
   stripes,  ///< across the directions
   texture,  ///< along the directions and across them
   crosses   ///< along both directions of crosses that the directions stand for
 };
 
-/// The maker's hand on where stripes begin, wind and branch.
+/// Fabrication: where stripes begin, wind and branch.
 struct MakingOptions {
   std::optional<float> anchor_boundary;  ///< periods from the rim to the first stripe
   std::vector<WantedWinding> windings;
@@ -42,7 +42,7 @@ struct MakingOptions {
   bool change_pattern() const { return anchor_boundary || !windings.empty() || merge_branches; }
 };
 
-/// What became of them.
+/// Results of these options.
 struct MakingFigures {
   std::vector<SurfaceLoop> loops;             ///< empty if windings were not measured
   std::vector<Winding> windings;              ///< one per loop
@@ -56,7 +56,7 @@ struct MakingFigures {
   std::size_t fixed_vertices = 0;  ///< whose phase `anchor_boundary` gives
 };
 
-/// What is asked of a pattern, whatever its waves are.
+/// Options of a pattern, beside its waves.
 struct PatternWishes {
   PatternKind kind = PatternKind::stripes;
   StripeOptions solving = {};
@@ -75,9 +75,9 @@ struct MadePattern {
   MakingFigures making = {};
 };
 
-/// Lays the pattern. `waves` has one entry per vertex. Throws what `stripe_pattern`,
-/// `texture_pattern`, `cross_pattern`, `wind` and `merge_branches` throw; Error for wishes that the
-/// kind of pattern does not have, and for boundaries along which no stripes run.
+/// Solves for the pattern. `waves` has one entry per vertex. Throws what `stripe_pattern`,
+/// `texture_pattern`, `cross_pattern`, `wind` and `merge_branches` throw; Error for options that
+/// the kind of pattern does not have, and for boundaries along which no stripes run.
 MadePattern pattern_of(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
                        const Progress& progress = {});
 

@@ -1,5 +1,5 @@
-/// From a field and frequencies, as somebody found them, to waves: the same steps in the same order
-/// for every program. Experimental: fields may still be added.
+/// Waves of a field and frequencies, in the same steps for every program. Experimental: fields may
+/// still be added.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +22,13 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// A field as it was read.
+/// The data of a field as they were read.
 struct FieldData {
   DataArray array;            ///< vectors or tensors; no rows if the field is neither
   bool of_triangles = false;  ///< a row per triangle, not per vertex
 };
 
-/// How much every datum of it counts.
+/// Weights of a field's data.
 struct FieldWeight {
   std::string word;  ///< "length" or "anisotropy", of the data themselves; or empty
   /// Otherwise one per vertex, or per triangle where the data are; not finite: no datum. Empty:
@@ -67,20 +67,20 @@ struct MissingWaves {
   }
 };
 
-/// What became of frequencies that were seen at detail.
+/// Figures of smoothed frequencies.
 struct FrequencyDetailReport {
   double changed_median = 0;  ///< as DetailedFrequencies has it
   std::size_t filled = 0;     ///< the same
 };
 
-/// What is asked of them.
+/// Options of waves.
 struct WaveWishes {
   float turn_deg = 0;                                        ///< of waves against their field
   FieldDetailOptions detail = {.periods = 0};                ///< periods 0: the field as it is
   FrequencyDetailOptions frequency_detail = {.periods = 0};  ///< periods 0: as they are
 };
 
-/// What was found: a row per vertex.
+/// A field and frequencies, with a row per vertex.
 struct FoundWaves {
   DirectionField directions;          ///< unit tangent vectors before they are turned; 0: no wave
   FrequencyField frequencies;         ///< stripes per unit length; not finite in gaps
@@ -111,9 +111,9 @@ class WaveSurface {
   virtual ~WaveSurface() = default;
   virtual std::vector<Vec3> positions() const = 0;
   virtual std::span<const Vec3> normals() const = 0;
-  /// Whether it is so on any process.
+  /// Whether `here` is true on any process.
   virtual bool any(bool here) const = 0;
-  /// As `drop_waves_without_frequency` of array_field.h, for the whole surface.
+  /// `drop_waves_without_frequency` of array_field.h for the whole surface.
   virtual std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const = 0;
   /// As `detailed_frequencies` of measured_field.h.
   virtual DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
@@ -125,7 +125,7 @@ class WaveSurface {
       const FieldDetailOptions& options, const Progress& progress) const = 0;
 };
 
-/// Of one process.
+/// The surface of one process.
 class WholeSurface final : public WaveSurface {
  public:
   /// Refers to the surface.
@@ -151,8 +151,8 @@ class WholeSurface final : public WaveSurface {
 WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
                      std::span<const float> frequencies = {});
 
-/// Sees frequencies at their detail, takes waves where there is none, sees the field at its detail
-/// with those frequencies, and turns it. Throws what these throw.
+/// Smooths the frequencies, drops waves without a frequency, smooths the field with those
+/// frequencies, and turns it. Throws the errors of these steps.
 MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWaves found,
                    const Progress& progress = {});
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include <brindle/types.h>
 #include <brindle/distributed_waves.h>
 #include <brindle/error.h>
 #include <brindle/frequency_field.h>

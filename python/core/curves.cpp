@@ -8,7 +8,7 @@
 #include "brindle/curve_measures.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/recipe/curve_notes.h"
+#include "brindle/recipe/report.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/samples.h"
 #include "brindle/stripe_tracer.h"

@@ -14,7 +14,7 @@
 #include "brindle/cross_texture.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/recipe/making_report.h"
-#include "brindle/recipe/preparation_figures.h"
+#include "brindle/recipe/wave_report.h"
 #include "brindle/recipe/report.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_pattern.h"

@@ -16,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "test_folder.h"
 

@@ -10,7 +10,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/written_arrays.h"
+#include "brindle/files/point_output.h"
 #include "test_folder.h"
 
 namespace brindle {
@@ -26,7 +26,8 @@ struct CsvFile : TestFolder {
   Rows read(const std::string& text) const {
     std::ofstream(path, std::ios::binary) << text;
     Rows rows;
-    read_csv(path, {"field", "x,y,z"}, [&](std::size_t, std::span<const double> values) {
+    brindle::CsvFile file(path, {"field", "x,y,z"});
+    file.read([&](std::size_t, std::span<const double> values) {
       rows.emplace_back(values.begin(), values.end());
     });
     return rows;

@@ -1,6 +1,6 @@
 #ifdef BRINDLE_HAS_JSON
 
-#include "brindle/files/gltf/gltf_reader.h"
+#include "brindle/files/gltf/gltf_file.h"
 
 #include <cstring>
 #include <fstream>

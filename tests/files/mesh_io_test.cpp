@@ -17,6 +17,8 @@
 #include "brindle/files.h"
 #include "brindle/progress.h"
 #include "brindle/shapes.h"
+#include "brindle/base/random.h"
+#include "brindle/shapes/parametric_shapes.h"
 #include "parametric_meshes.h"
 #include "progress_reports.h"
 #include "test_folder.h"

@@ -1,4 +1,4 @@
-#include "brindle/files/ply_file.h"
+#include "brindle/files/mesh_formats.h"
 
 #include <algorithm>
 #include <array>

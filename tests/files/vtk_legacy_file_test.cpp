@@ -1,4 +1,4 @@
-#include "brindle/files/vtk/vtk_legacy_file.h"
+#include "brindle/files/vtk/vtk_file.h"
 
 #include <string>
 #include <vector>

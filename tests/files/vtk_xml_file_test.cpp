@@ -1,4 +1,4 @@
-#include "brindle/files/vtk/vtk_xml_file.h"
+#include "brindle/files/vtk/vtk_file.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include "brindle/geometry/measures.h"
+#include <gtest/gtest.h>
 #include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 

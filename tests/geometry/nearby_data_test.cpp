@@ -1,3 +1,4 @@
+#include "brindle/mesh_data.h"
 #include <cmath>
 #include <cstring>
 

@@ -1,3 +1,4 @@
+#include "brindle/mesh.h"
 #include <cmath>
 #include <limits>
 #include <numeric>

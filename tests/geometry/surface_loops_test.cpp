@@ -1,3 +1,4 @@
+#include "brindle/surface.h"
 #include <algorithm>
 #include <numbers>
 #include <string>

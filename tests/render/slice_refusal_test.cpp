@@ -30,7 +30,7 @@ Mesh square() {
 
 TEST(SliceRefusal, SaysWhereTheSurfaceIs) {
   EXPECT_EQ(
-      slice_refusal(square(), camera_cut_at(square(), "x=-1")),
+      slice_refusal(square(), camera_cut_at(square(), "x=-1"), "--slice"),
       "--slice leaves nothing of the surface, which has x from 0 to 2, y from 0 to 2, z from 1 "
       "to 1; put the plane elsewhere, or take the other side, such as -x=50%");
   Mesh far = square();

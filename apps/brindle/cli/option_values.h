@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/recipe/option_row.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/types.h"
 
 namespace brindle::tool {

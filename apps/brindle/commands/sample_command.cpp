@@ -2,11 +2,11 @@
 #include <iostream>
 
 #include "brindle/base/file_names.h"
+#include "brindle/base/text.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"
 #include "brindle/files.h"
-#include "brindle/recipe/frequency_report.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"

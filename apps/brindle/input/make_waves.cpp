@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "brindle/array_field.h"
+#include "brindle/normals.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "brindle/recipe/preparation_figures.h"
+#include "brindle/recipe/wave_report.h"
 #include "cli/job_listener.h"
 #include "input/make_waves.h"
 #include "input/surface_options.h"

@@ -6,6 +6,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/text.h"
+#include "brindle/normals.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"

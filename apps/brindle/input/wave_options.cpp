@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/base/text.h"
+#include "brindle/normals.h"
 #include "brindle/frequency_field.h"
 #include "brindle/normals.h"
 #include "cli/command_line.h"

@@ -13,7 +13,7 @@
 #include "brindle/data_arrays.h"
 #include "brindle/progress.h"
 #include "brindle/quality.h"
-#include "brindle/recipe/frequency_report.h"
+#include "brindle/recipe/report.h"
 #include "brindle/recipe/wave_report.h"
 #include "brindle/stripe_animator.h"
 #include "cli/progress_display.h"

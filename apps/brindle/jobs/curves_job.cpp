@@ -7,7 +7,7 @@
 #include "brindle/base/memory.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/polylines.h"
-#include "brindle/recipe/curve_notes.h"
+#include "brindle/recipe/report.h"
 
 namespace brindle::tool {
 namespace {

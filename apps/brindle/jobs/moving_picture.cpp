@@ -39,7 +39,8 @@ class PlainFrames : public FramePainter {
     show(frame, overlay);
     first_ = false;
     nothing_left_ = slice_refusal(
-        frame.scene.mesh, framed_camera(framed_, render_.camera, render_.width, render_.height));
+        frame.scene.mesh, framed_camera(framed_, render_.camera, render_.width, render_.height),
+        "--slice");
     return renderer_.draw(render_);
   }
 

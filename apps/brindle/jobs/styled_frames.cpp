@@ -263,7 +263,7 @@ Image StyledFrames::paint(const SolvedFrame& frame) {
   const StyledScene scene = scene_of(frame, surface, followed);
   const std::vector<StyledSurface> surfaces =
       surfaces_of(scene, style_.style, options.render, followed);
-  nothing_left_ = slice_refusal(surfaces, styled_camera(surfaces, options));
+  nothing_left_ = slice_refusal(surfaces, styled_camera(surfaces, options), "--slice");
   show(surfaces, frame.scene.points);
   Image image = renderer_.draw(options);
   draw_lines(image, scene, surfaces, style_.style, options, {});

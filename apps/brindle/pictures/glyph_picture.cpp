@@ -93,7 +93,8 @@ void write_glyphs(const std::filesystem::path& path, const Surface& surface,
                   const Progress& progress) {
   constexpr double kPlaced = 0.2;
   const GlyphPicture drawn(surface, samples, options, input, picture, progress.part(0, kPlaced));
-  check_slice(slice_refusal(drawn.surfaces, styled_camera(drawn.surfaces, drawn.styled)));
+  check_slice(
+      slice_refusal(drawn.surfaces, styled_camera(drawn.surfaces, drawn.styled), "--slice"));
   Image image = render_styled(drawn.surfaces, drawn.styled, progress.part(kPlaced, kDrawn));
   draw_legends(image, drawn.legends);
   write_png(path, image, progress.part(kDrawn, 1));

@@ -46,7 +46,7 @@ void write_ornaments(const std::filesystem::path& path, const Surface& surface,
                      const Progress& progress) {
   const RenderOptions render = render_options(options, surface.mesh.origin);
   const OrnamentedSurface all = ornamented(surface, ornaments, render);
-  check_slice(all.mesh, render);
+  check_slice(all.mesh, render, "--slice");
   const Image image = render_picture(all.drawing(), render, progress.part(0, kDrawn));
   write_png(path, image, progress.part(kDrawn, 1));
 }
@@ -55,7 +55,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
                         std::span<const FamilyLines> families, const PictureOptions& options,
                         const Progress& progress) {
   const RenderOptions render = render_options(options, surface.mesh.origin);
-  check_slice(surface.mesh, render);
+  check_slice(surface.mesh, render, "--slice");
   std::vector<PenLines> lines;
   for (const FamilyLines& family : families) {
     lines.push_back({family.name, ornament_color(family.second, render), family.lines});

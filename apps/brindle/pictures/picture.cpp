@@ -194,7 +194,7 @@ void write_picture(const std::filesystem::path& path, const Surface& surface,
   const Progress drawing = progress.part(0, kDrawn), writing = progress.part(kDrawn, 1);
   const StripePattern& pattern = result.stripes();
   const RenderOptions render = render_options(options, surface.mesh.origin);
-  check_slice(surface.mesh, render);
+  check_slice(surface.mesh, render, "--slice");
   if (surface.mesh.triangles.empty()) {
     const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
     const SplatDrawing splats = splat_drawing_of(surface, pattern, radii);

@@ -149,7 +149,8 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
                           const StyleOptions& style, const StyleInput& input,
                           const PictureOptions& picture, const Progress& progress) {
   StyledPicture styled = styled_picture(surface, result, patterns, style, input, picture);
-  check_slice(slice_refusal(styled.surfaces, styled_camera(styled.surfaces, styled.options)));
+  check_slice(
+      slice_refusal(styled.surfaces, styled_camera(styled.surfaces, styled.options), "--slice"));
   if (is_drawing_file(path)) {
     return write_outlines(path, styled, style, progress);
   }

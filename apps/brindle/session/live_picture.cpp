@@ -315,13 +315,13 @@ std::string LivePicture::nothing_left(const LiveState& state) const {
   if (!picture_of(state).slice) return "";
   const Camera seen = camera(state);
   if (const ShownOrnaments* shown = ornaments_of(state)) {
-    return shown->glyphs ? slice_refusal(shown->glyphs->surfaces, seen)
-                         : slice_refusal(shown->ornaments.mesh, seen);
+    return shown->glyphs ? slice_refusal(shown->glyphs->surfaces, seen, "--slice")
+                         : slice_refusal(shown->ornaments.mesh, seen, "--slice");
   }
   if (state.style && drawing_->styled_picture) {
-    return slice_refusal(drawing_->styled_picture->surfaces, seen);
+    return slice_refusal(drawing_->styled_picture->surfaces, seen, "--slice");
   }
-  return slice_refusal(state.job->surface->mesh, seen);
+  return slice_refusal(state.job->surface->mesh, seen, "--slice");
 }
 
 }  // namespace brindle::tool

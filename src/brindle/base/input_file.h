@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/input_file.h"
 #include "brindle/base/system.h"
 #include "brindle/progress.h"
 

@@ -7,7 +7,10 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/output_file.h"
+#include "brindle/base/system.h"
 #include "brindle/base/text.h"
+#include "brindle/error.h"
 
 namespace brindle {
 namespace {

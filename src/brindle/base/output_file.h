@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brindle/base/number_text.h"
+#include "brindle/base/output_file.h"
 #include "brindle/base/system.h"
 #include "brindle/error.h"
 #include "brindle/progress.h"

@@ -17,14 +17,32 @@ void add_escaped(std::string& result, std::string_view bytes) {
   }
 }
 
-/// A letter in UTF-8.
-struct Letter {
-  std::size_t bytes = 0;  ///< 0 if the text does not begin with one
-  std::uint32_t code = 0;
-};
+/// What a terminal obeys instead of showing it: controls, ends of lines, and marks that turn the
+/// direction of writing round.
+bool is_obeyed(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
 
-/// The letter that a text begins with, in its shortest form alone (RFC 3629).
-Letter first_letter(std::string_view text) {
+template <class Obeyed>
+std::string escaped(std::string_view text, const Obeyed& is_escaped) {
+  std::string result;
+  while (!text.empty()) {
+    const Utf8Letter letter = first_utf8_letter(text);
+    const std::size_t bytes = letter.bytes == 0 ? 1 : letter.bytes;
+    if (letter.bytes == 0 || is_escaped(letter.code)) {
+      add_escaped(result, text.substr(0, bytes));
+    } else {
+      result += text.substr(0, bytes);
+    }
+    text.remove_prefix(bytes);
+  }
+  return result;
+}
+
+}  // namespace
+
+Utf8Letter first_utf8_letter(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
   if (first < 0x80) return {1, first};
@@ -41,28 +59,7 @@ Letter first_letter(std::string_view text) {
   return {bytes, code};
 }
 
-/// What a terminal obeys instead of showing it: controls, ends of lines, and marks that turn the
-/// direction of writing round.
-bool is_obeyed(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
-         (code >= 0x2066 && code <= 0x2069);
-}
-
-template <class Obeyed>
-std::string escaped(std::string_view text, const Obeyed& is_escaped) {
-  std::string result;
-  while (!text.empty()) {
-    const Letter letter = first_letter(text);
-    const std::size_t bytes = letter.bytes == 0 ? 1 : letter.bytes;
-    if (letter.bytes == 0 || is_escaped(letter.code)) {
-      add_escaped(result, text.substr(0, bytes));
-    } else {
-      result += text.substr(0, bytes);
-    }
-    text.remove_prefix(bytes);
-  }
-  return result;
-}
+namespace {
 
 constexpr std::size_t kMostEdits = 3;
 

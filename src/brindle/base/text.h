@@ -3,12 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace brindle {
+
+/// A letter in UTF-8.
+struct Utf8Letter {
+  std::size_t bytes = 0;  ///< 0 if the text does not begin with one
+  std::uint32_t code = 0;
+};
+
+/// The letter that a text begins with, in its shortest form alone (RFC 3629).
+Utf8Letter first_utf8_letter(std::string_view text);
 
 /// What std::printf would print; std::format is not in g++ 12.
 template <class... Values>

@@ -1,15 +1,28 @@
-/// Meshes put together from what files hold: coordinates as doubles, and polygons.
+/// Meshes put together from coordinates in doubles and polygons.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "brindle/data_arrays.h"
-#include "brindle/files/raw_mesh.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
+
+/// A mesh file before its vertices are joined or its triangles repaired.
+struct RawMesh {
+  Mesh mesh;
+  DataArrays arrays = {};     ///< a row per vertex and per triangle
+  std::string left_out = {};  ///< lines for the user on parts of the file that are missing here
+  std::string taken = {};     ///< lines for the user on replacements of parts of the file
+  /// Of a mesh without triangles, the reason and the remedy, after "path: ".
+  std::string why_empty = {};
+  /// Of VTK's files: there are cells that are neither points nor lines.
+  bool has_faces = false;
+  std::string normals = {};  ///< the array of points with the normals; empty if the file names none
+};
 
 class MeshBuilder {
  public:
@@ -21,7 +34,7 @@ class MeshBuilder {
 
   void add_vertex(const Eigen::Vector3d& position) { positions_.push_back(position); }
 
-  /// Corners are numbers of vertices, which may be added later. `cell` is the polygon's row in the
+  /// Corners are indices of vertices, which may be added later. `cell` is the polygon's row in the
   /// file's data per cell.
   void add_polygon(std::span<const Index> corners, Index cell = 0);
 
@@ -32,13 +45,12 @@ class MeshBuilder {
   std::size_t vertex_count() const { return positions_.size(); }
   std::span<const Eigen::Vector3d> positions() const { return positions_; }
 
-  /// The mesh, its polygons cut into triangles in their order, about the origin that `origin_near`
-  /// finds for the vertices that polygons use, or for all if there is no polygon. Leaves nothing
-  /// behind.
+  /// The mesh, with polygons cut into triangles in their order. Its origin is `origin_near` of the
+  /// vertices that polygons use, or of all if there is no polygon. The builder is empty then.
   Mesh take();
 
-  /// The same with what the file says of it: `arrays` has a row per vertex and per cell, and the
-  /// result one per vertex and per triangle. `exact` receives the coordinates as they were added.
+  /// The same with arrays: `arrays` has a row per vertex and per cell, the result one per vertex
+  /// and per triangle. `exact` receives the coordinates as they were added.
   RawMesh take(DataArrays arrays, std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
@@ -46,8 +58,8 @@ class MeshBuilder {
   void for_each_polygon(const Use& use) const;
 
   std::vector<Eigen::Vector3d> positions_;
-  std::vector<Index> polygons_;  ///< of each the number of corners, then the corners
-  std::vector<Index> cells_;     ///< of each polygon
+  std::vector<Index> polygons_;  ///< each its number of corners, then these
+  std::vector<Index> cells_;     ///< per polygon
 };
 
 }  // namespace brindle

@@ -1,5 +1,3 @@
-#include "brindle/files/ply_file.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,8 +16,9 @@
 #include "brindle/files/binary_output.h"
 #include "brindle/files/component_groups.h"
 #include "brindle/files/mesh_builder.h"
-#include "brindle/files/piecewise_arrays.h"
-#include "brindle/files/ply_positions.h"
+#include "brindle/files/mesh_formats.h"
+#include "brindle/files/point_output.h"
+#include "brindle/files/read_arrays.h"
 #include "brindle/files/written_arrays.h"
 #include "brindle/mesh.h"
 
@@ -175,7 +174,7 @@ class Body {
     });
   }
 
-  /// No list can have more entries than there are bytes left for them.
+  /// A bound of a list's entries: the bytes that are left.
   double most_entries() const {
     return static_cast<double>(is_text() ? rest_.size() : file_.remaining());
   }
@@ -256,7 +255,7 @@ bool name_components(std::vector<DataArray>& columns, std::span<const std::strin
   return true;
 }
 
-/// Drops a column that says the same as another.
+/// Drops a column that equals another.
 void drop_copy(std::vector<DataArray>& columns, std::string_view name, std::string_view other) {
   const DataArray* first = find_array(columns, other);
   std::erase_if(columns, [&](const DataArray& column) {
@@ -264,7 +263,7 @@ void drop_copy(std::vector<DataArray>& columns, std::string_view name, std::stri
   });
 }
 
-/// The arrays that columns with names make.
+/// The arrays of the columns that have names.
 std::vector<DataArray> arrays_of(std::vector<DataArray> columns) {
   using Names = std::initializer_list<std::string_view>;
   std::erase_if(columns, [](const DataArray& column) { return column.name.empty(); });
@@ -335,7 +334,7 @@ class PlyReader {
     }
   }
 
-  /// An absurd number in the header must not make us ask for as much memory.
+  /// Rejects absurd numbers in the header before memory is allocated for them.
   void check_size(const Element& element) {
     std::uint64_t smallest_row = body_.is_text() ? 1 : 0;
     for (const Property& p : element.properties) {
@@ -351,8 +350,7 @@ class PlyReader {
     }
   }
 
-  /// An array for every property of the element that is one number; without a name for those that
-  /// are a list, or among `others`.
+  /// An array for every property of the element; without a name for lists and for `others`.
   static std::vector<DataArray> columns_of(const Element& element,
                                            std::span<const std::string_view> others) {
     std::vector<DataArray> columns;
@@ -366,8 +364,8 @@ class PlyReader {
     return columns;
   }
 
-  /// Reads every row: numbers into their column if it has a name, and hands all else to
-  /// `use(property, values)`. Calls `end_row()` after each.
+  /// Reads every row: numbers into their column if it has a name, all other values by
+  /// `use(property, values)`. Calls `end_row()` after each row.
   template <class Use, class EndRow>
   void read_rows(const Element& element, std::vector<DataArray>& columns, const Use& use,
                  const EndRow& end_row) {
@@ -481,17 +479,6 @@ class PlyReader {
   std::vector<Index> corners_;
 };
 
-void write_header(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
-                  const std::string& picture) {
-  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\n";
-  if (!picture.empty()) out << "comment TextureFile " << picture << '\n';
-  out << "element vertex " << mesh.vertex_count() << '\n' << position_properties(mesh.origin);
-  for (const DataArray& array : arrays.points) put_ply_properties(out, array);
-  out << "element face " << mesh.triangle_count() << "\nproperty list uchar uint vertex_indices\n";
-  for (const DataArray& array : arrays.cells) put_ply_properties(out, array);
-  out << "end_header\n";
-}
-
 }  // namespace
 
 RawMesh read_ply(const std::filesystem::path& path, const Progress& progress) {
@@ -506,17 +493,17 @@ bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).h
 
 void write_ply(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture) {
-  write_header(out, mesh, arrays, picture);
+  const PlyVertices vertices{mesh.positions, mesh.origin, arrays.points};
+  write_ply_vertices(out, picture.empty() ? "" : "comment TextureFile " + picture + '\n', vertices);
+  out << "element face " << mesh.triangle_count() << "\nproperty list uchar uint vertex_indices\n";
+  put_ply_properties(out, arrays.cells);
+  out << "end_header\n";
   BinaryOutput binary(out);
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    put_position(binary, mesh.positions[v], mesh.origin);
-    for (const DataArray& array : arrays.points) put_ply_row(binary, array, v);
-  }
+  put_ply_vertices(binary, vertices);
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    constexpr unsigned char kThree = 3;
-    binary.put(&kThree, 1);
+    binary.put(static_cast<unsigned char>(3));
     binary.put(mesh.triangles[t].data(), 3);
-    for (const DataArray& array : arrays.cells) put_ply_row(binary, array, t);
+    put_ply_row(binary, arrays.cells, t);
   }
 }
 

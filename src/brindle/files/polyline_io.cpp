@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brindle/base/file_names.h"
@@ -8,9 +10,7 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/binary_output.h"
-#include "brindle/files/ply_positions.h"
-#include "brindle/files/text/text_positions.h"
+#include "brindle/files/point_output.h"
 #include "brindle/files/vtk/vtp_file.h"
 #include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
@@ -27,7 +27,7 @@ std::size_t point_count(Kinds kinds) {
   return count;
 }
 
-/// That of the first kind: all lines lie on one mesh.
+/// The origin of the first kind: all lines lie on one mesh.
 Eigen::Vector3d origin_of(Kinds kinds) {
   return kinds.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : kinds[0].lines.origin;
 }
@@ -96,47 +96,49 @@ void write_obj_lines(OutputStream& out, Kinds kinds) {
   });
 }
 
-void write_ply_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
-  std::size_t edges = 0;
-  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index) {
-    const Polylines& lines = kinds[kind].lines;
-    edges += lines.points_of(line).size() - 1 + lines.closed[line];
-  });
-  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
-      << point_count(kinds) << '\n'
-      << position_properties(origin_of(kinds))
-      << "property float nx\n"
-         "property float ny\nproperty float nz\nproperty uint curve\nproperty uchar kind\n";
-  for (const DataArray& array : arrays) put_ply_properties(out, array);
-  out << "element edge " << edges << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  BinaryOutput binary(out);
-  Index number = 0;
-  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
-    const Polylines& lines = kinds[kind].lines;
-    for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
-      put_position(binary, moved(lines.points_of(line)[i], lines, kinds), origin_of(kinds));
-      binary.put(lines.normals_of(line)[i].data(), 3);
-      binary.put(number);
-      binary.put(static_cast<unsigned char>(kind));
-      for (const DataArray& array : arrays) put_ply_row(binary, array, first + i);
-    }
-    ++number;
-  });
-  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
-    const auto size = static_cast<Index>(kinds[kind].lines.points_of(line).size());
-    for (Index i = 0; i + 1 < size; ++i) binary.put(std::array{first + i, first + i + 1}.data(), 2);
-    if (kinds[kind].lines.closed[line]) binary.put(std::array{first + size - 1, first}.data(), 2);
-  });
-}
+/// The points of all kinds, relative to one origin.
+struct LinePoints {
+  std::vector<Vec3> points;
+  DataArray normals;
+};
 
-void write_vtp_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
+LinePoints line_points(Kinds kinds) {
   std::vector<Vec3> points, normals;
-  std::vector<Index> offsets{0}, along;
-  std::vector<float> kind_of_line, closed, length;
   for (const NamedLines& kind : kinds) {
     for (const Vec3& p : kind.lines.points) points.push_back(moved(p, kind.lines, kinds));
     normals.insert(normals.end(), kind.lines.normals.begin(), kind.lines.normals.end());
   }
+  return {std::move(points), make_data_array("normal", normals)};
+}
+
+void write_ply_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
+  std::vector<Index> curves, ends;
+  std::vector<std::uint8_t> kind_of_point;
+  Index number = 0;
+  for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
+    const auto size = static_cast<Index>(kinds[kind].lines.points_of(line).size());
+    curves.insert(curves.end(), size, number++);
+    kind_of_point.insert(kind_of_point.end(), size, static_cast<std::uint8_t>(kind));
+    for (Index i = 0; i + 1 < size; ++i) ends.insert(ends.end(), {first + i, first + i + 1});
+    if (kinds[kind].lines.closed[line]) ends.insert(ends.end(), {first + size - 1, first});
+  });
+  auto [points, normals] = line_points(kinds);
+  std::vector<DataArray> columns = {std::move(normals), make_data_array("curve", 1, curves),
+                                    make_data_array("kind", 1, kind_of_point)};
+  columns.insert(columns.end(), arrays.begin(), arrays.end());
+  const Eigen::Vector3d origin = origin_of(kinds);
+  const PlyVertices vertices{points, origin, columns};
+  write_ply_vertices(out, "", vertices);
+  out << "element edge " << ends.size() / 2
+      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  BinaryOutput binary(out);
+  put_ply_vertices(binary, vertices);
+  for (const Index end : ends) binary.put(end);
+}
+
+void write_vtp_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
+  std::vector<Index> offsets{0}, along;
+  std::vector<float> kind_of_line, closed, length;
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
     const Polylines& lines = kinds[kind].lines;
     const auto size = static_cast<Index>(lines.points_of(line).size());
@@ -147,7 +149,8 @@ void write_vtp_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
     closed.push_back(lines.closed[line]);
     length.push_back(static_cast<float>(length_of(lines, line)));
   });
-  std::vector<DataArray> of_points = {make_data_array("normal", normals)};
+  auto [points, normals] = line_points(kinds);
+  std::vector<DataArray> of_points = {std::move(normals)};
   of_points.insert(of_points.end(), arrays.begin(), arrays.end());
   const std::vector<DataArray> of_lines = {make_data_array("kind", 1, kind_of_line),
                                            make_data_array("closed", 1, closed),
@@ -161,21 +164,19 @@ void write_vtp_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
 }
 
 void write_csv_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
+  std::vector<DataArray> columns = {line_points(kinds).normals};
+  columns.insert(columns.end(), arrays.begin(), arrays.end());
   TextOutput text(out);
-  text << "kind,curve,closed,x,y,z,nx,ny,nz";
-  for (const DataArray& array : arrays) {
-    for (const std::string& name : column_names(array)) text << ',' << csv_name(name);
-  }
+  text << "kind,curve,closed,x,y,z";
+  put_csv_names(text, columns);
   text << '\n';
   std::size_t number = 0;
   for_each_line(kinds, [&](std::size_t kind, std::size_t line, Index first) {
     const Polylines& lines = kinds[kind].lines;
     for (std::size_t i = 0; i < lines.points_of(line).size(); ++i) {
-      const Vec3& n = lines.normals_of(line)[i];
-      text << kinds[kind].name << ',' << number << ',' << int{lines.closed[line]};
+      text << kinds[kind].name << ',' << number << ',' << int{lines.closed[line]} << ',';
       write_position(text, ',', lines.points_of(line)[i], lines.origin);
-      for (const float value : n) text << ',' << value;
-      for (const DataArray& array : arrays) put_csv_row(text, array, first + i);
+      put_csv_row(text, columns, first + i);
       text << '\n';
     }
     ++number;

@@ -1,6 +1,6 @@
-#include <array>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "brindle/base/file_names.h"
@@ -8,126 +8,76 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/binary_output.h"
-#include "brindle/files/ply_positions.h"
-#include "brindle/files/text/text_positions.h"
+#include "brindle/files/point_output.h"
 #include "brindle/files/vtk/vtp_file.h"
 #include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
-#include "brindle/local_positions.h"
 
 namespace brindle {
 namespace {
 
-/// The vectors and numbers of a sample, in the order of all files. The triangle's number stands
-/// apart, and arrays come after it.
-constexpr std::array<const char*, 17> kColumns = {"x",
-                                                  "y",
-                                                  "z",
-                                                  "nx",
-                                                  "ny",
-                                                  "nz",
-                                                  "direction_u_x",
-                                                  "direction_u_y",
-                                                  "direction_u_z",
-                                                  "direction_v_x",
-                                                  "direction_v_y",
-                                                  "direction_v_z",
-                                                  "spacing_u",
-                                                  "spacing_v",
-                                                  "barycentric_x",
-                                                  "barycentric_y",
-                                                  "barycentric_z"};
-constexpr std::size_t kNumbers = kColumns.size();
+/// What a file has of samples, in the order of its columns.
+struct SampleTable {
+  std::vector<Vec3> points;
+  std::vector<DataArray> arrays;
+};
 
-std::array<float, kNumbers> numbers_of(const Sample& s) {
-  return {s.position[0],    s.position[1],    s.position[2],    s.normal[0],      s.normal[1],
-          s.normal[2],      s.direction_u[0], s.direction_u[1], s.direction_u[2], s.direction_v[0],
-          s.direction_v[1], s.direction_v[2], s.spacing_u,      s.spacing_v,      s.barycentric[0],
-          s.barycentric[1], s.barycentric[2]};
+template <class Value>
+DataArray sample_array(const char* name, std::span<const Sample> samples, Value Sample::*member) {
+  std::vector<Value> values;
+  values.reserve(samples.size());
+  for (const Sample& sample : samples) values.push_back(sample.*member);
+  if constexpr (std::is_arithmetic_v<Value>) {
+    return make_data_array(name, 1, values);
+  } else {
+    return make_data_array(name, values);
+  }
 }
 
-void write_csv(OutputStream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
-               std::span<const DataArray> arrays) {
-  TextOutput text(out);
-  for (std::size_t i = 0; i < kNumbers; ++i) text << kColumns[i] << ',';
-  text << "triangle";
-  for (const DataArray& array : arrays) {
-    for (const std::string& name : column_names(array)) text << ',' << csv_name(name);
+SampleTable table_of(std::span<const Sample> samples, std::span<const DataArray> more) {
+  SampleTable table;
+  for (const Sample& sample : samples) table.points.push_back(sample.position);
+  table.arrays = {sample_array("normal", samples, &Sample::normal),
+                  sample_array("direction_u", samples, &Sample::direction_u),
+                  sample_array("direction_v", samples, &Sample::direction_v),
+                  sample_array("spacing_u", samples, &Sample::spacing_u),
+                  sample_array("spacing_v", samples, &Sample::spacing_v),
+                  sample_array("barycentric", samples, &Sample::barycentric),
+                  sample_array("triangle", samples, &Sample::triangle)};
+  table.arrays.insert(table.arrays.end(), more.begin(), more.end());
+  return table;
+}
+
+/// Names that other arrays and their columns must not have.
+std::vector<std::string> own_columns() {
+  std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
+  for (const DataArray& array : table_of({}, {}).arrays) {
+    names.push_back(array.name);
+    if (is_normal(array)) continue;
+    for (std::string& column : column_names(array)) names.push_back(std::move(column));
   }
+  return names;
+}
+
+void write_sample_csv(OutputStream& out, const SampleTable& table, const Eigen::Vector3d& origin) {
+  TextOutput text(out);
+  text << "x,y,z";
+  put_csv_names(text, table.arrays);
   text << '\n';
-  for (std::size_t row = 0; row < samples.size(); ++row) {
-    const Sample& sample = samples[row];
-    const std::array<float, kNumbers> numbers = numbers_of(sample);
-    const Eigen::Vector3d place = placed(sample.position, origin);
-    for (std::size_t i = 0; i < kNumbers; ++i) {
-      if (i < 3 && !origin.isZero(0)) {
-        text << place[static_cast<Eigen::Index>(i)] << ',';
-      } else {
-        text << numbers[i] << ',';
-      }
-    }
-    text << sample.triangle;
-    for (const DataArray& array : arrays) put_csv_row(text, array, row);
+  for (std::size_t row = 0; row < table.points.size(); ++row) {
+    write_position(text, ',', table.points[row], origin);
+    put_csv_row(text, table.arrays, row);
     text << '\n';
   }
 }
 
-void write_ply(OutputStream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
-               std::span<const DataArray> arrays) {
-  out << "ply\nformat binary_little_endian 1.0\ncomment written by brindle\nelement vertex "
-      << samples.size() << '\n'
-      << position_properties(origin);
-  for (std::size_t i = 3; i < kNumbers; ++i) out << "property float " << kColumns[i] << '\n';
-  out << "property uint triangle\n";
-  for (const DataArray& array : arrays) put_ply_properties(out, array);
-  out << "end_header\n";
-  BinaryOutput binary(out);
-  for (std::size_t row = 0; row < samples.size(); ++row) {
-    const Sample& sample = samples[row];
-    put_position(binary, sample.position, origin);
-    binary.put(numbers_of(sample).data() + 3, kNumbers - 3);
-    binary.put(sample.triangle);
-    for (const DataArray& array : arrays) put_ply_row(binary, array, row);
-  }
-}
-
-template <class Value>
-DataArray sample_numbers(const char* name, std::span<const Sample> samples, const Value& value) {
-  std::vector<decltype(value(Sample()))> result;
-  for (const Sample& sample : samples) result.push_back(value(sample));
-  return make_data_array(name, 1, result);
-}
-
-DataArray sample_vectors(const char* name, std::span<const Sample> samples, Vec3 Sample::*member) {
-  std::vector<Vec3> result;
-  for (const Sample& sample : samples) result.push_back(sample.*member);
-  return make_data_array(name, result);
-}
-
-void write_points(OutputStream& out, std::span<const Sample> samples, const Eigen::Vector3d& origin,
-                  std::span<const DataArray> more) {
-  std::vector<Vec3> points;
-  for (const Sample& sample : samples) points.push_back(sample.position);
-  std::vector<Index> cells(samples.size());
+void write_sample_vtp(OutputStream& out, const SampleTable& table, const Eigen::Vector3d& origin) {
+  std::vector<Index> cells(table.points.size());
   std::iota(cells.begin(), cells.end(), Index{0});
-  std::vector<DataArray> arrays = {
-      sample_vectors("normal", samples, &Sample::normal),
-      sample_vectors("direction_u", samples, &Sample::direction_u),
-      sample_vectors("direction_v", samples, &Sample::direction_v),
-      sample_numbers("spacing_u", samples, [](const Sample& s) { return s.spacing_u; }),
-      sample_numbers("spacing_v", samples, [](const Sample& s) { return s.spacing_v; }),
-      sample_vectors("barycentric", samples, &Sample::barycentric),
-      sample_numbers("triangle", samples, [](const Sample& s) { return s.triangle; })};
-  arrays.insert(arrays.end(), more.begin(), more.end());
-  write_vtp(out,
-            {.points = points, .single_points = cells, .point_arrays = arrays, .origin = origin});
-}
-
-std::vector<std::string> own_columns() {
-  std::vector<std::string> names(kColumns.begin(), kColumns.end());
-  names.insert(names.end(), {"triangle", "normal", "direction_u", "direction_v", "barycentric"});
-  return names;
+  write_vtp(out, {.points = table.points,
+                  .single_points = cells,
+                  .point_arrays = table.arrays,
+                  .origin = origin});
 }
 
 }  // namespace
@@ -146,14 +96,18 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
                 shown(path.extension().string()) +
                 "' files hold no samples; write .csv, .ply or .vtp");
   }
-  const std::vector<DataArray> columns =
-      fitted_columns(path, arrays, samples.size(), own_columns());
+  const SampleTable table =
+      table_of(samples, fitted_columns(path, arrays, samples.size(), own_columns()));
   write_file(
       path,
       [&](OutputStream& out) {
-        if (kind == ".csv") return write_csv(out, samples, origin, columns);
-        if (kind == ".ply") return write_ply(out, samples, origin, columns);
-        write_points(out, samples, origin, columns);
+        if (kind == ".csv") return write_sample_csv(out, table, origin);
+        if (kind == ".vtp") return write_sample_vtp(out, table, origin);
+        const PlyVertices vertices{table.points, origin, table.arrays};
+        write_ply_vertices(out, "", vertices);
+        out << "end_header\n";
+        BinaryOutput binary(out);
+        put_ply_vertices(binary, vertices);
       },
       progress);
 }
@@ -161,7 +115,8 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
 void write_vtp_samples(OutputStream& out, const std::filesystem::path& path,
                        std::span<const Sample> samples, const Eigen::Vector3d& origin,
                        std::span<const DataArray> arrays) {
-  write_points(out, samples, origin, fitted_columns(path, arrays, samples.size(), own_columns()));
+  write_sample_vtp(
+      out, table_of(samples, fitted_columns(path, arrays, samples.size(), own_columns())), origin);
 }
 
 }  // namespace brindle

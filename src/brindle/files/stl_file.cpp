@@ -1,5 +1,3 @@
-#include "brindle/files/stl_file.h"
-
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -8,6 +6,7 @@
 #include "brindle/base/input_file.h"
 #include "brindle/base/text.h"
 #include "brindle/files/mesh_builder.h"
+#include "brindle/files/mesh_formats.h"
 
 namespace brindle {
 namespace {

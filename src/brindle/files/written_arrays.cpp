@@ -16,7 +16,7 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/color_byte.h"
+#include "brindle/files/binary_numbers.h"
 
 namespace brindle {
 namespace {
@@ -81,41 +81,25 @@ DataArray colors_as_floats(const DataArray& color) {
   return make_data_array(color.name, color.components, levels);
 }
 
-/// The length of the UTF-8 character that the text begins with, if XML may hold it; else 0.
-std::size_t xml_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
-  std::uint32_t code = lead & (0x7fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3f);
-  }
-  const bool too_long = code < (length == 4 ? 0x10000u : length == 3 ? 0x800u : 0x80u);
-  const bool surrogate = code >= 0xd800 && code <= 0xdfff;
-  return too_long || surrogate || code > 0x10ffff || (code & 0xfffe) == 0xfffe ? 0 : length;
-}
-
 std::string xml_text(std::string_view name) {
   std::string text;
   while (!name.empty()) {
-    const std::size_t length = xml_character(name);
-    text += length > 0 ? name.substr(0, length) : "_";
-    name.remove_prefix(std::max<std::size_t>(length, 1));
+    const auto [bytes, code] = first_utf8_letter(name);
+    const bool in_xml = bytes > 0 && code >= 0x20 && code != 0x7f && (code & 0xfffe) != 0xfffe;
+    text += in_xml ? name.substr(0, bytes) : "_";
+    name.remove_prefix(in_xml ? bytes : 1);
   }
   return text;
 }
 
-/// Names are unique from then on.
+/// The name with underscores at its end until it is not taken; then it is.
 std::string free_name(std::string name, std::vector<std::string>& taken) {
   while (std::find(taken.begin(), taken.end(), name) != taken.end()) name += '_';
   taken.push_back(name);
   return name;
 }
 
-/// Where arrays of one file meet its format: what is left out is said.
+/// Arrays in the form of one file's format, and a line for each that is left out.
 class Fitting {
  public:
   Fitting(std::string kind, DataArrays arrays) : kind_(std::move(kind)) {
@@ -333,43 +317,6 @@ void check_rows(const std::filesystem::path& path, std::span<const DataArray> ar
 void refuse_array(const std::filesystem::path& path, const std::string& left_out) {
   throw Error("cannot write '" + shown(path.string()) + "': " + left_out +
               "; write .vtp or .ply, or leave it out");
-}
-
-std::string csv_name(std::string_view name) {
-  const bool parts = name.find_first_of(",;\"\t\r\n ") != std::string_view::npos;
-  const bool looks_like_number = name.find_first_of("0123456789+-.") == 0 || parse_number(name);
-  if (!parts && !looks_like_number) return std::string(name);
-  std::string quoted = "\"";
-  for (const char c : name) {
-    if (c == '"') quoted += c;
-    quoted += c == '\n' || c == '\r' ? '_' : c;
-  }
-  return quoted + '"';
-}
-
-void put_csv_row(TextOutput& text, const DataArray& array, std::size_t row) {
-  const ArrayView view = array.view();
-  for_each_number(ArrayView(view.address(row, 0), view.type(), 1, view.columns(), 0,
-                            static_cast<std::ptrdiff_t>(size_of(array.type))),
-                  [&](std::size_t, std::size_t, auto number) { text << ',' << number; });
-}
-
-void put_ply_properties(OutputStream& out, const DataArray& array) {
-  constexpr std::array<const char*, 8> kTypes = {"float", "double", "char", "uchar",
-                                                 "short", "ushort", "int",  "uint"};
-  const char* type = kTypes.at(static_cast<std::size_t>(array.type));
-  std::vector<std::string> names = column_names(array);
-  if (is_normal(array)) names = {"nx", "ny", "nz"};
-  if (is_color(array)) names = {"red", "green", "blue"};
-  if (is_uv(array)) names = {"texture_u", "texture_v", "s", "t"};
-  for (const std::string& name : names) out << "property " << type << ' ' << name << '\n';
-}
-
-void put_ply_row(BinaryOutput& binary, const DataArray& array, std::size_t row) {
-  const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
-  for (int copy = 0; copy < (is_uv(array) ? 2 : 1); ++copy) {
-    binary.put(array.bytes.data() + row * size, size);
-  }
 }
 
 }  // namespace brindle

@@ -1,3 +1,4 @@
+#include "brindle/normals.h"
 #include <cmath>
 #include <utility>
 

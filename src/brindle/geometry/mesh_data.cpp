@@ -13,6 +13,7 @@
 #include "brindle/base/array_rows.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/geometry/subdivide.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/nearest.h"
 

@@ -1,3 +1,4 @@
+#include "brindle/mesh.h"
 #include <Eigen/Geometry>
 
 #include "brindle/mesh.h"

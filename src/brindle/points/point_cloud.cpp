@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/local_positions.h"
 #include "brindle/mesh.h"

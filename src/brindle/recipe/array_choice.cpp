@@ -24,20 +24,6 @@ ArrayChoice find_choice(const DataArrays& arrays, std::string_view name) {
   return {};
 }
 
-}  // namespace
-
-std::string list_of(std::span<const DataArray> arrays) {
-  std::string text;
-  for (const DataArray& array : arrays) {
-    if (!text.empty()) text += ", ";
-    text += printable(array.name);
-    if (array.components > 1) text += " (" + std::to_string(array.components) + ")";
-  }
-  return text;
-}
-
-namespace {
-
 [[noreturn]] void refuse_name(const DataArrays& arrays, const std::string& name,
                               const std::string& file) {
   if (arrays.points.empty() && arrays.cells.empty()) {
@@ -60,6 +46,16 @@ namespace {
 }
 
 }  // namespace
+
+std::string list_of(std::span<const DataArray> arrays) {
+  std::string text;
+  for (const DataArray& array : arrays) {
+    if (!text.empty()) text += ", ";
+    text += printable(array.name);
+    if (array.components > 1) text += " (" + std::to_string(array.components) + ")";
+  }
+  return text;
+}
 
 ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file) {
   const ArrayChoice choice = find_choice(arrays, name);

@@ -1,4 +1,4 @@
-/// An array of several by the name that users give it.
+/// Arrays found by the names that users give.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace brindle {
 std::string list_of(std::span<const DataArray> arrays);
 
 struct ArrayChoice {
-  const DataArray* array = nullptr;  ///< one of those to choose from
+  const DataArray* array = nullptr;  ///< one of the given arrays
   bool of_cells = false;
 };
 
@@ -23,7 +23,7 @@ ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const s
 /// The same, copied.
 DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file);
 
-/// Those of several names, each once.
+/// The arrays of several names, each once.
 DataArrays named_arrays(const DataArrays& arrays, std::span<const std::string> names,
                         const std::string& file);
 

@@ -25,8 +25,8 @@ Json utf8_json(const Json& json) {
   return object;
 }
 
-/// What is no UTF-8, as names of files may be, stands there as \xe9: JSON has no other letters, and
-/// a job that is done is not to fail because of them.
+/// Bytes that are no UTF-8, as in names of files, are written as \xe9: JSON holds nothing else, and
+/// a finished job must not fail because of them.
 template <class Json>
 std::string json_text(const Json& json, int indent = -1) {
   try {

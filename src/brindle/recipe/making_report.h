@@ -1,4 +1,4 @@
-/// What became of the maker's wishes, for reports and for people.
+/// Results of windings, boundaries and cancelled branches, for reports and for people.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@ inline constexpr std::size_t kMostWindings = 12;
 void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json);
 std::string lines_of(const MakingFigures& figures);
 
-/// Those lines without the windings: where these do not add up, and what was turned and merged.
+/// Those lines without the windings: sums that do not add up, turns of the field and cancelled
+/// branches.
 std::string remarks_of(const MakingFigures& figures);
 
 }  // namespace brindle

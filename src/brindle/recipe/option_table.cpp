@@ -1,14 +1,13 @@
 #include "brindle/option_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/recipe/job_rows.h"
 #include "brindle/recipe/mark_rows.h"
-#include "brindle/recipe/option_row.h"
+#include "brindle/recipe/refusals.h"
 #include "brindle/recipe/solving_rows.h"
 #include "brindle/recipe/style_rows.h"
 #include "brindle/recipe/texture_rows.h"
@@ -16,14 +15,6 @@
 
 namespace brindle {
 namespace {
-
-template <std::size_t... Sizes>
-constexpr auto joined(const OptionInfo (&... parts)[Sizes]) {
-  std::array<OptionInfo, (Sizes + ...)> rows;
-  auto next = rows.begin();
-  ((next = std::copy(std::begin(parts), std::end(parts), next)), ...);
-  return rows;
-}
 
 constexpr auto kTable =
     joined(kWaveRows, kSolvingRows, kTextureRows, kStyleRows, kMarkRows, kJobRows);

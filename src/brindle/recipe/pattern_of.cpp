@@ -11,7 +11,7 @@
 namespace brindle {
 namespace {
 
-// What was asked of boundaries, which a wave that was turned no longer is asked.
+// The options with phases fixed at boundaries, if that is requested.
 StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, StripeOptions stripes,
                             const MakingOptions& options, MakingFigures& figures) {
   if (!options.anchor_boundary) return stripes;
@@ -26,7 +26,7 @@ StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, Stripe
   return stripes;
 }
 
-// With the phases of `stripes` fixed where a boundary asks for them.
+// The pattern with its windings; fixes phases of `stripes` at boundaries.
 StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& stripes,
                             const MakingOptions& options, const Progress& progress,
                             MakingFigures& figures) {
@@ -47,7 +47,7 @@ StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions
   return stripes_of_yielded(surface, std::move(turned), wound.pattern, stripes, progress);
 }
 
-// Pairs of branches go as the options ask.
+// Cancels pairs of branches as requested.
 template <class Pattern, class Options>
 void merge_pairs(const Surface& surface, const MakingOptions& making, const Options& options,
                  const Progress& progress, Pattern& pattern, MakingFigures& figures) {

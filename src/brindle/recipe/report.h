@@ -1,4 +1,4 @@
-/// What a run reports, for people and for programs, whichever front end it came from.
+/// Reports of runs, for people and for programs.
 #pragma once
 
 #include <iosfwd>
@@ -10,11 +10,27 @@
 #include <nlohmann/json.hpp>
 
 #include "brindle/pattern_of.h"
-#include "brindle/recipe/frequency_report.h"
-#include "brindle/recipe/preparation_figures.h"
+#include "brindle/recipe/wave_report.h"
 #include "brindle/samples.h"
+#include "brindle/yielding_frequency.h"
 
 namespace brindle {
+
+/// How far frequencies have changed within their tolerance.
+struct FrequencyReport {
+  FrequencyChange change;
+  double spacing_error_wanted_mean = 0;
+  std::optional<std::size_t> branches_in_calm;
+};
+
+/// Nothing where there was no slack.
+std::optional<FrequencyReport> frequency_report(const std::optional<FrequencyChange>& change,
+                                                const PatternQuality& quality);
+
+nlohmann::ordered_json to_json(const FrequencyReport& report);
+
+/// A line for people.
+void print_frequency(std::ostream& out, const FrequencyReport& report);
 
 /// The figures of a texture beside those of its stripes along the field.
 struct TextureReport {
@@ -67,14 +83,14 @@ struct Report {
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const StripePattern& pattern, Solver solver);
 
-/// As above, of a texture: times are those of both patterns together.
+/// The same of a texture; times are those of both patterns together.
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const TexturePattern& texture, Solver solver);
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const CrossTexture& texture, Solver solver);
 
-/// The same of whatever was made, with what became of the maker's wishes.
+/// The same of any pattern, with the figures of its making.
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const MadePattern& pattern, Solver solver);
 
@@ -85,14 +101,13 @@ std::string_view kind_of(const Mesh& mesh);
 nlohmann::ordered_json to_json(const WaveReport& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
 
-/// What became of a measured field: keys of a report, all but how many singularities it has, which
-/// a report counts for every field.
+/// Keys of a smoothed field, except its number of singularities, which every report has.
 nlohmann::ordered_json to_json(const FieldDetailFigures& detail);
 
 /// How evenly samples lie, for the key "nearest_neighbour".
 nlohmann::ordered_json to_json(const SampleSpacing& spacing);
 
-/// A line for people about what `Device::description` gives; empty for the processor.
+/// A line for people on a `Device::description`; empty for the processor.
 std::string device_line(const nlohmann::ordered_json& description);
 
 /// Lines for people about the waves.
@@ -106,5 +121,8 @@ void print_report(std::ostream& out, const Report& report);
 
 /// One row a report.
 void print_table(std::ostream& out, const std::vector<Report>& reports);
+
+/// Why there are no curves, a line; `short_curves` were left out.
+std::string why_no_curves(const std::string& family, std::size_t short_curves);
 
 }  // namespace brindle

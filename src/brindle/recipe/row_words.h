@@ -1,5 +1,10 @@
-/// Words of the table's rows: the jobs that an option is for and the numbers that it takes.
+/// Words of the table's rows: groups of rows, the jobs that an option is for and its numbers.
 #pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
 
 #include "brindle/option_table.h"
 #include "brindle/waves/weight_check.h"
@@ -19,5 +24,32 @@ constexpr NumberRange kPositive = {.least = 0, .above_least = true};
 constexpr NumberRange kShare = {.least = 0, .most = 1};
 constexpr NumberRange kWeight = {.least = 0, .most = kLargestWeight};
 constexpr NumberRange kPixels = {.least = 0, .most = 10000, .above_least = true};
+
+/// Rows of one group. `common` has the group's name, and the stage, jobs and `own` of rows that
+/// name none. All lengths are written alike.
+template <std::size_t N>
+constexpr std::array<OptionInfo, N> in_group(const OptionInfo& common,
+                                             const OptionInfo (&rows)[N]) {
+  std::array<OptionInfo, N> result;
+  for (std::size_t i = 0; i < N; ++i) {
+    OptionInfo& row = result[i] = rows[i];
+    row.group = common.group;
+    row.own = row.own || common.own;
+    if (row.stale == OptionStage::none) row.stale = common.stale;
+    if (row.jobs == 0) row.jobs = common.jobs;
+    if (row.kind != OptionKind::length) continue;
+    row.form = "L|P%";
+    row.unit = "units of length, or percent of the diagonal";
+  }
+  return result;
+}
+
+template <std::size_t... Sizes>
+constexpr auto joined(const std::array<OptionInfo, Sizes>&... parts) {
+  std::array<OptionInfo, (Sizes + ...)> rows;
+  auto next = rows.begin();
+  ((next = std::copy(parts.begin(), parts.end(), next)), ...);
+  return rows;
+}
 
 }  // namespace brindle

@@ -83,7 +83,7 @@ MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWa
   if (surface.any(found.may_have_gaps)) {
     found.missing.without_frequency = surface.drop_waves(found.directions, found.frequencies);
   }
-  // Of a field without any direction, the waves' figures say why.
+  // A field without any direction is rejected later, with the waves' figures.
   if (wishes.detail.periods > 0 && surface.any(has_data(found.measured))) {
     see_field(surface, wishes.detail, places, found, made, progress.part(kFrequencies, 1));
   }

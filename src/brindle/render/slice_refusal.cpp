@@ -39,25 +39,27 @@ void extend(BoundingBox& box, const CutMesh& cut) {
   box.upper = box.upper.cwiseMax(own.upper + cut.offset);
 }
 
-std::string refusal(const BoundingBox& box, const Eigen::Vector3d& origin) {
+std::string refusal(const BoundingBox& box, const Eigen::Vector3d& origin,
+                    const std::string& name) {
   std::string ranges;
   for (int axis = 0; axis < 3; ++axis) {
     ranges += formatted("%s %c from %.4g to %.4g", axis == 0 ? "" : ",", 'x' + axis,
                         origin[axis] + static_cast<double>(box.lower[axis]),
                         origin[axis] + static_cast<double>(box.upper[axis]));
   }
-  return "--slice leaves nothing of the surface, which has" + ranges +
+  return name + " leaves nothing of the surface, which has" + ranges +
          "; put the plane elsewhere, or take the other side, such as -x=50%";
 }
 
 }  // namespace
 
-std::string slice_refusal(const Mesh& mesh, const Camera& camera) {
+std::string slice_refusal(const Mesh& mesh, const Camera& camera, const std::string& name) {
   if (!camera.slice || mesh.positions.empty() || is_left({mesh}, camera)) return "";
-  return refusal(bounding_box(mesh), mesh.origin);
+  return refusal(bounding_box(mesh), mesh.origin, name);
 }
 
-std::string slice_refusal(std::span<const StyledSurface> surfaces, const Camera& camera) {
+std::string slice_refusal(std::span<const StyledSurface> surfaces, const Camera& camera,
+                          const std::string& name) {
   if (!camera.slice || surfaces.empty()) return "";
   const Eigen::Vector3d& origin = surfaces.front().mesh.origin;
   BoundingBox box = bounding_box(surfaces.front().mesh);
@@ -66,19 +68,19 @@ std::string slice_refusal(std::span<const StyledSurface> surfaces, const Camera&
     if (surface.sliced ? is_left(cut, camera) : !surface.mesh.triangles.empty()) return "";
     extend(box, cut);
   }
-  return refusal(box, origin);
+  return refusal(box, origin, name);
 }
 
 void check_slice(const std::string& refusal) {
   if (!refusal.empty()) throw Error(refusal);
 }
 
-void check_slice(const Mesh& mesh, const RenderOptions& render) {
+void check_slice(const Mesh& mesh, const RenderOptions& render, const std::string& name) {
   if (!render.camera.slice) return;
   const std::vector<Vec3> points =
       mesh.triangles.empty() ? mesh.positions : points_of_triangles(mesh);
   check_slice(
-      slice_refusal(mesh, framed_camera(points, render.camera, render.width, render.height)));
+      slice_refusal(mesh, framed_camera(points, render.camera, render.width, render.height), name));
 }
 
 }  // namespace brindle

@@ -1,21 +1,25 @@
 #include "brindle/files/gltf/gltf_document.h"
 
+#include "brindle/files.h"
+
 #ifdef BRINDLE_HAS_JSON
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstring>
 #include <string_view>
-#include <utility>
-#include <vector>
 
+#include "brindle/base/base64.h"
 #include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
 #include "brindle/base/text.h"
+#include "brindle/error.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
+
+namespace fs = std::filesystem;
 
 using Json = nlohmann::json;
 
@@ -27,8 +31,8 @@ std::uint32_t read_word(InputFile& file) {
   return word;
 }
 
-/// How deep a JSON text is nested. A parser with a callback would know, too, but takes a time that
-/// grows with the square of a list's length.
+/// The depth of a JSON text. The parser's callback would find it, too, but takes quadratic time in
+/// a list's length.
 int depth_of(std::string_view json) {
   int depth = 0, deepest = 0;
   bool in_text = false;
@@ -82,19 +86,25 @@ GltfDocument read_glb(InputFile& file) {
   return document;
 }
 
-/// Checks what one part of a glTF file says of another.
-class GltfCheck {
+/// Reads the parts of a document, and checks what one says of another.
+class GltfParts {
  public:
-  GltfCheck(const InputFile& file, const GltfDocument& document, bool binary)
-      : file_(file), json_(document.json), data_size_(document.data.size()), binary_(binary) {}
+  GltfParts(const InputFile& file, GltfDocument& document, bool binary)
+      : file_(file), document_(document), json_(document.json), binary_(binary) {}
 
-  void run() {
-    for (const Json& view : list("bufferViews")) check_view(view);
-    for (const Json& accessor : list("accessors")) check_accessor(accessor);
-    for (const Json& mesh : list("meshes")) {
-      for (const Json& primitive : member(mesh, "primitives")) check_primitive(primitive);
+  void read() {
+    for (const Json& view : list("bufferViews")) document_.views.push_back(read_view(view));
+    for (const Json& accessor : list("accessors")) {
+      document_.accessors.push_back(read_accessor(accessor));
     }
-    check_nodes();
+    for (const Json& mesh : list("meshes")) {
+      auto& primitives = document_.meshes.emplace_back();
+      for (const Json& primitive : member(mesh, "primitives")) {
+        primitives.push_back(read_primitive(primitive));
+      }
+    }
+    read_nodes();
+    read_scenes();
   }
 
  private:
@@ -128,151 +138,170 @@ class GltfCheck {
     return found->get<std::uint64_t>();
   }
 
-  const Json& item(const char* name, std::uint64_t index) const {
-    const Json& items = list(name);
-    if (index >= items.size()) {
-      fail(std::string(name) + " has no entry " + std::to_string(index));
+  /// The number of a part of the list `of`, which is there.
+  std::uint64_t number_of(const char* of, const Json& object, const char* name) const {
+    const std::uint64_t index = number(object, name);
+    if (index >= list(of).size()) {
+      fail(std::string(of) + " has no entry " + std::to_string(index));
     }
-    return items[index];
+    return index;
   }
 
-  void check_view(const Json& view) const {
-    const std::uint64_t number_of_buffer = number(view, "buffer");
-    const Json& buffer = item("buffers", number_of_buffer);
+  static bool has_extension(const Json& object, const char* name) {
+    return object.contains("extensions") && object["extensions"].contains(name);
+  }
+
+  GltfView read_view(const Json& json) const {
+    GltfView view;
+    view.buffer = number_of("buffers", json, "buffer");
+    const Json& buffer = json_["buffers"][view.buffer];
     const std::uint64_t size = number(buffer, "byteLength");
-    if (binary_ && number_of_buffer == 0 && !buffer.contains("uri") && size > data_size_ + 3) {
+    if (binary_ && view.buffer == 0 && !buffer.contains("uri") &&
+        size > document_.data.size() + 3) {
       fail("its data are shorter than its buffer");
     }
-    if (number(view, "byteOffset", 0) + number(view, "byteLength") > size) {
-      fail("a view reaches beyond its buffer");
-    }
+    view.offset = number(json, "byteOffset", 0);
+    view.length = number(json, "byteLength");
+    if (view.offset + view.length > size) fail("a view reaches beyond its buffer");
+    view.is_compressed = has_extension(json, "EXT_meshopt_compression");
+    return view;
   }
 
-  static std::uint64_t component_size(std::uint64_t type) {
-    switch (type) {
-      case 5120:
-      case 5121:
-        return 1;
-      case 5122:
-      case 5123:
-        return 2;
-      case 5125:
-      case 5126:
-        return 4;
-      default:
-        return 0;
+  GltfAccessor read_accessor(const Json& json) const {
+    constexpr std::uint64_t kFirstType = 5120;
+    constexpr std::array<NumberType, 7> kTypes = {
+        NumberType::int8,  NumberType::uint8,  NumberType::int16,  NumberType::uint16,
+        NumberType::int32, NumberType::uint32, NumberType::float32};
+    static const std::map<std::string, int> kComponents = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3},
+                                                           {"VEC4", 4},   {"MAT2", 4}, {"MAT3", 9},
+                                                           {"MAT4", 16}};
+    GltfAccessor accessor;
+    const std::uint64_t type = number(json, "componentType") - kFirstType;
+    const Json& shape = member(json, "type");
+    const auto components =
+        shape.is_string() ? kComponents.find(shape.get<std::string>()) : kComponents.end();
+    // The format has no signed numbers of 32 bits.
+    if (components == kComponents.end() || type >= kTypes.size() ||
+        kTypes[type] == NumberType::int32) {
+      fail("an accessor has an unknown type");
     }
-  }
-
-  static std::uint64_t component_count(const Json& type) {
-    static const std::array<std::pair<const char*, int>, 7> kTypes = {{{"SCALAR", 1},
-                                                                       {"VEC2", 2},
-                                                                       {"VEC3", 3},
-                                                                       {"VEC4", 4},
-                                                                       {"MAT2", 4},
-                                                                       {"MAT3", 9},
-                                                                       {"MAT4", 16}}};
-    for (const auto& [name, count] : kTypes) {
-      if (type == name) return static_cast<std::uint64_t>(count);
-    }
-    return 0;
-  }
-
-  void check_accessor(const Json& accessor) const {
-    const std::uint64_t element = component_size(number(accessor, "componentType")) *
-                                  component_count(member(accessor, "type"));
-    if (element == 0) fail("an accessor has an unknown type");
-    const std::uint64_t count = number(accessor, "count");
-    if (accessor.contains("sparse")) {
+    accessor.type = kTypes[type];
+    accessor.components = components->second;
+    accessor.is_matrix = components->first.starts_with("MAT");
+    accessor.count = number(json, "count");
+    if (json.contains("sparse")) {
       file_.fail_whole("has sparse accessors, which brindle does not read; export it without");
     }
-    if (count == 0 || count > 0xfffffffe) fail("an accessor has an impossible number of entries");
+    if (accessor.count == 0 || accessor.count > 0xfffffffe) {
+      fail("an accessor has an impossible number of entries");
+    }
+    const auto normalized = json.find("normalized");
+    accessor.is_normalized = normalized != json.end() && *normalized == true;
     // Without a view, as with compressed data, there is nothing to check here.
-    if (!accessor.contains("bufferView")) return;
-    const Json& view = item("bufferViews", number(accessor, "bufferView"));
-    const std::uint64_t stride = std::max(number(view, "byteStride", 0), element);
-    const std::uint64_t length = number(view, "byteLength");
-    const std::uint64_t first_end = number(accessor, "byteOffset", 0) + element;
+    if (json.contains("bufferView")) place(json, accessor);
+    return accessor;
+  }
+
+  /// Reads where the numbers are.
+  void place(const Json& json, GltfAccessor& accessor) const {
+    accessor.view = number_of("bufferViews", json, "bufferView");
+    GltfView& view = document_.views[*accessor.view];
+    const std::uint64_t element =
+        size_of(accessor.type) * static_cast<std::uint64_t>(accessor.components);
+    view.stride = number(json_["bufferViews"][*accessor.view], "byteStride", 0);
+    accessor.offset = number(json, "byteOffset", 0);
+    const std::uint64_t stride = std::max(view.stride, element);
+    const std::uint64_t first_end = accessor.offset + element;
     // Divided, because the product of stride and count could wrap.
-    if (first_end > length || (length - first_end) / stride < count - 1) {
+    if (first_end > view.length || (view.length - first_end) / stride < accessor.count - 1) {
       fail("an accessor reaches beyond its view");
     }
   }
 
-  void check_primitive(const Json& primitive) const {
-    const Json& attributes = member(primitive, "attributes");
+  GltfPrimitive read_primitive(const Json& json) const {
+    GltfPrimitive primitive;
+    const Json& attributes = member(json, "attributes");
     if (!attributes.is_object()) fail("'attributes' is no object");
     std::uint64_t vertices = 0;
     for (const auto& [name, value] : attributes.items()) {
-      const std::uint64_t count =
-          number(item("accessors", number(attributes, name.c_str())), "count");
+      const std::uint64_t index = number_of("accessors", attributes, name.c_str());
+      const std::uint64_t count = document_.accessors[index].count;
       if (vertices != 0 && count != vertices) fail("attributes of different lengths");
       vertices = count;
+      primitive.attributes.emplace(name, index);
     }
-    if (attributes.contains("POSITION")) {
-      const Json& position = item("accessors", number(attributes, "POSITION"));
+    if (const auto position = primitive.attributes.find("POSITION");
+        position != primitive.attributes.end()) {
+      const GltfAccessor& accessor = document_.accessors[position->second];
       // Whole numbers of 8 and 16 bits, too: KHR_mesh_quantization.
-      const std::uint64_t type = number(position, "componentType");
-      if (member(position, "type") != "VEC3" || type == 5125) {
+      if (accessor.components != 3 || accessor.type == NumberType::uint32) {
         fail("positions must be vectors of three floats, or of whole numbers of 8 or 16 bits");
       }
     }
-    number(primitive, "mode", 4);
-    if (primitive.contains("indices")) {
-      const Json& indices = item("accessors", number(primitive, "indices"));
-      const std::uint64_t type = number(indices, "componentType");
-      if (member(indices, "type") != "SCALAR" || (type != 5121 && type != 5123 && type != 5125)) {
-        fail("indices must be unsigned whole numbers");
-      }
+    primitive.mode = number(json, "mode", 4);
+    if (json.contains("indices")) {
+      primitive.indices = number_of("accessors", json, "indices");
+      const GltfAccessor& accessor = document_.accessors[*primitive.indices];
+      const bool is_unsigned = accessor.type == NumberType::uint8 ||
+                               accessor.type == NumberType::uint16 ||
+                               accessor.type == NumberType::uint32;
+      if (accessor.components != 1 || !is_unsigned) fail("indices must be unsigned whole numbers");
     }
+    primitive.is_compressed = has_extension(json, "KHR_draco_mesh_compression");
+    return primitive;
   }
 
   /// Nodes must form trees: as many are reached from nodes without a parent as there are, each by
   /// one way.
-  void check_nodes() const {
+  void read_nodes() {
     const Json& nodes = list("nodes");
-    std::vector<int> depth(nodes.size(), 0);
     std::vector<char> has_parent(nodes.size(), 0);
-    for (const Json& node : nodes) {
-      if (!node.is_object()) fail("a node is no object");
-      if (node.contains("mesh")) item("meshes", number(node, "mesh"));
-      for (const std::uint64_t child : children(node)) {
+    for (const Json& json : nodes) {
+      if (!json.is_object()) fail("a node is no object");
+      GltfNode& node = document_.nodes.emplace_back();
+      node.json = &json;
+      if (json.contains("mesh")) node.mesh = number_of("meshes", json, "mesh");
+      if (json.contains("children")) node.children = indices(json["children"]);
+      for (const std::uint64_t child : node.children) {
         if (child >= nodes.size()) fail("a node has a child that does not exist");
         if (has_parent[child]++) fail("a node has two parents");
       }
     }
-    std::vector<std::uint64_t> open;
     for (std::uint64_t n = 0; n < nodes.size(); ++n) {
-      if (!has_parent[n]) open.push_back(n);
+      if (!has_parent[n]) document_.roots.push_back(n);
     }
+    check_depth();
+  }
+
+  void check_depth() const {
+    std::vector<int> depth(document_.nodes.size(), 0);
+    std::vector<std::uint64_t> open = document_.roots;
     std::size_t reached = 0;
     while (!open.empty()) {
       const std::uint64_t n = open.back();
       open.pop_back();
       ++reached;
       if (depth[n] > kDeepest) fail("its nodes are nested too deeply");
-      for (const std::uint64_t child : children(nodes[n])) {
+      for (const std::uint64_t child : document_.nodes[n].children) {
         depth[child] = depth[n] + 1;
         open.push_back(child);
       }
     }
-    if (reached != nodes.size()) fail("its nodes run in a circle");
-    check_scenes(nodes.size());
+    if (reached != document_.nodes.size()) fail("its nodes run in a circle");
   }
 
-  void check_scenes(std::size_t nodes) const {
+  void read_scenes() {
+    std::vector<std::vector<std::uint64_t>> scenes;
     for (const Json& scene : list("scenes")) {
       if (!scene.is_object()) fail("a scene is no object");
-      if (!scene.contains("nodes")) continue;
-      for (const std::uint64_t node : indices(scene["nodes"])) {
-        if (node >= nodes) fail("a scene has a node that does not exist");
+      scenes.push_back(scene.contains("nodes") ? indices(scene["nodes"])
+                                               : std::vector<std::uint64_t>());
+      for (const std::uint64_t node : scenes.back()) {
+        if (node >= document_.nodes.size()) fail("a scene has a node that does not exist");
       }
     }
-    if (json_.contains("scene")) item("scenes", number(json_, "scene"));
-  }
-
-  std::vector<std::uint64_t> children(const Json& node) const {
-    return node.contains("children") ? indices(node["children"]) : std::vector<std::uint64_t>();
+    const std::uint64_t shown = json_.contains("scene") ? number_of("scenes", json_, "scene") : 0;
+    if (!scenes.empty()) document_.roots = std::move(scenes[shown]);
   }
 
   std::vector<std::uint64_t> indices(const Json& values) const {
@@ -286,10 +315,23 @@ class GltfCheck {
   }
 
   const InputFile& file_;
+  GltfDocument& document_;
   const Json& json_;
-  std::uint64_t data_size_;
   bool binary_;
 };
+
+constexpr std::string_view kDataUri = "data:";
+
+/// The file that a URI without data names in the folder of the .gltf; nothing if it leaves it.
+std::optional<fs::path> file_in_folder(const fs::path& gltf, const std::string& uri) {
+  const std::string name = percent_decoded(uri);
+  if (name.find('\0') != std::string::npos || name.find("://") != std::string::npos) {
+    return std::nullopt;
+  }
+  const fs::path inside = fs::path(name).lexically_normal();
+  if (inside.is_absolute() || inside.empty() || *inside.begin() == "..") return std::nullopt;
+  return gltf.parent_path() / inside;
+}
 
 }  // namespace
 
@@ -303,9 +345,92 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const Progres
     const auto size = static_cast<std::size_t>(file.remaining());
     document.json = parse(file, file.take(size), size);
   }
-  GltfCheck(file, document, binary).run();
+  GltfParts(file, document, binary).read();
   return document;
 }
+
+std::vector<fs::path> gltf_buffer_files(const fs::path& gltf) {
+  std::vector<fs::path> paths;
+  nlohmann::json json;
+  try {
+    json = nlohmann::json::parse(whole_input(gltf, "a mesh file"), nullptr, false);
+  } catch (const Error&) {
+    return paths;
+  }
+  if (!json.is_object() || !json.contains("buffers") || !json["buffers"].is_array()) return paths;
+  for (const auto& buffer : json["buffers"]) {
+    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string()) continue;
+    const std::string uri = buffer["uri"];
+    if (uri.starts_with(kDataUri)) continue;
+    if (auto file = file_in_folder(gltf, uri)) paths.push_back(*std::move(file));
+  }
+  return paths;
+}
+
+void GltfBuffers::fail(const std::string& what) const {
+  throw Error(shown(path_.string()) + ": " + what);
+}
+
+const std::string& GltfBuffers::buffer(std::uint64_t index) {
+  const nlohmann::json& described = document_.json["buffers"][index];
+  const std::string& content = content_of(described);
+  const auto promised = described["byteLength"].get<std::uint64_t>();
+  if (content.size() < promised) {
+    fail("is truncated: a buffer has " + std::to_string(content.size()) + " bytes instead of " +
+         std::to_string(promised) + "; export it again");
+  }
+  return content;
+}
+
+const std::string& GltfBuffers::content_of(const nlohmann::json& buffer) {
+  const auto uri = buffer.find("uri");
+  if (uri != buffer.end()) {
+    if (!uri->is_string()) fail("is a damaged glTF file, export it again: 'uri' is no text");
+    return content_of_uri(uri->get_ref<const std::string&>());
+  }
+  const auto [entry, is_new] = contents_.try_emplace("");
+  if (is_new) {
+    // A GLB's own buffer may lack its padding, which buffers count.
+    entry->second = document_.data + std::string(3, '\0');
+    size_ += entry->second.size();
+  }
+  return entry->second;
+}
+
+const std::string& GltfBuffers::content_of_uri(const std::string& uri) {
+  const auto [entry, is_new] = contents_.try_emplace(uri);
+  std::string& content = entry->second;
+  if (!is_new) return content;
+  if (uri.starts_with(kDataUri)) {
+    const std::size_t comma = uri.find(',');
+    const bool base64 = comma != std::string::npos && uri.substr(0, comma).ends_with(";base64");
+    auto bytes = base64 ? base64_decoded(std::string_view(uri).substr(comma + 1)) : std::nullopt;
+    if (!bytes) fail("is a damaged glTF file, export it again: its data are not in base64");
+    content = *std::move(bytes);
+  } else {
+    const std::optional<fs::path> file = file_in_folder(path_, uri);
+    if (!file) {
+      fail("names the data file " + in_quotes(uri) +
+           ", which is not in its own folder, so brindle does not read it; put both into one "
+           "folder and name it without a path");
+    }
+    try {
+      content = whole_input(*file, "its data");
+    } catch (const Error& error) {
+      fail(std::string("needs a data file beside it: ") + error.what());
+    }
+  }
+  size_ += content.size();
+  return content;
+}
+
+}  // namespace brindle
+
+#else
+
+namespace brindle {
+
+std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path&) { return {}; }
 
 }  // namespace brindle
 

@@ -1,8 +1,8 @@
 #include "brindle/files/gltf/gltf_reader.h"
-
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
+#include "brindle/files/gltf/gltf_file.h"
 
 #ifdef BRINDLE_HAS_JSON
 
@@ -21,11 +21,10 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/files/gltf/gltf_buffers.h"
 #include "brindle/files/gltf/gltf_document.h"
 #include "brindle/files/mesh_builder.h"
-#include "brindle/files/piecewise_arrays.h"
-#include "brindle/files/text/letters.h"
+#include "brindle/files/read_arrays.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
@@ -35,18 +34,17 @@ using Eigen::Affine3d;
 using Eigen::Vector3d;
 
 enum PrimitiveMode { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
-enum ComponentType { kUnsignedByte = 5121, kUnsignedShort = 5123 };
 
-constexpr std::uint64_t kBytesOfPrimitive = 64;  ///< even of one that has nothing to show
+constexpr std::uint64_t kBytesOfPrimitive = 64;  ///< even of one without triangles
 
-/// Puts the meshes of a checked document together.
+/// Joins the meshes of a document.
 class GltfReader {
  public:
   GltfReader(std::filesystem::path path, const GltfDocument& document, const GltfBounds& bounds)
-      : path_(std::move(path)), json_(document.json), buffers_(path_, document), bounds_(bounds) {}
+      : path_(std::move(path)), document_(document), buffers_(path_, document), bounds_(bounds) {}
 
   RawMesh read() {
-    for (const std::uint64_t root : roots()) add_node(root, Affine3d::Identity());
+    for (const std::uint64_t root : document_.roots) add_node(root, Affine3d::Identity());
     std::string left_out;
     DataArrays arrays{arrays_.take("vertices", left_out), {}};
     if (without_data_ > 0) {
@@ -63,34 +61,7 @@ class GltfReader {
     throw Error(shown(path_.string()) + ": " + what);
   }
 
-  const Json& item(const char* list, std::uint64_t index) const { return json_[list][index]; }
-
-  static std::uint64_t number(const Json& object, const char* name, std::uint64_t standard) {
-    const auto found = object.find(name);
-    return found == object.end() ? standard : found->get<std::uint64_t>();
-  }
-
-  /// The nodes of the default scene; of a file without scenes, all nodes without a parent.
-  std::vector<std::uint64_t> roots() const {
-    if (json_.contains("scenes") && !json_["scenes"].empty()) {
-      const Json& scene = item("scenes", number(json_, "scene", 0));
-      return scene.value("nodes", std::vector<std::uint64_t>());
-    }
-    if (!json_.contains("nodes")) return {};
-    std::vector<char> has_parent(json_["nodes"].size(), 0);
-    for (const Json& node : json_["nodes"]) {
-      for (const std::uint64_t child : node.value("children", std::vector<std::uint64_t>())) {
-        has_parent[child] = 1;
-      }
-    }
-    std::vector<std::uint64_t> result;
-    for (std::uint64_t n = 0; n < has_parent.size(); ++n) {
-      if (!has_parent[n]) result.push_back(n);
-    }
-    return result;
-  }
-
-  /// A list of so many numbers; nothing if there is none of that name.
+  /// A node's list of `count` numbers; nothing if it has none of that name.
   std::optional<std::vector<double>> numbers(const Json& node, const char* name,
                                              std::size_t count) const {
     const auto found = node.find(name);
@@ -124,44 +95,36 @@ class GltfReader {
     return transform;
   }
 
-  void add_node(std::uint64_t number_of_node, const Affine3d& parent) {
-    const Json& node = item("nodes", number_of_node);
-    const Affine3d transform = parent * transform_of(node);
-    if (node.contains("mesh")) {
+  void add_node(std::uint64_t number, const Affine3d& parent) {
+    const GltfNode& node = document_.nodes[number];
+    const Affine3d transform = parent * transform_of(*node.json);
+    if (node.mesh) {
       first_vertex_.clear();
-      for (const Json& primitive : item("meshes", number(node, "mesh", 0))["primitives"]) {
+      for (const GltfPrimitive& primitive : document_.meshes[*node.mesh]) {
         add_primitive(primitive, transform);
       }
     }
-    for (const std::uint64_t child : node.value("children", std::vector<std::uint64_t>())) {
-      add_node(child, transform);
-    }
+    for (const std::uint64_t child : node.children) add_node(child, transform);
   }
 
-  void add_primitive(const Json& primitive, const Affine3d& transform) {
-    const std::uint64_t mode = number(primitive, "mode", kTriangles);
-    if (mode < kTriangles || mode > kTriangleFan) return;  // points and lines
-    if (primitive.contains("extensions") &&
-        primitive["extensions"].contains("KHR_draco_mesh_compression")) {
+  void add_primitive(const GltfPrimitive& primitive, const Affine3d& transform) {
+    if (primitive.mode < kTriangles || primitive.mode > kTriangleFan) return;  // points and lines
+    if (primitive.is_compressed) {
       fail("is compressed with Draco, which brindle does not read; export it without compression");
     }
     spend(kBytesOfPrimitive);
-    if (!primitive["attributes"].contains("POSITION")) return;
-    const std::uint64_t accessor = primitive["attributes"]["POSITION"].get<std::uint64_t>();
-    const bool indexed = primitive.contains("indices");
-    if (!has_data(accessor) || (indexed && !has_data(number(primitive, "indices", 0)))) {
+    const auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end()) return;
+    const GltfAccessor& positions = document_.accessors[position->second];
+    if (!positions.view || (primitive.indices && !document_.accessors[*primitive.indices].view)) {
       ++without_data_;  // all zeros, as the format says: no triangle has an area
       return;
     }
-    const Index first = add_vertices(primitive["attributes"], transform);
-    const auto count = static_cast<Index>(number(item("accessors", accessor), "count", 0));
-    std::vector<Index> corners = corners_of(primitive, count);
+    const Index first = add_vertices(primitive, positions, transform);
+    std::vector<Index> corners = corners_of(primitive, static_cast<Index>(positions.count));
     for (Index& corner : corners) corner += first;
-    add_triangles(corners, static_cast<PrimitiveMode>(mode), transform.linear().determinant() < 0);
-  }
-
-  bool has_data(std::uint64_t accessor) const {
-    return item("accessors", accessor).contains("bufferView");
+    add_triangles(corners, static_cast<PrimitiveMode>(primitive.mode),
+                  transform.linear().determinant() < 0);
   }
 
   /// Throws if a small file asks for so much memory in all.
@@ -173,53 +136,47 @@ class GltfReader {
          " times its size; export it with fewer copies");
   }
 
-  /// The same for what an accessor's data become, which it has read.
-  void spend(std::uint64_t accessor, std::uint64_t bytes) {
-    data_of(item("accessors", accessor));
+  /// The same for memory that an accessor's data fill; reads them, which raises the limit.
+  void spend(const GltfAccessor& accessor, std::uint64_t bytes) {
+    data_of(accessor);
     spend(bytes);
   }
 
-  /// Attributes that become arrays. Positions are none, and those of bones move them.
+  /// Attributes that become arrays: neither positions nor what skeletons move them by.
   static bool is_array(std::string_view semantic) {
     return semantic != "POSITION" && !semantic.starts_with("JOINTS_") &&
            !semantic.starts_with("WEIGHTS_");
   }
 
-  /// What primitives have in common that share their vertices: the accessors of all their
-  /// attributes.
-  using Attributes = std::vector<std::pair<std::string, std::uint64_t>>;
+  /// Primitives share their vertices if they have all these in common.
+  using Attributes = std::map<std::string, std::uint64_t>;
 
-  static Attributes attributes_of(const Json& attributes) {
-    Attributes result;
-    for (const auto& [semantic, accessor] : attributes.items()) {
-      if (semantic != "POSITION" && !is_array(semantic)) continue;
-      result.emplace_back(semantic, accessor.get<std::uint64_t>());
-    }
-    return result;
+  static Attributes shared_attributes(Attributes attributes) {
+    std::erase_if(attributes, [](const auto& entry) {
+      return entry.first != "POSITION" && !is_array(entry.first);
+    });
+    return attributes;
   }
 
   /// The number of the first of a primitive's vertices.
-  Index add_vertices(const Json& attributes, const Affine3d& transform) {
-    const std::uint64_t accessor = number(attributes, "POSITION", 0);
+  Index add_vertices(const GltfPrimitive& primitive, const GltfAccessor& positions,
+                     const Affine3d& transform) {
     const auto [entry, is_new] = first_vertex_.try_emplace(
-        attributes_of(attributes), static_cast<Index>(builder_.vertex_count()));
+        shared_attributes(primitive.attributes), static_cast<Index>(builder_.vertex_count()));
     if (!is_new) return entry->second;
-    const Json& described = item("accessors", accessor);
-    const std::uint64_t count = number(described, "count", 0);
-    if (builder_.vertex_count() + count > 0xfffffffe) {
+    if (builder_.vertex_count() + positions.count > 0xfffffffe) {
       fail("has more vertices than brindle can number; split it into parts");
     }
-    spend(accessor, count * sizeof(Vector3d));
-    const NumberType type = number_type(described);
-    const double one = unit_of(described);
-    with_number_type(type, [&]<class Number>(Number) {
-      for_each_element(accessor, 3 * sizeof(Number), [&](const char* bytes) {
+    spend(positions, positions.count * sizeof(Vector3d));
+    const double one = unit_of(positions);
+    with_number_type(positions.type, [&]<class Number>(Number) {
+      for_each_element(positions, 3 * sizeof(Number), [&](const char* bytes) {
         Vector3d position = vector_at<Number>(bytes) / one;
         if (one > 1) position = position.cwiseMax(-1);  // the lowest number is a step beyond it
         builder_.add_vertex(transform * position);
       });
     });
-    arrays_.add(arrays_of(attributes, transform.linear()));
+    arrays_.add(arrays_of(primitive, transform.linear()));
     return entry->second;
   }
 
@@ -231,12 +188,9 @@ class GltfReader {
             static_cast<double>(numbers[2])};
   }
 
-  /// What stands for 1 in an accessor: whole numbers may be parts of their largest.
-  static double unit_of(const Json& accessor) {
-    const auto normalized = accessor.find("normalized");
-    const bool parts =
-        normalized != accessor.end() && normalized->is_boolean() && normalized->get<bool>();
-    return parts ? largest_of(number_type(accessor)) : 1;
+  /// The number of an accessor that means 1: whole numbers may be shares of their largest.
+  static double unit_of(const GltfAccessor& accessor) {
+    return accessor.is_normalized ? largest_of(accessor.type) : 1;
   }
 
   static double largest_of(NumberType type) {
@@ -249,28 +203,27 @@ class GltfReader {
     return largest;
   }
 
-  /// What a primitive says of its vertices.
-  std::vector<DataArray> arrays_of(const Json& attributes, const Eigen::Matrix3d& linear) {
+  /// The arrays of a primitive's vertices.
+  std::vector<DataArray> arrays_of(const GltfPrimitive& primitive, const Eigen::Matrix3d& linear) {
     std::vector<DataArray> arrays;
-    for (const auto& [semantic, accessor] : attributes.items()) {
+    for (const auto& [semantic, number] : primitive.attributes) {
       if (!is_array(semantic)) continue;
-      const Json& described = item("accessors", accessor.get<std::uint64_t>());
-      DataArray array{array_name(semantic), number_type(described), components(described), {}};
-      // Columns of smaller numbers are padded; nobody stores data like that. Nor are there any
-      // without a view, but zeros.
-      const bool padded = described["type"].get<std::string>().starts_with("MAT") &&
-                          array.type != NumberType::float32;
-      if (padded || !described.contains("bufferView")) continue;
+      const GltfAccessor& accessor = document_.accessors[number];
+      // Columns of smaller numbers are padded; nobody stores data like that. Without a view there
+      // are only zeros.
+      const bool padded = accessor.is_matrix && accessor.type != NumberType::float32;
+      if (padded || !accessor.view) continue;
+      DataArray array{array_name(semantic), accessor.type, accessor.components, {}};
       const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
-      spend(accessor.get<std::uint64_t>(), row * number(described, "count", 0));
-      for_each_element(accessor.get<std::uint64_t>(), row, [&](const char* bytes) {
+      spend(accessor, row * accessor.count);
+      for_each_element(accessor, row, [&](const char* bytes) {
         const auto* begin = reinterpret_cast<const std::byte*>(bytes);
         array.bytes.insert(array.bytes.end(), begin, begin + row);
       });
       if (semantic.starts_with("TEXCOORD_"))
-        array = with_v_up(array, unit_of_coordinates(described));
+        array = with_v_up(array, unit_of_coordinates(accessor));
       const bool direction = semantic == "NORMAL" || semantic == "TANGENT";
-      // Of a direction whole numbers are always parts of their largest.
+      // Whole numbers of a direction are always shares of their largest.
       if (direction) array = as_floats(array, largest_of(array.type));
       if (semantic == "NORMAL") turn(array, linear.inverse().transpose());
       if (semantic == "TANGENT") turn(array, linear);
@@ -279,7 +232,7 @@ class GltfReader {
     return arrays;
   }
 
-  /// "normal", "uv", "uv_1" or, of "_SPEED", "speed": capitals are what the format suggests.
+  /// "normal", "uv", "uv_1", or "speed" for "_SPEED": the format suggests capitals.
   static std::string array_name(const std::string& semantic) {
     const auto numbered = [&](const std::string& prefix, const std::string& name) {
       const std::string number = semantic.substr(prefix.size());
@@ -293,28 +246,13 @@ class GltfReader {
     return small ? name : small_letters(name);
   }
 
-  static NumberType number_type(const Json& accessor) {
-    constexpr std::uint64_t kFirst = 5120;
-    constexpr std::array<NumberType, 7> kTypes = {
-        NumberType::int8,  NumberType::uint8,  NumberType::int16,  NumberType::uint16,
-        NumberType::int32, NumberType::uint32, NumberType::float32};
-    return kTypes.at(number(accessor, "componentType", 0) - kFirst);
-  }
-
-  static int components(const Json& accessor) {
-    const auto type = accessor["type"].get<std::string>();
-    if (type == "SCALAR") return 1;
-    const int sides = type.back() - '0';
-    return type.starts_with("MAT") ? sides * sides : sides;
-  }
-
-  /// Of texture coordinates whole numbers are parts of their largest, unless the file uses the
+  /// Whole numbers of texture coordinates are shares of their largest, unless the file uses the
   /// extension that allows others.
-  double unit_of_coordinates(const Json& accessor) const {
-    const auto used = json_.find("extensionsUsed");
-    const bool any = used != json_.end() && used->is_array() &&
+  double unit_of_coordinates(const GltfAccessor& accessor) const {
+    const auto used = document_.json.find("extensionsUsed");
+    const bool any = used != document_.json.end() && used->is_array() &&
                      ranges::find(*used, "KHR_mesh_quantization") != used->end();
-    return any ? unit_of(accessor) : largest_of(number_type(accessor));
+    return any ? unit_of(accessor) : largest_of(accessor.type);
   }
 
   /// Numbers that are `one` as 1, and none below -1: the lowest whole number is a step beyond it.
@@ -337,7 +275,7 @@ class GltfReader {
     return make_data_array(array.name, array.components, numbers);
   }
 
-  /// Turns the vectors of an array to where a node puts them.
+  /// Turns the vectors of an array by a node's transform.
   static void turn(DataArray& array, const Eigen::Matrix3d& linear) {
     const bool vectors = array.type == NumberType::float32 && array.components >= 3;
     if (!vectors || linear.isIdentity(0)) return;
@@ -351,18 +289,17 @@ class GltfReader {
   }
 
   /// The vertices of a primitive in the order in which it names them, counted from its first.
-  std::vector<Index> corners_of(const Json& primitive, Index vertices) {
+  std::vector<Index> corners_of(const GltfPrimitive& primitive, Index vertices) {
     std::vector<Index> corners;
-    if (!primitive.contains("indices")) {
+    if (!primitive.indices) {
       spend(vertices * sizeof(Triangle));  // the positions' data have been read
       for (Index v = 0; v < vertices; ++v) corners.push_back(v);
       return corners;
     }
-    const auto accessor = primitive["indices"].get<std::uint64_t>();
-    const std::uint64_t type = number(item("accessors", accessor), "componentType", 0);
-    const std::size_t size = type == kUnsignedByte ? 1 : type == kUnsignedShort ? 2 : 4;
-    spend(accessor, number(item("accessors", accessor), "count", 0) * sizeof(Triangle));
-    for_each_element(accessor, size, [&](const char* bytes) {
+    const GltfAccessor& indices = document_.accessors[*primitive.indices];
+    const std::size_t size = size_of(indices.type);
+    spend(indices, indices.count * sizeof(Triangle));
+    for_each_element(indices, size, [&](const char* bytes) {
       std::uint32_t corner = 0;  // little endian, as the format is
       std::memcpy(&corner, bytes, size);
       if (corner >= vertices) {
@@ -389,27 +326,25 @@ class GltfReader {
 
   /// Calls `use` with the first byte of every element, which is `size` bytes long.
   template <class Use>
-  void for_each_element(std::uint64_t number_of_accessor, std::size_t size, const Use& use) {
-    const Json& accessor = item("accessors", number_of_accessor);
-    const std::uint64_t count = number(accessor, "count", 0);
+  void for_each_element(const GltfAccessor& accessor, std::size_t size, const Use& use) {
     const std::string& data = data_of(accessor);
-    const Json& view = item("bufferViews", number(accessor, "bufferView", 0));
-    const std::uint64_t stride = std::max<std::uint64_t>(number(view, "byteStride", 0), size);
-    const std::uint64_t begin = number(view, "byteOffset", 0) + number(accessor, "byteOffset", 0);
-    for (std::uint64_t i = 0; i < count; ++i) use(data.data() + begin + i * stride);
+    const GltfView& view = document_.views[*accessor.view];
+    const std::uint64_t stride = std::max<std::uint64_t>(view.stride, size);
+    const char* const begin = data.data() + view.offset + accessor.offset;
+    for (std::uint64_t i = 0; i < accessor.count; ++i) use(begin + i * stride);
   }
 
-  /// The buffer in which an accessor's data stand.
-  const std::string& data_of(const Json& accessor) {
-    const Json& view = item("bufferViews", number(accessor, "bufferView", 0));
-    if (view.contains("extensions") && view["extensions"].contains("EXT_meshopt_compression")) {
+  /// The buffer that has an accessor's numbers.
+  const std::string& data_of(const GltfAccessor& accessor) {
+    const GltfView& view = document_.views[*accessor.view];
+    if (view.is_compressed) {
       fail("is compressed with meshopt, which brindle does not read; export it without");
     }
-    return buffers_.buffer(number(view, "buffer", 0));
+    return buffers_.buffer(view.buffer);
   }
 
   std::filesystem::path path_;
-  const Json& json_;
+  const GltfDocument& document_;
   MeshBuilder builder_;
   PiecewiseArrays arrays_;
   GltfBuffers buffers_;
@@ -424,12 +359,7 @@ class GltfReader {
 RawMesh read_gltf(const std::filesystem::path& path, const Progress& progress,
                   const GltfBounds& bounds) {
   const GltfDocument document = read_gltf_document(path, progress);
-  try {
-    return GltfReader(path, document, bounds).read();
-  } catch (const Json::exception& error) {
-    throw Error(shown(path.string()) +
-                ": is a damaged glTF file, export it again: " + printable(error.what()));
-  }
+  return GltfReader(path, document, bounds).read();
 }
 
 }  // namespace brindle

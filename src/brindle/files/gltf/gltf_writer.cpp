@@ -1,6 +1,5 @@
-#include "brindle/files/gltf/gltf_writer.h"
-
 #include "brindle/error.h"
+#include "brindle/files/gltf/gltf_file.h"
 
 #ifdef BRINDLE_HAS_JSON
 

@@ -12,9 +12,8 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/files/component_groups.h"
-#include "brindle/files/piecewise_arrays.h"
-#include "brindle/files/text/letters.h"
+#include "brindle/files/read_arrays.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
@@ -27,9 +26,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// Where a cell in quotation marks that begins at `begin` ends behind its mark; nowhere unless the
-/// separator or the row's end follows. `vain` are marks that led nowhere before, and need not be
-/// followed again: many marks that nothing closes would take the square of their number.
+/// The place after the closing mark of a quoted cell that begins at `begin`; npos unless the
+/// separator or the row's end follows it. `vain` are marks that closed nothing before and are not
+/// followed again: many unclosed marks would take quadratic time.
 std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separator,
                           std::set<std::size_t>& vain) {
   std::vector<std::size_t> followed;
@@ -71,7 +70,7 @@ bool has_separator(std::string_view row, char separator) {
     return place == std::string_view::npos ||
            kSeparators.find(row[place]) != std::string_view::npos;
   };
-  bool begins = true, closes = true;  // what one mark does not find, no later one does
+  bool begins = true, closes = true;  // after one unclosed mark, no later one is closed
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] == separator) return true;
     if (row[i] == '"' && begins && closes) {
@@ -107,7 +106,7 @@ void cut(std::string_view row, std::vector<std::string_view>& cells) {
   }
 }
 
-/// Whether all cells are numbers, which `values` then has.
+/// Whether all cells are numbers; `values` receives them.
 bool parse(const std::vector<std::string_view>& cells, std::vector<double>& values) {
   values.clear();
   for (const std::string_view cell : cells) {
@@ -172,14 +171,30 @@ std::string at_line(const std::filesystem::path& path, std::size_t line) {
   return "'" + shown(path.string()) + "', line " + std::to_string(line) + ": ";
 }
 
-std::vector<double> CsvTable::numbers_of(std::string_view name) const {
-  for (const DataArray& column : columns) {
-    if (name.empty() || !same_letters(column.name, name)) continue;
-    std::vector<double> numbers(column.rows());
-    std::memcpy(numbers.data(), column.bytes.data(), column.bytes.size());
-    return numbers;
+bool has_column(std::span<const std::string> names, std::string_view name) {
+  return ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
+}
+
+std::vector<std::string> CsvTable::names() const {
+  std::vector<std::string> result;
+  for (const DataArray& column : columns) result.push_back(column.name);
+  return result;
+}
+
+void CsvTable::for_each_row(std::span<const std::string_view> names, const CsvRowUse& use) const {
+  std::vector<const std::byte*> numbers;
+  for (const std::string_view name : names) {
+    const auto column = ranges::find_if(
+        columns, [&](const DataArray& one) { return same_letters(one.name, name); });
+    numbers.push_back(column->bytes.data());
   }
-  return {};
+  std::vector<double> values(names.size());
+  for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      std::memcpy(&values[i], numbers[i] + row * sizeof(double), sizeof(double));
+    }
+    use(lines[row], values);
+  }
 }
 
 CsvFile::CsvFile(std::filesystem::path path, CsvKind kind)
@@ -227,8 +242,7 @@ void CsvFile::refuse_cell(std::size_t column) const {
                       : "write a number, or nothing where there is none"));
 }
 
-void CsvFile::read(
-    const std::function<void(std::size_t line, std::span<const double> values)>& use) {
+void CsvFile::read(const CsvRowUse& use) {
   std::vector<double> values;
   for (bool more = first_; more; more = next_row()) {
     if (parse(cells_, values)) {
@@ -278,11 +292,6 @@ CsvTable CsvFile::read_table() {
                 "again");
   }
   return table;
-}
-
-void read_csv(const std::filesystem::path& path, const CsvKind& kind,
-              const std::function<void(std::size_t line, std::span<const double> values)>& use) {
-  CsvFile(path, kind).read(use);
 }
 
 std::vector<DataArray> csv_columns(const std::filesystem::path& path) {

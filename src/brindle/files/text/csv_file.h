@@ -15,23 +15,31 @@
 
 namespace brindle {
 
-/// What a file is, for messages: "field", "x,y,z or x,y,z,frequency".
+/// The words of messages for a kind of file: "field", "x,y,z or x,y,z,frequency".
 struct CsvKind {
   std::string what;
   std::string columns;
 };
 
-/// Where a row stands, as messages begin: "'path', line 7: ".
+/// The beginning of messages on a row: "'path', line 7: ".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
+
+/// Called with the numbers of a row; lines are counted from 1.
+using CsvRowUse = std::function<void(std::size_t line, std::span<const double> values)>;
+
+/// Whether a name is among these, in small or capital letters.
+bool has_column(std::span<const std::string> names, std::string_view name);
 
 /// Columns of numbers that the first row names.
 struct CsvTable {
   std::vector<DataArray> columns;  ///< float64, one component each
-  std::vector<std::size_t> lines;  ///< of every row where it stands in the file
+  std::vector<std::size_t> lines;  ///< the line of each row
 
-  /// The numbers of the first column of that name, in small or capital letters; empty if there is
-  /// none, and for an empty name.
-  std::vector<double> numbers_of(std::string_view name) const;
+  std::vector<std::string> names() const;
+
+  /// Calls `use` for every row with the numbers of the columns of these names, which exist: the
+  /// first of each, in small or capital letters.
+  void for_each_row(std::span<const std::string_view> names, const CsvRowUse& use) const;
 };
 
 /// A file, read in one pass. Columns are separated by commas, semicolons, tabs or spaces, and cells
@@ -43,12 +51,12 @@ class CsvFile {
  public:
   CsvFile(std::filesystem::path path, CsvKind kind);
 
-  /// What the first row says if none of its cells is a number; otherwise empty.
+  /// The first row if none of its cells is a number; otherwise empty.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Calls `use(line, values)` for every row of numbers, `line` counted from 1; a first row of
-  /// words is skipped. Throws Error if a row has a word in it, and whatever `use` throws.
-  void read(const std::function<void(std::size_t line, std::span<const double> values)>& use);
+  /// Calls `use` for every row of numbers; a first row of words is skipped. Throws Error if a row
+  /// has a word in it, and the errors of `use`.
+  void read(const CsvRowUse& use);
 
   /// All rows below that of the names. Columns whose first cell is a word are left out; empty cells
   /// are NaN. Throws Error if there are no names or no numbers, for words in columns of numbers,
@@ -71,9 +79,5 @@ class CsvFile {
   std::vector<std::string> names_;
   std::vector<std::string_view> cells_;  ///< of `row_`
 };
-
-/// CsvFile::read.
-void read_csv(const std::filesystem::path& path, const CsvKind& kind,
-              const std::function<void(std::size_t line, std::span<const double> values)>& use);
 
 }  // namespace brindle

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,7 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/text/csv_file.h"
-#include "brindle/files/text/letters.h"
+#include "brindle/files/text/text_words.h"
 #include "brindle/waves/float_vector.h"
 
 namespace brindle {
@@ -43,48 +43,31 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
   if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
 }
 
-/// Whether the name of a column is among these.
-bool has_name(std::span<const std::string> names, std::string_view name) {
-  return ranges::any_of(names, [&](auto& other) { return same_letters(other, name); });
-}
-
-/// The columns x, y, z and those of frequencies that a table has.
-std::vector<std::vector<double>> field_columns(const std::filesystem::path& path,
-                                               std::span<const std::string> names,
-                                               const CsvTable& table) {
-  std::vector<std::vector<double>> columns;
+/// Calls `use` for every row of a field whose columns have names: x, y, z and frequencies.
+void read_named_field(const std::filesystem::path& path, CsvFile& file, const CsvRowUse& use) {
+  const CsvTable table = file.read_table();
+  const std::vector<std::string> of_numbers = table.names();
+  std::vector<std::string_view> columns;
   for (const char* name : {"x", "y", "z", "frequency", "frequency_v"}) {
-    if (!has_name(names, name)) break;
-    columns.push_back(table.numbers_of(name));
-    if (!columns.back().empty()) continue;
+    if (!has_column(file.names(), name)) break;
+    columns.push_back(name);
+    if (has_column(of_numbers, name)) continue;
     throw Error("'" + shown(path.string()) + "': column '" + name +
                 "' does not begin with a number; write numbers below its name");
   }
-  return columns;
+  table.for_each_row(columns, use);
 }
 
-/// Calls `use(line, values)` for every row of a field whose columns have names.
-void read_named_field(const std::filesystem::path& path, CsvFile& file,
-                      const std::function<void(std::size_t, std::span<const double>)>& use) {
-  const CsvTable table = file.read_table();
-  const auto columns = field_columns(path, file.names(), table);
-  std::vector<double> values(columns.size());
-  for (std::size_t row = 0; row < table.lines.size(); ++row) {
-    ranges::transform(columns, values.begin(), [&](auto& column) { return column[row]; });
-    use(table.lines[row], values);
-  }
-}
-
-/// Whether a file's columns are told by their names and not by their places.
+/// Whether a file's columns are found by their names and not by their places.
 bool has_named_columns(const std::vector<std::string>& names) {
-  if (!has_name(names, "x") || !has_name(names, "y") || !has_name(names, "z")) return false;
+  if (!has_column(names, "x") || !has_column(names, "y") || !has_column(names, "z")) return false;
   const bool first =
       same_letters(names[0], "x") && same_letters(names[1], "y") && same_letters(names[2], "z");
-  return !first || names.size() > 5 || has_name(names, "frequency") ||
-         has_name(names, "frequency_v");
+  return !first || names.size() > 5 || has_column(names, "frequency") ||
+         has_column(names, "frequency_v");
 }
 
-/// Rows of one vertex, gathered.
+/// The mean direction of the rows of one vertex.
 class RowMean {
  public:
   void add(const Vec3& vector) {
@@ -126,7 +109,7 @@ std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
   return result;
 }
 
-/// The field of a mesh's vertices from that of its file's.
+/// The field of a mesh's vertices from the rows of its file's vertices.
 FieldFile of_vertices(const FieldFile& rows, std::size_t vertex_count,
                       std::span<const Index> vertex_of_row) {
   std::vector<RowMean> gathered(vertex_count);
@@ -145,6 +128,57 @@ std::string counts(std::size_t vertices, std::size_t rows) {
   std::string text = std::to_string(vertices);
   if (rows > vertices) text += ", or " + std::to_string(rows) + " in its file";
   return text;
+}
+
+[[noreturn]] void refuse_calm_rows(const std::filesystem::path& path, std::size_t rows,
+                                   std::size_t line, std::size_t vertex_count,
+                                   std::size_t file_vertices) {
+  std::string count = std::to_string(vertex_count);
+  if (file_vertices > vertex_count)
+    count += ", or " + std::to_string(file_vertices) + " in its file,";
+  const std::string has = rows == 0 ? std::string("has no rows")
+                                    : "ends at line " + std::to_string(line) + " after " +
+                                          std::to_string(rows) + " rows";
+  throw Error("'" + shown(path.string()) + "' " + has + ", but the mesh has " + count +
+              " vertices; give one row per vertex");
+}
+
+float checked_calm(const std::filesystem::path& path, std::size_t line, double value) {
+  if (value >= 0 && value <= 1) return static_cast<float>(value);
+  throw Error(at_line(path, line) + formatted("calm is %g; give a number from 0 to 1", value));
+}
+
+struct CalmRows {
+  std::vector<float> calm;
+  std::size_t last_line = 0;  ///< where the last row stands in the file
+};
+
+CalmRows read_calm_rows(const std::filesystem::path& path) {
+  CalmRows rows;
+  const auto add = [&](std::size_t line, double value) {
+    rows.calm.push_back(checked_calm(path, line, value));
+    rows.last_line = line;
+  };
+  CsvFile file(path, {"calm", "one number from 0 to 1"});
+  if (file.names().size() > 1) {
+    const CsvTable table = file.read_table();
+    if (!has_column(table.names(), "calm")) {
+      throw Error("'" + shown(path.string()) +
+                  "' has no column of numbers named calm; name one so");
+    }
+    table.for_each_row(
+        std::array<std::string_view, 1>{"calm"},
+        [&](std::size_t line, std::span<const double> values) { add(line, values[0]); });
+    return rows;
+  }
+  file.read([&](std::size_t line, std::span<const double> values) {
+    if (values.size() != 1) {
+      throw Error(at_line(path, line) + std::to_string(values.size()) +
+                  " columns; give one number from 0 to 1 a row, or name a column calm");
+    }
+    add(line, values[0]);
+  });
+  return rows;
 }
 
 }  // namespace
@@ -173,6 +207,21 @@ FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_c
   throw Error("'" + shown(path.string()) + "' has " + std::to_string(field.vectors.size()) +
               " rows, but the mesh has " + counts(vertex_count, vertex_of_row.size()) +
               " vertices; give one row per vertex");
+}
+
+std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
+                                 std::span<const Index> vertex_of_row) {
+  CalmRows rows = read_calm_rows(path);
+  if (rows.calm.size() == vertex_count) return std::move(rows.calm);
+  if (vertex_of_row.empty() || rows.calm.size() != vertex_of_row.size()) {
+    refuse_calm_rows(path, rows.calm.size(), rows.last_line, vertex_count, vertex_of_row.size());
+  }
+  std::vector<float> calm(vertex_count);
+  for (std::size_t row = 0; row < rows.calm.size(); ++row) {
+    float& greatest = calm[vertex_of_row[row]];
+    greatest = std::max(greatest, rows.calm[row]);
+  }
+  return calm;
 }
 
 }  // namespace brindle

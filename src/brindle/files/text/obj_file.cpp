@@ -1,5 +1,3 @@
-#include "brindle/files/text/obj_file.h"
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -8,6 +6,8 @@
 #include "brindle/base/input_file.h"
 #include "brindle/base/text.h"
 #include "brindle/files/mesh_builder.h"
+#include "brindle/files/mesh_formats.h"
+#include "brindle/files/point_output.h"
 #include "brindle/files/text/text_positions.h"
 #include "brindle/mesh.h"
 
@@ -47,7 +47,7 @@ class ObjReader {
         in_order = in_order && has_normals_of_their_own(rest);
       }
     }
-    // Which normal belongs to which point is plain only where both have the same numbers.
+    // Normals are assigned to points only where both have the same numbers.
     if (!in_order || normals.size() != mesh_.vertex_count()) normals.clear();
     return make_placed_point_cloud(mesh_.positions(), std::move(normals));
   }

@@ -1,5 +1,3 @@
-#include "brindle/files/text/off_file.h"
-
 #include <array>
 #include <bit>
 #include <cstring>
@@ -11,8 +9,9 @@
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
-#include "brindle/files/byte_order.h"
+#include "brindle/files/binary_numbers.h"
 #include "brindle/files/mesh_builder.h"
+#include "brindle/files/mesh_formats.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -20,9 +19,8 @@ namespace {
 
 constexpr std::string_view kRemedy = "; the file is damaged or truncated, export it again";
 
-/// Whether what belongs to one vertex or face ends with its line. The format is a stream of words,
-/// but many files have colours and more behind their vertices without saying so, and those of faces
-/// end with the line anyway.
+/// Whether a vertex or face ends with its line. The format is a stream of words, but many files
+/// have undeclared colours and more behind their vertices, and faces end with their line anyway.
 struct OffLayout {
   bool vertices_by_line = true;
   bool faces_by_line = true;
@@ -63,8 +61,8 @@ class OffReader {
                      std::to_string(faces_) + " faces: it is truncated; export it again");
   }
 
-  /// The words STCNOFF, of which all but OFF say what vertices have besides coordinates; the number
-  /// of vertices may follow at once.
+  /// Reads the keyword, such as STCNOFF, whose letters before OFF name the numbers of a vertex
+  /// besides its coordinates. The number of vertices may follow without a space.
   void read_keyword() {
     const std::string_view word = next_word();
     const std::size_t off = word.find("OFF");
@@ -92,7 +90,7 @@ class OffReader {
     vertices_ = read_count();
     const std::size_t line = file_.line();
     faces_ = read_count();
-    // The number of edges, which nobody needs, may be missing from the line of the others.
+    // The number of edges, which is not used, may be missing from the line of the others.
     if (file_.line() != line) {
       next_word();
     } else if (line_.find_first_not_of(" \t\r\v\f") != std::string_view::npos) {

@@ -17,9 +17,9 @@ struct PieceArray {
 };
 
 struct PieceList {
-  std::vector<std::filesystem::path> pieces;  ///< where the .pvtp puts them; one at least
+  std::vector<std::filesystem::path> pieces;  ///< one at least
   std::vector<PieceArray> points, cells;
-  std::string global_ids;  ///< the array of points that is said to number them, or nothing
+  std::string global_ids;  ///< name of the array of global ids per point, or empty
 };
 
 /// Reads the .pvtp alone. Throws Error, naming the file and the remedy, if it cannot be read, is no

@@ -15,7 +15,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
-#include "brindle/files/vtk/xml_text.h"
+#include "brindle/files/vtk/vtp_file.h"
 
 #ifdef BRINDLE_HAS_VTK
 #include <pugixml.hpp>

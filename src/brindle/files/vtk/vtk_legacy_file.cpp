@@ -1,5 +1,3 @@
-#include "brindle/files/vtk/vtk_legacy_file.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,23 +11,21 @@
 #include "brindle/base/memory.h"
 #include "brindle/base/text.h"
 #include "brindle/files.h"
-#include "brindle/files/byte_order.h"
-#include "brindle/files/color_byte.h"
-#include "brindle/files/gltf/percent_decoded.h"
-#include "brindle/files/text/letters.h"
-#include "brindle/files/text/text_numbers.h"
+#include "brindle/files/binary_numbers.h"
+#include "brindle/files/text/text_words.h"
+#include "brindle/files/vtk/vtk_file.h"
 #include "brindle/files/vtk/vtk_surface.h"
 
 namespace brindle {
 namespace {
 
-/// How numbers of a type are stored, and what they are.
+/// The type of numbers that a name of the format means.
 struct LegacyType {
   std::string_view name;
   NumberType stored;
 };
 
-/// `vtkIdType` is stored as 32 bits in binary files and is a number of 64; see `read_ids`.
+/// `vtkIdType` has 32 bits in binary files and becomes a number of 64 (`take_ids`).
 constexpr std::array<LegacyType, 16> kLegacyTypes = {{{"float", NumberType::float32},
                                                       {"double", NumberType::float64},
                                                       {"char", NumberType::int8},
@@ -202,7 +198,7 @@ class VtkLegacyReader {
     }
   }
 
-  /// Of each cell the number of its points and these, as the file has them.
+  /// Each cell is its number of points, then these, in one row.
   void cut_cells(VtkCells& cells, const DataArray& row, std::uint64_t count) {
     std::vector<std::int32_t> numbers(row.rows());
     if (!numbers.empty()) std::memcpy(numbers.data(), row.bytes.data(), row.bytes.size());
@@ -358,7 +354,7 @@ class VtkLegacyReader {
     }
   }
 
-  /// Data that belong to no points and cells are of no use.
+  /// Drops data that belong to neither points nor cells.
   void keep(DataArray array, std::uint64_t rows) {
     if (data_ == nullptr) return;
     if (rows == rows_) {
@@ -454,7 +450,7 @@ class VtkLegacyReader {
   std::string text_;
   std::string_view rest_;
   bool binary_ = false;
-  bool offsets_apart_ = false;  ///< cells stand as in versions from 5 on
+  bool offsets_apart_ = false;  ///< offsets and points of cells are two arrays, from version 5 on
   VtkPiece piece_ = {{}, std::vector<VtkCells>(kSlots), {}, {}};
   std::uint64_t points_ = 0, cells_ = 0;
   std::vector<DataArray>* data_ = nullptr;  ///< what the next arrays belong to

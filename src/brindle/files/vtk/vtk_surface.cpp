@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 #include <utility>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/file_names.h"
+#include "brindle/files/vtk/vtk_file.h"
 
 namespace brindle {
 namespace {
@@ -25,60 +28,35 @@ enum class CellKind {
   unknown
 };
 
-/// What VTK's types are (vtkCellType.h).
+bool is_among(std::uint8_t type, std::initializer_list<std::uint8_t> types) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+/// The kinds of VTK's types (vtkCellType.h).
 CellKind kind_of(std::uint8_t type) {
-  switch (type) {
-    case 0:
-      return CellKind::nothing;
-    case 1:
-    case kVtkPolyVertex:
-    case 3:
-    case kVtkPolyLine:
-    case 21:
-    case 35:
-    case 68:
-    case 75:
-      return CellKind::point_or_line;
-    case 5:
-    case kVtkPolygon:
-    case 9:
-      return CellKind::polygon;
-    case kVtkTriangleStrip:
-      return CellKind::strip;
-    case 8:
-      return CellKind::pixel;
-    case 22:
-    case 23:
-    case 28:
-    case 34:
-    case 36:
-      return CellKind::curved;
-    case 30:
-      return CellKind::half_curved;
-    default:
-      break;
+  if (type == 0) return CellKind::nothing;
+  if (is_among(type, {1, kVtkPolyVertex, 3, kVtkPolyLine, 21, 35, 68, 75})) {
+    return CellKind::point_or_line;
   }
-  const bool volume = (type >= 10 && type <= 16) || (type >= 24 && type <= 33 && type != 30) ||
-                      type == 37 || type == 41 || type == 42 || (type >= 64 && type <= 67) ||
+  if (is_among(type, {5, kVtkPolygon, 9})) return CellKind::polygon;
+  if (type == kVtkTriangleStrip) return CellKind::strip;
+  if (type == 8) return CellKind::pixel;
+  if (is_among(type, {22, 23, 28, 34, 36})) return CellKind::curved;
+  if (type == 30) return CellKind::half_curved;
+  const bool volume = (type >= 10 && type <= 16) || (type >= 24 && type <= 33) || type == 37 ||
+                      type == 41 || type == 42 || (type >= 64 && type <= 67) ||
                       (type >= 71 && type <= 74) || (type >= 78 && type <= 81);
   return volume ? CellKind::volume : CellKind::unknown;
 }
 
-/// Corners of a quadratic or biquadratic cell; of a quadratic polygon half of its points.
+/// Corners of a quadratic or biquadratic cell; a quadratic polygon has half as many as points.
 std::size_t sides_of(std::uint8_t type, std::size_t points) {
-  switch (type) {
-    case 22:
-    case 34:
-      return 3;
-    case 23:
-    case 28:
-      return 4;
-    default:
-      return points / 2;
-  }
+  if (is_among(type, {22, 34})) return 3;
+  return is_among(type, {23, 28}) ? 4 : points / 2;
 }
 
-/// A whole number as another type; one that it cannot hold, and any other, as its largest.
+/// A whole number as another type; its largest number for values that it cannot hold and for
+/// floating-point numbers.
 template <class Number, class Stored>
 Number as(Stored value) {
   if constexpr (std::is_integral_v<Stored>) {
@@ -113,6 +91,16 @@ IndexReader index_reader(NumberType type) {
 }
 
 }  // namespace
+
+bool is_vtk_format(const std::filesystem::path& path) {
+  const std::string kind = lower_extension(path);
+  return kind == ".vtp" || kind == ".vtu" || kind == ".vtk";
+}
+
+RawMesh read_vtk(const std::filesystem::path& path, const Progress& progress) {
+  return lower_extension(path) == ".vtk" ? read_vtk_legacy(path, progress)
+                                         : read_vtk_xml(path, progress);
+}
 
 std::uint64_t vtk_points_of_cells(const DataArray& ends) {
   if (ends.rows() == 0) return 0;
@@ -303,7 +291,7 @@ RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
   raw.taken = std::move(boundary);
   raw.normals = std::move(normals_);
   raw.has_faces = has_faces;
-  // What would be an answer if there were triangles is none.
+  // Surface cells without a triangle are explained by the mesh's repair instead.
   if (surfaces_ == 0) raw.why_empty = why_empty();
   return raw;
 }

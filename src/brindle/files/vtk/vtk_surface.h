@@ -1,4 +1,4 @@
-/// Surfaces out of VTK's cells.
+/// Surfaces made of VTK's cells.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,7 @@
 #include "brindle/base/input_file.h"
 #include "brindle/data_arrays.h"
 #include "brindle/files/mesh_builder.h"
-#include "brindle/files/piecewise_arrays.h"
-#include "brindle/files/raw_mesh.h"
+#include "brindle/files/read_arrays.h"
 #include "brindle/files/vtk/vtk_volume.h"
 
 namespace brindle {
@@ -22,13 +21,13 @@ inline constexpr std::uint8_t kVtkPolyVertex = 2, kVtkPolyLine = 4, kVtkTriangle
 
 /// Cells as a file lists them.
 struct VtkCells {
-  DataArray points;                 ///< numbers of points, those of all cells in one row
-  DataArray ends;                   ///< of each cell where its points end in this row
-  std::vector<std::uint8_t> types;  ///< of each cell
-  std::uint8_t type = 0;            ///< of all cells, where `types` is empty
+  DataArray points;                 ///< indices of points: the cells' lists, one after the other
+  DataArray ends;                   ///< per cell the end of its list
+  std::vector<std::uint8_t> types;  ///< per cell
+  std::uint8_t type = 0;            ///< of all cells if `types` is empty
 };
 
-/// How many points the cells have in all, and the types of cells, of arrays that say so.
+/// The length of all cells' lists together, and the types of cells, from arrays of the file.
 std::uint64_t vtk_points_of_cells(const DataArray& ends);
 std::vector<std::uint8_t> vtk_cell_types(const DataArray& types);
 
@@ -37,19 +36,19 @@ struct VtkPiece {
   DataArray points;
   std::vector<VtkCells> cells;
   DataArrays arrays;    ///< a row per point and per cell
-  std::string normals;  ///< the array of points that the file says are normals, or nothing
+  std::string normals;  ///< name of the array of normals per point, or empty
 };
 
 /// Puts the surface cells of a file's pieces together; or, if there are volume cells alone, their
 /// boundary.
 class VtkSurface {
  public:
-  /// Throws for what is wrong through `file`, which must live on.
+  /// Throws through `file`, which must live on.
   explicit VtkSurface(const InputFile& file) : file_(file) {}
 
   void add(VtkPiece piece);
 
-  /// `exact`: as of `MeshBuilder::take`.
+  /// `exact` as in `MeshBuilder::take`.
   RawMesh take(std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
@@ -70,7 +69,8 @@ class VtkSurface {
   MeshBuilder builder_;
   PiecewiseArrays point_arrays_, cell_arrays_;
   std::string normals_;
-  std::vector<Index> cell_points_, corners_;  ///< of one cell, kept for their memory
+  std::vector<Index> cell_points_,
+      corners_;  ///< of one cell; members so that their memory is reused
   Index cell_ = 0;
   VtkVolumes volumes_;
   std::size_t surfaces_ = 0;  ///< cells

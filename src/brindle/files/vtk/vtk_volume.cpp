@@ -59,8 +59,8 @@ Solid solid(std::size_t corners, std::vector<Corners> faces, std::vector<Edge> e
   return {corners + edges.size(), std::move(faces), std::move(edges), corners};
 }
 
-/// What VTK's types are (vtkCellType.h, and GetFaceArray and GetEdgeArray of the cells); null for
-/// others.
+/// The solid of a type of VTK (vtkCellType.h, and GetFaceArray and GetEdgeArray of the cells); null
+/// for other types.
 const Solid* solid_of(std::uint8_t type) {
   static const std::vector<std::pair<std::uint8_t, Solid>> kSolids = [] {
     std::vector<std::pair<std::uint8_t, Solid>> solids = {
@@ -89,8 +89,8 @@ const Solid* solid_of(std::uint8_t type) {
   return found == kSolids.end() ? nullptr : &found->second;
 }
 
-/// The four smallest numbers of a face's corners, each once: what two cells know it by. Corners
-/// that are one make a quadrangle a triangle, as in hexahedra that stand for wedges.
+/// Identifies a face in two cells: the four smallest indices of its corners, each once. Repeated
+/// corners make a quadrangle a triangle, as in hexahedra that represent wedges.
 using FaceKey = std::array<Index, 4>;
 constexpr Index kNoCorner = 0xffffffff;
 
@@ -226,8 +226,8 @@ void VtkVolumes::for_each_boundary_face(
     add_points_of_edges(solid, face, points, polygon);
     const Eigen::Vector3d centre = centre_of(positions, points.first(solid.corners));
     if (faces_inwards(positions, polygon, centre)) ranges::reverse(polygon);
-    // Polygons are cut from their second point on. What is cut off shall be the corners: of
-    // cuts from corner to corner little of a curved face would be left.
+    // Polygons are cut from their second point on, so that corners are cut off: cuts from corner
+    // to corner would flatten a curved face.
     const bool begins_at_corner =
         ranges::find(points.first(solid.corners), polygon[0]) != points.first(solid.corners).end();
     if (polygon.size() > face.size() && begins_at_corner) {

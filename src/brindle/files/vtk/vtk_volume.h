@@ -13,15 +13,15 @@
 
 namespace brindle {
 
-/// The type of linear or quadratic cell that a Lagrange or Bezier cell of so many points is; any
-/// other type as it is. (Bezier cells of order 2 have points beside their surface.)
+/// The linear or quadratic type of a Lagrange or Bezier cell with so many points; any other type is
+/// returned unchanged. (Bezier cells of order 2 have points beside their surface.)
 std::uint8_t vtk_plain_type(std::uint8_t type, std::size_t points);
 
 /// Volume cells whose faces are known: tetrahedra, voxels, hexahedra, wedges, pyramids, prisms, and
 /// those of them with points amid their edges.
 class VtkVolumes {
  public:
-  /// How many points a cell of that type has at least; 0 if its faces are not known.
+  /// The smallest number of points of a cell of that type; 0 if its faces are not known.
   static std::size_t points_of(std::uint8_t type);
 
   /// A cell of a known type with at least so many points; `cell` is its row.

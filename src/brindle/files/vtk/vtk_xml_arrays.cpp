@@ -17,38 +17,29 @@
 #include "brindle/base/base64.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"
+#include "brindle/files/binary_numbers.h"
 #include "brindle/files/byte_order.h"
 #include "brindle/files/text/text_numbers.h"
+#include "brindle/files/text/text_words.h"
+#include "brindle/files/vtk/vtp_file.h"
 
 namespace brindle {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, NumberType>, 10> kVtkXmlTypes = {
-    {{"Float32", NumberType::float32},
-     {"Float64", NumberType::float64},
-     {"Int8", NumberType::int8},
-     {"UInt8", NumberType::uint8},
-     {"Int16", NumberType::int16},
-     {"UInt16", NumberType::uint16},
-     {"Int32", NumberType::int32},
-     {"UInt32", NumberType::uint32},
-     {"Int64", NumberType::int64},
-     {"UInt64", NumberType::uint64}}};
-
-/// The zlib format cannot make less of its content than this part.
+/// The zlib format compresses by no larger factor.
 constexpr std::uint64_t kMostInflation = 1100;
-/// Blocks that are worth another thread.
+/// Blocks per task: fewer are not worth another thread.
 constexpr std::size_t kBlockGrain = 8;
 
 std::optional<NumberType> number_type_of(const pugi::xml_node& element) {
   const std::string_view type = element.attribute("type").value();
-  for (const auto& [name, kind] : kVtkXmlTypes) {
-    if (name == type) return kind;
+  for (int kind = 0; kind <= static_cast<int>(NumberType::uint64); ++kind) {
+    if (vtk_type(static_cast<NumberType>(kind)) == type) return static_cast<NumberType>(kind);
   }
   return std::nullopt;
 }
 
-/// Where a compressed block stands before and after.
+/// Where a block is among the compressed bytes and among the others.
 struct PackedBlock {
   std::uint64_t begin, size;
   std::uint64_t unpacked_begin, unpacked_size;
@@ -66,7 +57,7 @@ bool inflate_block(const PackedBlock& block, std::span<const std::byte> packed,
 
 }  // namespace
 
-/// Bytes that follow each other somewhere in the file.
+/// A sequence of bytes of the file.
 class VtkXmlArrays::Bytes {
  public:
   virtual ~Bytes() = default;

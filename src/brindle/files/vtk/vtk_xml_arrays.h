@@ -14,17 +14,17 @@
 
 namespace brindle {
 
-/// What a file says of how its arrays are stored.
+/// How a file stores its arrays.
 struct VtkXmlEncoding {
-  bool foreign_order = false;  ///< the bytes of numbers stand the other way round than here
+  bool foreign_order = false;  ///< the byte order is not that of this machine
   bool wide_sizes = false;     ///< sizes of blocks are UInt64 instead of UInt32
   bool zlib = false;           ///< blocks are compressed
-  /// Where the data stand that are appended behind the XML, or 0; and whether as base64.
+  /// Where the data appended to the XML begin, or 0; and whether they are base64.
   std::uint64_t appended = 0;
   bool appended_base64 = false;
 };
 
-/// A whole number from 0 to 2^53 that an element says; `standard` where it says nothing. Throws
+/// An element's attribute as a whole number from 0 to 2^53; `standard` if it is missing. Throws
 /// Error for anything else.
 std::uint64_t vtk_number(const InputFile& file, const pugi::xml_node& element, const char* name,
                          std::uint64_t standard = 0);
@@ -54,7 +54,7 @@ class VtkXmlArrays {
   std::vector<std::byte> decode_block(Bytes& bytes, std::uint64_t size);
   std::vector<std::byte> inflate_blocks(Bytes& bytes, std::uint64_t size);
   std::uint64_t read_size(Bytes& bytes) const;
-  /// Throws unless so many bytes are left there, and of the budget, which it takes them from.
+  /// Takes so many bytes from the budget. Throws if they, or so many of `bytes`, are not left.
   void take_from_budget(const Bytes& bytes, std::uint64_t size);
 
   InputFile& file_;

@@ -1,6 +1,5 @@
-#include "brindle/files/vtk/vtk_xml_file.h"
-
 #include "brindle/error.h"
+#include "brindle/files/vtk/vtk_file.h"
 
 #ifdef BRINDLE_HAS_VTK
 
@@ -27,7 +26,7 @@ using Xml = pugi::xml_node;
 constexpr std::string_view kAppendedTag = "<AppendedData";
 constexpr std::size_t kFirstChunk = std::size_t{1} << 16;
 
-/// The XML of a file without the data that may be appended to it, which are no XML.
+/// The XML of a file without appended data, which are no XML.
 struct XmlPart {
   std::string text;            ///< up to and with the tag of appended data, closed
   std::uint64_t appended = 0;  ///< where the data begin, or 0
@@ -58,7 +57,7 @@ XmlPart xml_part(InputFile& file) {
   return part;
 }
 
-/// How many lines there are up to a place.
+/// The line of a place.
 std::size_t line_of(std::string_view text, std::ptrdiff_t place) {
   const auto end =
       std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(place, 0)), text.size());
@@ -166,7 +165,7 @@ class VtkXmlReader {
       add("Cells", "NumberOfCells", 0);
       result.cells.back().types = read_types(piece);
     } else {
-      // The order in which data of cells count them.
+      // Rows of cell data follow this order.
       add("Verts", "NumberOfVerts", kVtkPolyVertex);
       add("Lines", "NumberOfLines", kVtkPolyLine);
       add("Polys", "NumberOfPolys", kVtkPolygon);

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/files/binary_output.h"
-#include "brindle/files/vtk/xml_text.h"
+#include "brindle/files/binary_numbers.h"
 #include "brindle/local_positions.h"
 
 namespace brindle {
@@ -20,7 +19,7 @@ class AppendedArrays {
  public:
   explicit AppendedArrays(OutputStream& xml) : xml_(xml) {}
 
-  /// Announces an array of `count` numbers, which `write` will put when its turn comes.
+  /// Announces an array of `count` numbers; `write_all` calls `write` for them.
   template <class Number>
   void add(std::string_view type, std::string_view name, int components, std::size_t count,
            std::function<void(BinaryOutput&)> write) {
@@ -105,6 +104,29 @@ void add_cells(OutputStream& xml, AppendedArrays& arrays, std::string_view eleme
 }  // namespace
 
 std::string_view vtk_type(NumberType type) { return kTypeNames.at(static_cast<std::size_t>(type)); }
+
+std::string xml_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
 
 void write_vtp(OutputStream& out, const PolyData& data) {
   const std::size_t lines = data.line_offsets.empty() ? 0 : data.line_offsets.size() - 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "brindle/base/output_file.h"
@@ -10,7 +11,8 @@
 
 namespace brindle {
 
-/// What a VTP file holds. Cells are numbered from 0 in the order single points, lines, triangles.
+/// The content of a VTP file. Cells are numbered from 0 in the order single points, lines,
+/// triangles.
 struct PolyData {
   std::span<const Vec3> points = {};          ///< relative to `origin`
   std::span<const Index> single_points = {};  ///< cells of one point each
@@ -30,5 +32,8 @@ void write_vtp(OutputStream& out, const PolyData& data);
 
 /// VTK's name of a type of numbers.
 std::string_view vtk_type(NumberType type);
+
+/// The text as part of an XML document, also as the value of an attribute in double quotes.
+std::string xml_text(std::string_view text);
 
 }  // namespace brindle

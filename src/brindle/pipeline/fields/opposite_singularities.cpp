@@ -5,6 +5,7 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/field_index.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/pipeline/fields/period_walk.h"
 
 namespace brindle {

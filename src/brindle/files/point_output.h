@@ -1,0 +1,53 @@
+/// Points with their arrays in .obj, .csv and binary .ply files. Positions are floats, or doubles
+/// where they have an origin other than zero.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brindle/base/output_file.h"
+#include "brindle/data_arrays.h"
+#include "brindle/files/binary_numbers.h"
+#include "brindle/types.h"
+
+namespace brindle {
+
+/// A position in a text file, with `separator` between coordinates.
+void write_position(TextOutput& text, char separator, const Vec3& position,
+                    const Eigen::Vector3d& origin);
+
+/// A line per position: the keyword and the position.
+void write_positions(TextOutput& text, std::string_view keyword, std::span<const Vec3> positions,
+                     const Eigen::Vector3d& origin);
+
+/// A name as a CSV file has it: between quotation marks if it must be.
+std::string csv_name(std::string_view name);
+
+/// The names of the arrays' columns, each after a comma, and the numbers of a row. The columns of
+/// "normal" are nx, ny, nz.
+void put_csv_names(TextOutput& text, std::span<const DataArray> arrays);
+void put_csv_row(TextOutput& text, std::span<const DataArray> arrays, std::size_t row);
+
+/// The properties of a .ply file's element for arrays of fitting names and types, and the numbers
+/// of a row. The properties of "normal" are nx, ny, nz, of "color" red, green, blue; those of "uv"
+/// are there twice.
+void put_ply_properties(OutputStream& out, std::span<const DataArray> arrays);
+void put_ply_row(BinaryOutput& binary, std::span<const DataArray> arrays, std::size_t row);
+
+/// Vertices of a .ply file, with a row of each array per point.
+struct PlyVertices {
+  std::span<const Vec3> points;
+  const Eigen::Vector3d& origin;
+  std::span<const DataArray> arrays;
+};
+
+/// The beginning of a .ply file's header, with a line of comment or none, and the element of its
+/// vertices.
+void write_ply_vertices(OutputStream& out, const std::string& comment, const PlyVertices& vertices);
+
+/// The numbers of all vertices, which come first after the header.
+void put_ply_vertices(BinaryOutput& binary, const PlyVertices& vertices);
+
+}  // namespace brindle
