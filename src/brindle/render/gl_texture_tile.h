@@ -40,7 +40,4 @@ class GlBrokenTiles {
   bool split_ = false;
 };
 
-/// What a program that includes shaders/broken_tiles.glsl is told before.
-const char* whole_tiles_feature(bool whole);
-
 }  // namespace brindle

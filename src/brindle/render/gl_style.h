@@ -13,6 +13,12 @@
 
 namespace brindle {
 
+/// The texture unit of the colour map that styles follow.
+inline constexpr GLuint kColorMapUnit = 15;
+
+/// A declaration of GLSL.
+std::string glsl_constant(const char* name, bool value);
+
 /// Needs a current context, as ShaderProgram does.
 class GlStyle {
  public:
