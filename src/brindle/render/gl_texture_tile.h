@@ -14,7 +14,7 @@ class GlTextureTile {
   /// Pictures larger than the driver's textures are reduced.
   explicit GlTextureTile(const TextureTile& tile);
 
-  /// Binds the textures and tells the program of them.
+  /// Binds the textures and sets the uniforms of the program.
   void bind(const ShaderProgram& program) const;
 
  private:

@@ -67,7 +67,8 @@ int group_count(const GlSurface& surface, PictureQuality quality) {
   return few ? kInteractiveGroups : kMostGroups;
 }
 
-/// What says the colour at a point of the surface; of a region's tiles, false where others are.
+/// The sources of the pattern: `pattern_at` changes the colour of the surface at a point, and is
+/// false where another pass over the regions of a texture draws.
 Sources pattern_sources(const DrawnSurface& drawn) {
   const Sources tile{"texture_tile.glsl", "broken_tiles.glsl"};
   if (drawn.style && drawn.style->regions() > 0) return {tile[0], tile[1], "region_texture.glsl"};
@@ -81,8 +82,8 @@ Sources pattern_sources(const DrawnSurface& drawn) {
   return {{"pattern", kNoPattern}};
 }
 
-/// Constants of GLSL that say what a program makes use of: software renderers execute both sides of
-/// a branch, so that every combination has a program of its own.
+/// Constants of GLSL for what a program uses. Software renderers execute both sides of a branch, so
+/// every combination has a program of its own.
 std::string features_of(const DrawnSurface& drawn, const StyledOptions& options) {
   const DepthCue cue = drawn.tinted ? options.depth_cue : DepthCue::none;
   return (drawn.style ? drawn.style->features()
