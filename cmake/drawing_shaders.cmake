@@ -25,7 +25,6 @@ foreach(dialect 330 300es 450)
   set(access pattern_buffers_${dialect} pattern_access)
   brindle_joined_shaders(${BRINDLE_DRAWING_SHADERS}/${dialect}/pattern_vertex.glsl ${access})
   brindle_joined_shaders(${BRINDLE_DRAWING_SHADERS}/${dialect}/pattern_fragment.glsl ${access}
-                         surface_point fragment_phase fragment_turns stripe_wave stripe_coverage
-                         stripe_pattern light)
+                         surface_point fragment_phase stripe_coverage stripe_pattern light)
 endforeach()
 install(DIRECTORY ${BRINDLE_DRAWING_SHADERS}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/brindle/shaders)

@@ -19,6 +19,7 @@
 #include "brindle/shapes.h"
 #include "brindle/base/random.h"
 #include "brindle/shapes/parametric_shapes.h"
+#include "brindle/base/random.h"
 #include "parametric_meshes.h"
 #include "progress_reports.h"
 #include "test_folder.h"

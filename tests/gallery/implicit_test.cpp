@@ -8,6 +8,7 @@
 #include "brindle/base/random.h"
 #include "brindle/base/random.h"
 #include "brindle/shapes/parametric_shapes.h"
+#include "brindle/base/random.h"
 #include "gallery/hare.h"
 #include "gallery/liver_parts.h"
 #include "parametric_meshes.h"

@@ -8,7 +8,6 @@
 #include <epoxy/gl.h>
 
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/gl_surface.h"
 #include "brindle/render/gl_target.h"
 #include "brindle/render/tiled_picture.h"
 #include "brindle/render/visible_triangles.h"
@@ -27,20 +26,21 @@ struct FragmentImage {
 /// Needs a current context, as Renderer does.
 class FragmentProbe {
  public:
-  void upload(const SurfaceDrawing& drawing) { surface_.upload(drawing); }
-  void use_phases(unsigned buffer) { surface_.use_phases(buffer); }
+  void upload(const SurfaceDrawing& drawing) { drawn_.surface.upload(drawing); }
+  void use_phases(unsigned buffer) { drawn_.surface.use_phases(buffer); }
 
   /// One sample a pixel, from the options' camera.
   FragmentImage draw(const RenderOptions& options) {
     const int width = options.width, height = options.height;
     const Target target = target_of({GL_RG32F, GL_RGBA32F, GL_R32UI}, false, width, height);
-    const Camera camera = framed_camera(surface_.points(), options.camera, width, height);
+    const Camera camera = framed_camera(drawn_.surface.points(), options.camera, width, height);
     const Eigen::Vector4f whole{1, 1, 0, 0};
-    visible_.draw(surface_, camera, whole, {width, height}, {width, height});
+    const Eigen::Vector2i size(width, height);
+    visible_.draw(seen_, std::span(&drawn_, 1), camera, {whole, size}, size, {});
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, width, height);
-    surface_.bind(program_, camera, whole);
-    visible_.bind(program_);
+    drawn_.surface.bind(program_, camera, whole);
+    seen_.bind(program_);
     program_.set("target_size", Eigen::Vector2f(width, height));
     glUseProgram(program_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -88,13 +88,15 @@ void main() {
     return image;
   }
 
-  GlSurface surface_;
+  DrawnSurface drawn_;
   VisibleTriangles visible_;
+  VisibleSamples seen_;
   ShaderProgram program_{{"full_screen.vert"},
                          {"surface_buffers.glsl",
                           "surface_point.glsl",
                           "fragment_phase.glsl",
-                          "stripe_wave.glsl",
+                          "stripe_coverage.glsl",
+                          "stripe_pattern.glsl",
                           "visible_samples.glsl",
                           {"fragment probe", kNumbers}}};
 };

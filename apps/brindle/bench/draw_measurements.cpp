@@ -6,7 +6,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/camera.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/gl_surface.h"
+#include "brindle/render/tiled_picture.h"
 #include "brindle/render/visible_triangles.h"
 #include "brindle/renderer.h"
 #include "brindle/stripe_animator.h"
@@ -17,17 +17,21 @@ namespace {
 /// What turns a camera so little that pictures look alike, and are drawn anew all the same.
 constexpr float kTurn = 0.01f;  // degrees
 
-/// The first pass alone, for so many evaluations along the side of a pixel.
-Spread visible_time(const GlSurface& surface, const RenderOptions& options, int side,
-                    VisibleTriangles::Hidden hidden, const Repetitions& repetitions) {
+/// The first pass alone.
+Spread visible_time(const DrawnSurface& drawn, RenderOptions options, PictureQuality quality,
+                    const Repetitions& repetitions) {
   VisibleTriangles visible;
+  VisibleSamples samples;
+  options.quality = quality;
   CameraView view = options.camera;
+  const int side = shading_side(options);
   const Eigen::Vector2i size(side * options.width, side * options.height);
   return spread_of(samples_of(repetitions, [&] {
     view.azimuth_deg += kTurn;
-    const Camera camera = framed_camera(surface.points(), view, options.width, options.height);
+    const Camera camera =
+        framed_camera(drawn.surface.points(), view, options.width, options.height);
     Stopwatch watch;
-    visible.draw(surface, camera, {1, 1, 0, 0}, size, size, hidden);
+    visible.draw(samples, std::span(&drawn, 1), camera, {{1, 1, 0, 0}, size}, size, options);
     glFinish();
     return watch.lap();
   }));
@@ -70,12 +74,10 @@ DrawFigures measure_draw(const Subject& subject, int width, int height,
   DrawFigures figures{width, height, {}, {}, {}, {}};
   figures.interactive = picture_time(renderer, options, PictureQuality::interactive, repetitions);
   figures.final = picture_time(renderer, options, PictureQuality::final, repetitions);
-  using Hidden = VisibleTriangles::Hidden;
-  GlSurface surface;
-  surface.upload(drawing);
-  figures.visible = visible_time(surface, options, 1, Hidden::left_out, repetitions);
-  figures.visible_final =
-      visible_time(surface, options, options.supersampling, Hidden::drawn, repetitions);
+  DrawnSurface drawn;
+  drawn.surface.upload(drawing);
+  figures.visible = visible_time(drawn, options, PictureQuality::interactive, repetitions);
+  figures.visible_final = visible_time(drawn, options, PictureQuality::final, repetitions);
   context.check_errors("measuring pictures");
   return figures;
 }

@@ -6,13 +6,11 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/gl_fence.h"
-#include "brindle/gpu/frame_traffic.h"
 #include "brindle/gpu/gpu_hierarchy.h"
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_measure.h"
 #include "brindle/gpu/gpu_relaxation.h"
-#include "brindle/gpu/stage_timer.h"
+#include "brindle/gpu/stage_trace.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
@@ -23,7 +21,7 @@
 namespace brindle {
 namespace {
 
-/// Where kernels bind what is not of the levels.
+/// Bindings of kernels beside those of the levels.
 enum Binding : unsigned {
   kPositions = 1,
   kDirections = 2,
@@ -263,8 +261,8 @@ void GpuAnimator::State::keep() {
   ++frames;
 }
 
-/// Makes everything as it was before a frame that has not come to its end. What the device has of
-/// the last frame is not written to before `keep`.
+/// Undoes a frame that failed or was cancelled. Before `keep`, nothing of the last frame is
+/// overwritten on the device.
 void GpuAnimator::State::take_back() {
   if (has_frame) return;
   hierarchy.reset();
@@ -362,7 +360,7 @@ void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
   const std::size_t before = dispatch_count();
   try {
     const WaveBuffers input = prepare();
-    // What the caller's shaders wrote there must be seen.
+    // The caller's shaders may have written there.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     s.load_waves(input);
     s.timer.stage("load");

@@ -7,7 +7,7 @@
 #include "brindle/gl/gl_name.h"
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_topology.h"
-#include "brindle/gpu/stage_timer.h"
+#include "brindle/gpu/stage_trace.h"
 #include "brindle/progress.h"
 
 namespace brindle {

@@ -1,5 +1,7 @@
 #include "brindle/gpu/gpu_kernels.h"
 
+#include <vector>
+
 #include <epoxy/gl.h>
 
 namespace brindle {
@@ -8,7 +10,18 @@ namespace {
 /// Every device takes so many groups in one dimension.
 constexpr std::size_t kMostGroups = 65535;
 
+/// For shaders whose invocations read couplings and gauges that others of them wrote.
+constexpr const char* kCoherent = "#define BETWEEN_INVOCATIONS coherent restrict\n";
+constexpr const char* kPhasesInGroup = "#define PHASES_IN_GROUP\n";
+
 thread_local std::size_t dispatches = 0;
+
+/// A kernel with one or several invocations for every slot of a level.
+ShaderProgram kernel(const std::vector<ShaderSource>& sources) {
+  std::vector<ShaderSource> all{"invocation.glsl", "complex.glsl", "levels.glsl"};
+  all.insert(all.end(), sources.begin(), sources.end());
+  return ShaderProgram::compute(all);
+}
 
 void run(const ShaderProgram& kernel, GpuGroups groups) {
   glUseProgram(kernel.name());
@@ -20,55 +33,47 @@ void run(const ShaderProgram& kernel, GpuGroups groups) {
 }  // namespace
 
 GpuKernels::GpuKernels()
-    : load_waves(ShaderProgram::compute(
-          {"invocation.glsl", "complex.glsl", "levels.glsl", "wave.glsl", "load_waves.comp"})),
-      couple(ShaderProgram::compute({"invocation.glsl", "levels.glsl", "couplings.glsl",
-                                     "wave.glsl", "smooth_shift.glsl", "couple.comp"})),
+    : load_waves(kernel({"wave.glsl", "load_waves.comp"})),
+      couple(kernel({"couplings.glsl", "wave.glsl", "smooth_shift.glsl", "couple.comp"})),
       couple_common_source(
-          ShaderProgram::compute({"invocation.glsl", "levels.glsl", "couplings.glsl", "wave.glsl",
-                                  "common_source_shift.glsl", "couple.comp"})),
-      gauges(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                     "couplings.glsl", "gauge_buffers.glsl", "gauge.glsl",
-                                     "level_work.glsl", "gauges.comp"})),
-      gauge_rows(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                         "couplings.glsl", "gauge_buffers.glsl", "gauge.glsl",
-                                         "level_work.glsl", "gauge_rows.comp"})),
-      sums(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                   "couplings.glsl", "gauge_buffers.glsl", "gauge.glsl",
-                                   "level_work.glsl", "sums.comp"})),
-      keep_phases(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                          "gauge_buffers.glsl", "phase_buffer.glsl",
-                                          "level_work.glsl", "keep_phases.comp"})),
-      renew_small(ShaderProgram::compute({"one_group.glsl", "await_group.glsl", "coherent.glsl",
-                                          "complex.glsl", "levels.glsl", "couplings.glsl",
-                                          "gauge_buffers.glsl", "gauge.glsl", "renew_small.comp"})),
-      descend_small(ShaderProgram::compute({"one_group.glsl", "await_group.glsl", "complex.glsl",
-                                            "levels.glsl", "couplings.glsl", "gauge_buffers.glsl",
-                                            "phase_buffer.glsl", "phases_in_group.glsl",
-                                            "sweep.glsl", "prolong.glsl", "descend_small.comp"})),
-      prolong(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                      "gauge_buffers.glsl", "phase_buffer.glsl", "prolong.glsl",
-                                      "level_work.glsl", "prolong.comp"})),
-      sweep(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                    "couplings.glsl", "phase_buffer.glsl", "phases_in_buffer.glsl",
-                                    "sweep.glsl", "level_work.glsl", "color_work.glsl",
-                                    "sweep.comp"})),
-      follow_phases(
-          ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl", "wave.glsl",
-                                  "phase_buffer.glsl", "follow_phases.comp"})),
-      relax(ShaderProgram::compute({"invocation.glsl", "complex.glsl", "levels.glsl",
-                                    "couplings.glsl", "phase_buffer.glsl", "phases_in_buffer.glsl",
-                                    "sweep.glsl", "color_work.glsl", "parts.glsl", "group_sum.glsl",
-                                    "relax.comp"})),
-      judge_iteration(ShaderProgram::compute(
-          {"one_group.glsl", "parts.glsl", "group_sum.glsl", "judge_iteration.comp"})),
-      to_nodes(ShaderProgram::compute(
-          {"invocation.glsl", "levels.glsl", "phase_buffer.glsl", "to_nodes.comp"})),
-      measure(ShaderProgram::compute(
-          {"invocation.glsl", "complex.glsl", "levels.glsl", "couplings.glsl", "phase_buffer.glsl",
-           "phases_in_buffer.glsl", "sweep.glsl", "parts.glsl", "group_sum.glsl", "measure.comp"})),
-      sum_parts(ShaderProgram::compute(
-          {"one_group.glsl", "parts.glsl", "group_sum.glsl", "sum_parts.comp"})) {}
+          kernel({"couplings.glsl", "wave.glsl", "common_source_shift.glsl", "couple.comp"})),
+      gauges(kernel(
+          {"couplings.glsl", "gauge_buffers.glsl", "gauge.glsl", "work.glsl", "gauges.comp"})),
+      gauge_rows(kernel(
+          {"couplings.glsl", "gauge_buffers.glsl", "gauge.glsl", "work.glsl", "gauge_rows.comp"})),
+      sums(
+          kernel({"couplings.glsl", "gauge_buffers.glsl", "gauge.glsl", "work.glsl", "sums.comp"})),
+      keep_phases(
+          kernel({"gauge_buffers.glsl", "phase_buffer.glsl", "work.glsl", "keep_phases.comp"})),
+      renew_small(ShaderProgram::compute({"one_group.glsl",
+                                          {"coherent", kCoherent},
+                                          "complex.glsl",
+                                          "levels.glsl",
+                                          "couplings.glsl",
+                                          "gauge_buffers.glsl",
+                                          "gauge.glsl",
+                                          "renew_small.comp"})),
+      descend_small(ShaderProgram::compute({"one_group.glsl",
+                                            "complex.glsl",
+                                            "levels.glsl",
+                                            "couplings.glsl",
+                                            "gauge_buffers.glsl",
+                                            {"phases", kPhasesInGroup},
+                                            "phase_buffer.glsl",
+                                            "sweep.glsl",
+                                            "descend_small.comp"})),
+      prolong(kernel({"gauge_buffers.glsl", "phase_buffer.glsl", "work.glsl", "prolong.comp"})),
+      sweep(
+          kernel({"couplings.glsl", "phase_buffer.glsl", "sweep.glsl", "work.glsl", "sweep.comp"})),
+      follow_phases(kernel({"wave.glsl", "phase_buffer.glsl", "follow_phases.comp"})),
+      relax(kernel({"couplings.glsl", "phase_buffer.glsl", "sweep.glsl", "work.glsl",
+                    "group_sum.glsl", "relax.comp"})),
+      judge_iteration(
+          ShaderProgram::compute({"one_group.glsl", "group_sum.glsl", "judge_iteration.comp"})),
+      to_nodes(kernel({"phase_buffer.glsl", "to_nodes.comp"})),
+      measure(kernel(
+          {"couplings.glsl", "phase_buffer.glsl", "sweep.glsl", "group_sum.glsl", "measure.comp"})),
+      sum_parts(ShaderProgram::compute({"one_group.glsl", "group_sum.glsl", "sum_parts.comp"})) {}
 
 GpuGroups GpuGroups::of(std::size_t invocations) {
   const std::size_t wanted = (invocations + GpuKernels::kGroupSize - 1) / GpuKernels::kGroupSize;

@@ -46,7 +46,7 @@ struct GpuKernels {
   ShaderProgram measure;
   ShaderProgram sum_parts;
 
-  /// Invocations of a group, but of the shaders that are one group.
+  /// Invocations of a group, except in shaders that run as one group.
   static constexpr std::size_t kGroupSize = 64;
 };
 

@@ -5,7 +5,6 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/gl_fence.h"
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/waves/energy_sums.h"
 

@@ -1,4 +1,4 @@
-/// What phases are worth, measured where they are.
+/// The energy and the step of phases, measured on the device.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ struct PhaseMeasure {
   double phase_step = 0;  ///< mean |angle| against the last phases, radians, over nodes with a wave
 };
 
-/// Reduces on the device and hands the result over when it is there, so that nobody has to wait in
-/// the frame that is measured.
+/// Reduces on the device. The result is read later, so that the frame that is measured does not
+/// wait.
 class GpuMeasure {
  public:
   /// For hierarchies with the topology of `hierarchy`.

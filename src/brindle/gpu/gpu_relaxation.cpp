@@ -1,16 +1,11 @@
 #include "brindle/gpu/gpu_relaxation.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 
-#include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gpu/gpu_kernels.h"
-#include "brindle/gpu/gpu_measure.h"
-#include "brindle/phases/relaxation.h"
 
 namespace brindle {
 namespace {
@@ -20,15 +15,12 @@ constexpr unsigned kCommandBinding = 1;
 constexpr unsigned kMomentumBinding = kGaugeBinding;
 constexpr unsigned kPartBinding = kScratchBinding;
 
-/// Where follow_phases.comp binds what is not of the levels.
+/// Bindings of follow_phases.comp beside those of the levels.
 enum FollowBinding : unsigned { kFollowedWaves = 1, kFollowedLastWaves = 2, kFollowedPhases = 3 };
 
 /// Uniform locations of relax.comp and judge_iteration.comp.
 enum RelaxLocation : GLint { kStrength = 3, kFirstPart = 4 };
 enum JudgeLocation : GLint { kPartCount = 0, kCommandCount = 1, kEpsilon = 2 };
-
-/// Iterations that are under way before somebody asks whether they have converged.
-constexpr int kIterationBatch = 8;
 
 using Command = std::array<GLuint, 3>;
 
@@ -110,62 +102,6 @@ std::vector<float> GpuRelaxation::energies() const {
                           static_cast<GLsizeiptr>(energies.size() * sizeof(float)),
                           energies.data());
   return energies;
-}
-
-namespace {
-
-/// Iterates until convergence; the device is asked every few iterations.
-void relax_to_convergence(const GpuHierarchy& hierarchy, const GpuRelaxation& relaxation,
-                          const SolverOptions& options, const Progress& progress) {
-  const std::size_t all = hierarchy.topology().colors(0).size();
-  const std::size_t first_two_thirds = all - all / 3;
-  GpuRelaxation::Standing standing;
-  const auto limit = static_cast<std::uint32_t>(options.max_iterations);
-  while (!standing.converged && standing.iterations < limit) {
-    const std::uint32_t end = std::min<std::uint32_t>(standing.iterations + kIterationBatch, limit);
-    for (std::uint32_t i = standing.iterations; i < end; ++i) {
-      const bool skip = options.skip_last_third && i % 2 == 1;
-      relaxation.iterate(hierarchy, skip ? first_two_thirds : all);
-      relaxation.judge(hierarchy, skip ? first_two_thirds : all, options.epsilon);
-    }
-    standing = relaxation.standing();
-    progress.report("relaxation", 1 - std::min(1.0f, relaxation.energies().back() / 0.5f));
-  }
-}
-
-}  // namespace
-
-PhaseSolution relax_on_gpu(std::shared_ptr<const GpuKernels> kernels, const PhaseGraph& graph,
-                           const SolverOptions& options, std::span<const Complex> start,
-                           const Progress& progress) {
-  PhaseSolution solution;
-  Stopwatch watch;
-  const auto layout =
-      std::make_shared<const SlicedLayout>(relaxation_layout(*graph.adjacency, options.seed));
-  const std::array<LevelTopology, 1> levels{{{layout, nullptr}}};
-  GpuHierarchy hierarchy(std::move(kernels),
-                         std::make_shared<const GpuTopology>(flatten(levels, options.sweeps)));
-  SlicedCouplings couplings(*layout);
-  load_couplings(graph, *layout, couplings);
-  hierarchy.upload(*layout, couplings);
-  hierarchy.upload_phases(start_phases(*layout, start, options.seed));
-  glFinish();
-  solution.topology_milliseconds = watch.lap();
-
-  GpuMeasure measure(hierarchy);
-  measure.begin(hierarchy, hierarchy.phases());
-  const PhaseMeasure before = *measure.end();
-  GpuRelaxation relaxation(hierarchy, options.momentum);
-  relaxation.begin(before.energy, before.weight, options.max_iterations);
-  if (before.weight > 0) relax_to_convergence(hierarchy, relaxation, options, progress);
-  solution.z = to_nodes(*layout, hierarchy.read_phases());
-  const std::vector<float> energies = relaxation.energies();
-  check_gl("relaxing on the GPU");
-  solution.solve_milliseconds = watch.lap();
-  solution.energy_per_iteration.assign(energies.begin(), energies.end());
-  solution.iterations = static_cast<int>(energies.size()) - 1;
-  solution.energy = energy(graph, solution.z);
-  return solution;
 }
 
 }  // namespace brindle

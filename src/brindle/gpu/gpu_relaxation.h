@@ -40,10 +40,10 @@ class GpuRelaxation {
   void begin(double energy, double weight, int max_iterations);
 
   /// Notes the energy after an iteration over `colors` colours, and whether its relative
-  /// improvement was below `epsilon`. The device does both: nobody waits.
+  /// improvement was below `epsilon`. The device does both, without waiting for the processor.
   void judge(const GpuHierarchy& hierarchy, std::size_t colors, float epsilon) const;
 
-  /// What was noted since `begin`. Both wait for the device.
+  /// The notes since `begin`. Both wait for the device.
   Standing standing() const;
   std::vector<float> energies() const;  ///< before the first iteration and after each one
 

@@ -10,7 +10,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/sliced_drawing.h"
+#include "brindle/render/gl_camera.h"
 
 namespace brindle {
 namespace {
@@ -41,13 +41,6 @@ GlTexture buffer_texture() {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
   return GlTexture(name);
-}
-
-void set_camera(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) {
-  program.set("origin", camera.origin);
-  program.set("view_from_world", camera.view_from_world);
-  program.set("clip_from_view", camera.clip_from_view);
-  program.set("tile", tile);
 }
 
 std::vector<std::uint32_t> packed_colors(std::span<const TriangleColor> colors) {
@@ -104,20 +97,6 @@ void check_waves(const WaveSet* waves, std::size_t vertices) {
   check_count(waves->frequencies.size(), vertices, "frequencies", "vertices");
 }
 
-void check_drawing(const SurfaceDrawing& drawing) {
-  const std::size_t vertices = drawing.mesh.vertex_count();
-  check_count(drawing.normals.size(), vertices, "normals", "vertices");
-  check_count(drawing.z.size(), vertices, "phases", "vertices");
-  check_count(drawing.triangle_colors.size(), drawing.mesh.triangle_count(), "triangle colours",
-              "triangles");
-  check_waves(drawing.waves, vertices);
-  if (drawing.texture_waves == nullptr) return;
-  check_count(drawing.texture_waves->u.size(), drawing.mesh.triangle_count(), "waves U",
-              "triangles");
-  check_count(drawing.texture_waves->v.size(), drawing.mesh.triangle_count(), "waves V",
-              "triangles");
-}
-
 void check_change(const DrawingChange& change, std::size_t vertices, std::size_t triangles) {
   check_count(change.positions.size(), vertices, "positions", "vertices");
   check_count(change.normals.size(), vertices, "normals", "vertices");
@@ -149,7 +128,12 @@ void GlSurface::renew(Part part, const Items& items, const char* what) {
 }
 
 void GlSurface::upload(const SurfaceDrawing& drawing) {
-  check_drawing(drawing);
+  check_change({.normals = drawing.normals,
+                .waves = drawing.waves,
+                .z = drawing.z,
+                .triangle_colors = drawing.triangle_colors,
+                .texture_waves = drawing.texture_waves},
+               drawing.mesh.vertex_count(), drawing.mesh.triangle_count());
   points_ = drawing.framed.empty()
                 ? points_of_triangles(drawing.mesh)
                 : std::vector<Vec3>(drawing.framed.begin(), drawing.framed.end());
@@ -219,7 +203,7 @@ bool GlSurface::has_waves() const {
 void GlSurface::draw(const ShaderProgram& program, const Camera& camera,
                      const Eigen::Vector4f& tile) const {
   set_camera(program, camera, tile);
-  const SlicedDrawing sliced(program, camera);
+  const SlicedDrawing sliced(camera);
   glUseProgram(program.name());
   glVertexArrayElementBuffer(vertices_, buffers_[kTriangles]);
   glVertexArrayVertexBuffer(vertices_, 0, buffers_[kPositions], 0, sizeof(Vec3));
@@ -244,7 +228,6 @@ void GlSurface::bind(const ShaderProgram& program, const Camera& camera,
                                                 GL_RG32F,   GL_R32UI,  GL_RG32F,  GL_RG32F};
   set_camera(program, camera, tile);
   program.set("smooth_normals", has_normals());
-  program.set("has_triangle_colors", has_triangle_colors());
   texture_tile_.bind(program);
   broken_tiles_.bind(program);
   for (std::size_t part = 0; part < kParts; ++part) {

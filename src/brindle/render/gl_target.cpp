@@ -5,22 +5,21 @@
 #include "brindle/error.h"
 
 namespace brindle {
-namespace {
 
-/// Nothing lies between its texels.
-GlTexture texture_of(GLenum format, int width, int height) {
+GlTexture texture_2d(GLenum format, int width, int height, GLint filter, GLint wrap,
+                     GLsizei levels) {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
   GlTexture texture(name);
-  glTextureStorage2D(texture, 1, format, width, height);
-  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTextureStorage2D(texture, levels, format, width, height);
+  const bool blends_levels = levels > 1 && filter == GL_LINEAR;
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER,
+                      blends_levels ? GL_LINEAR_MIPMAP_LINEAR : filter);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, filter);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, wrap);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, wrap);
   return texture;
 }
-
-}  // namespace
 
 Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height) {
   Target target;
@@ -32,11 +31,12 @@ Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, in
   std::vector<GLenum> attachments;
   for (const GLenum format : colors) {
     attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(attachments.size()));
-    target.textures.push_back(texture_of(format, width, height));
+    target.textures.push_back(texture_2d(format, width, height, GL_NEAREST, GL_CLAMP_TO_EDGE));
     glNamedFramebufferTexture(target.framebuffer, attachments.back(), target.textures.back(), 0);
   }
   if (depth) {
-    target.textures.push_back(texture_of(GL_DEPTH_COMPONENT32F, width, height));
+    target.textures.push_back(
+        texture_2d(GL_DEPTH_COMPONENT32F, width, height, GL_NEAREST, GL_CLAMP_TO_EDGE));
     glNamedFramebufferTexture(target.framebuffer, GL_DEPTH_ATTACHMENT, target.textures.back(), 0);
   }
   glNamedFramebufferDrawBuffers(target.framebuffer, static_cast<GLsizei>(attachments.size()),
@@ -54,6 +54,12 @@ void fit_target(Target& target, std::initializer_list<GLenum> colors, bool depth
   if (target.framebuffer != 0 && target.width == width && target.height == height) return;
   target = {};  // gives its memory back first
   target = target_of(colors, depth, width, height);
+}
+
+void fill_viewport(const ShaderProgram& program, GLuint no_attributes) {
+  glUseProgram(program.name());
+  glBindVertexArray(no_attributes);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace brindle

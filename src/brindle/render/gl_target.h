@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "brindle/gl/gl_name.h"
+#include "brindle/gl/shader_program.h"
 
 namespace brindle {
+
+/// A texture without contents; `filter` and `wrap` are those of glTextureParameteri.
+GlTexture texture_2d(GLenum format, int width, int height, GLint filter, GLint wrap,
+                     GLsizei levels = 1);
 
 /// A framebuffer with its textures: colours first, then depth if it has one.
 struct Target {
@@ -22,5 +27,9 @@ Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, in
 /// Makes the target anew unless it has this size already. Throws as `target_of` does.
 void fit_target(Target& target, std::initializer_list<GLenum> colors, bool depth, int width,
                 int height);
+
+/// Runs a program with full_screen.vert for every pixel of the viewport. `no_attributes` is a
+/// vertex array as `no_vertex_attributes` makes it.
+void fill_viewport(const ShaderProgram& program, GLuint no_attributes);
 
 }  // namespace brindle

@@ -7,6 +7,7 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/render/gl_target.h"
 
 namespace brindle {
 namespace {
@@ -19,17 +20,9 @@ constexpr GLuint kBrokenTilesBinding = 3;  // as in broken_tiles.glsl
 constexpr int kFigureSide = 512;
 
 GlTexture repeated_texture(GLenum format, int width, int height, bool smaller_ones) {
-  GLuint name = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &name);
-  GlTexture texture(name);
   const auto longest = static_cast<unsigned>(std::max(width, height));
-  glTextureStorage2D(texture, smaller_ones ? std::bit_width(longest) : 1, format, width, height);
-  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
-                      smaller_ones ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-  glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  return texture;
+  return texture_2d(format, width, height, GL_LINEAR, GL_REPEAT,
+                    smaller_ones ? std::bit_width(longest) : 1);
 }
 
 /// Distances from the middle of every texel, row by row from v = 0.
@@ -134,10 +127,6 @@ void GlBrokenTiles::bind(const ShaderProgram& program) const {
   program.set("tile_layout", static_cast<int>(layout_));
   program.set("splits_broken_tiles", split_);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kBrokenTilesBinding, words_);
-}
-
-const char* whole_tiles_feature(bool whole) {
-  return whole ? "const bool kWholeTiles = true;\n" : "const bool kWholeTiles = false;\n";
 }
 
 }  // namespace brindle

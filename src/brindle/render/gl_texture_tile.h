@@ -14,7 +14,7 @@ class GlTextureTile {
   /// Pictures larger than the driver's textures are reduced.
   explicit GlTextureTile(const TextureTile& tile);
 
-  /// Binds the textures and tells the program of them.
+  /// Binds the textures and sets the uniforms of the program.
   void bind(const ShaderProgram& program) const;
 
  private:
@@ -39,8 +39,5 @@ class GlBrokenTiles {
   TileLayout layout_ = TileLayout::single;
   bool split_ = false;
 };
-
-/// What a program that includes shaders/broken_tiles.glsl is told before.
-const char* whole_tiles_feature(bool whole);
 
 }  // namespace brindle

@@ -1,17 +1,11 @@
 #include "brindle/renderer.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/shader_program.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/gl_surface.h"
-#include "brindle/render/shading.h"
-#include "brindle/render/sliced_drawing.h"
-#include "brindle/render/tiled_picture.h"
-#include "brindle/render/visible_triangles.h"
+#include "brindle/render/gl_camera.h"
+#include "brindle/render/surface_picture.h"
 
 namespace brindle {
 namespace {
@@ -29,21 +23,19 @@ std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
 
 }  // namespace
 
+/// A picture of one surface without a style, and marks.
 struct Renderer::State {
   ShaderProgram mark{{"mark.vert"}, {"visible_samples.glsl", "mark.frag"}};
-  TiledPicture picture;
-  VisibleTriangles visible;
-  Shading shading;
-  GlSurface surface;
+  SurfacePicture picture;
   GlBuffer marks;
   GLsizei mark_count = 0;
   GlVertexArray no_attributes = no_vertex_attributes();
 
+  State() { picture.surfaces.emplace_back(); }
+  GlSurface& surface() { return picture.surfaces.front().surface; }
   void upload_marks(std::span<const Mark> added);
-  void draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
+  void draw_marks(const Camera& camera, const PicturePart& part, const VisibleSamples& seen,
                   const RenderOptions& options) const;
-  void draw_light(const Target& target, const Camera& camera, const Tile& tile,
-                  const RenderOptions& options);
 };
 
 void Renderer::State::upload_marks(std::span<const Mark> added) {
@@ -52,18 +44,14 @@ void Renderer::State::upload_marks(std::span<const Mark> added) {
   check_gl("copying marks to OpenGL");
 }
 
-void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& tile,
-                                 const RenderOptions& options) const {
+void Renderer::State::draw_marks(const Camera& camera, const PicturePart& part,
+                                 const VisibleSamples& seen, const RenderOptions& options) const {
   if (mark_count == 0) return;
-  mark.set("origin", camera.origin);
-  mark.set("view_from_world", camera.view_from_world);
-  mark.set("clip_from_view", camera.clip_from_view);
-  mark.set("tile", tile);
-  mark.set("slice", slice_of(camera));
+  set_camera(mark, camera, part.transform);
   const float radius = mark_radius_of(options);
   mark.set("mark_size", Eigen::Vector2f(2 * radius / static_cast<float>(options.width),
                                         2 * radius / static_cast<float>(options.height)));
-  visible.bind(mark);
+  seen.bind(mark);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kMarksBinding, marks);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -71,17 +59,6 @@ void Renderer::State::draw_marks(const Camera& camera, const Eigen::Vector4f& ti
   glBindVertexArray(no_attributes);
   glDrawArrays(GL_TRIANGLES, 0, 6 * mark_count);
   glDisable(GL_BLEND);
-}
-
-void Renderer::State::draw_light(const Target& target, const Camera& camera, const Tile& tile,
-                                 const RenderOptions& options) {
-  const Eigen::Vector4f transform = tile_transform(tile, options);
-  const Eigen::Vector2i size = shading_side(options) * Eigen::Vector2i(tile.width, tile.height);
-  visible.draw(surface, camera, transform, {target.width, target.height}, size,
-               options.quality == PictureQuality::interactive ? VisibleTriangles::Hidden::left_out
-                                                              : VisibleTriangles::Hidden::drawn);
-  shading.draw(surface, visible, camera, transform, target, size, options);
-  draw_marks(camera, transform, options);
 }
 
 float mark_radius_of(const RenderOptions& options) {
@@ -104,25 +81,28 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::upload(const SurfaceDrawing& drawing) {
-  state_->surface.upload(drawing);
+  state_->surface().upload(drawing);
   state_->upload_marks(drawing.marks);
 }
 
 void Renderer::update(const DrawingChange& change) {
-  state_->surface.update(change);
+  state_->surface().update(change);
   state_->upload_marks(change.marks);
 }
 
-void Renderer::use_phases(unsigned buffer) { state_->surface.use_phases(buffer); }
+void Renderer::use_phases(unsigned buffer) { state_->surface().use_phases(buffer); }
 
 Image Renderer::draw(const RenderOptions& options, const Progress& progress) const {
   check_options(options);
-  const Camera camera =
-      framed_camera(state_->surface.points(), options.camera, options.width, options.height);
-  const auto draw_light = [&](const Target& target, const Tile& tile) {
-    state_->draw_light(target, camera, tile, options);
+  StyledOptions styled;
+  styled.render = options;
+  PictureScene scene{
+      framed_camera(state_->surface().points(), options.camera, options.width, options.height),
+      styled};
+  const auto draw_marks = [&](const PicturePart& part, const VisibleSamples& seen) {
+    state_->draw_marks(scene.camera, part, seen, options);
   };
-  return state_->picture.draw(options, draw_light, progress);
+  return state_->picture.draw(scene, std::nullopt, draw_marks, progress);
 }
 
 Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options,

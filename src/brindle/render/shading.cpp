@@ -1,64 +1,215 @@
 #include "brindle/render/shading.h"
 
-#include <utility>
+#include <algorithm>
 #include <vector>
 
+#include "brindle/render/gl_camera.h"
 #include "brindle/render/tiled_picture.h"
 
 namespace brindle {
-
 namespace {
 
-const std::vector<ShaderSource> kFullScreen = {"full_screen.vert"};
+constexpr int kMostGroups = VisibleTriangles::kSamples * VisibleTriangles::kSamples;
 
-/// What says the colour at a point of the surface, between what all have.
-std::vector<ShaderSource> fragment_sources(std::vector<ShaderSource> pattern) {
-  std::vector<ShaderSource> sources = {"surface_buffers.glsl", "surface_point.glsl"};
-  sources.insert(sources.end(), pattern.begin(), pattern.end());
-  sources.insert(sources.end(), {"triangle_paint.glsl", "light.glsl", "picture_light.glsl",
-                                 "visible_samples.glsl", "shade.frag"});
-  return sources;
+/// All but the first are shaded as one where triangles form surfaces: few pixels show three of
+/// them.
+constexpr int kInteractiveGroups = 2;
+
+/// Texture units after those of GlSurface.
+enum ShadingUnit : GLuint { kGroupUnit = 12, kSurroundingsUnit = 14 };
+
+constexpr float kOcclusionReach = 0.11f;  // of the surfaces' diagonal
+
+constexpr const char* kNoPattern =
+    "bool pattern_at(inout vec3 surface, SurfacePoint p) { return true; }\n";
+constexpr const char* kWholePattern =
+    "bool pattern_at(inout vec3 surface, SurfacePoint p) {\n"
+    "  surface = with_pattern(surface, p);\n"
+    "  return true;\n"
+    "}\n";
+
+using Sources = std::vector<ShaderSource>;
+
+/// Neighbours look alike where they meet, unless each has a colour or a normal of its own.
+bool has_distinct_triangles(const GlSurface& surface) {
+  return surface.has_triangle_colors() || !surface.has_normals();
+}
+
+/// The part of a target of `size` pixels where the box is seen: its lower left corner and size.
+/// All of it if the box reaches behind the camera.
+Eigen::Vector4i seen_part(const Eigen::AlignedBox3f& box, const Camera& camera,
+                          const Eigen::Vector4f& tile, const Eigen::Vector2i& size) {
+  Eigen::AlignedBox2f part;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 position =
+        box.corner(static_cast<Eigen::AlignedBox3f::CornerType>(corner)) - camera.origin;
+    const Eigen::Vector4f clip =
+        camera.clip_from_view * (camera.view_from_world * position.homogeneous());
+    if (!(clip.w() > 0)) return {0, 0, size.x(), size.y()};
+    part.extend((clip.head<2>() / clip.w()).cwiseProduct(tile.head<2>()) + tile.tail<2>());
+  }
+  const auto pixel = [&](const Eigen::Vector2f& place) -> Eigen::Vector2f {
+    return (place.array() + 1) / 2 * size.cast<float>().array();
+  };
+  const Eigen::Vector2f zero = Eigen::Vector2f::Zero(), all = size.cast<float>();
+  const Eigen::Vector2f lower =
+      (pixel(part.min()).array().floor() - 1).matrix().cwiseMax(zero).cwiseMin(all);
+  const Eigen::Vector2f upper =
+      (pixel(part.max()).array().ceil() + 1).matrix().cwiseMax(zero).cwiseMin(all);
+  Eigen::Vector4i result;
+  result << lower.cast<int>(), (upper - lower).cast<int>();
+  return result;
+}
+
+/// How many groups of a pixel are shaded in a picture of this quality.
+int group_count(const GlSurface& surface, PictureQuality quality) {
+  const bool few = quality == PictureQuality::interactive && !has_distinct_triangles(surface);
+  return few ? kInteractiveGroups : kMostGroups;
+}
+
+/// The sources of the pattern: `pattern_at` changes the colour of the surface at a point, and is
+/// false where another pass over the regions of a texture draws.
+Sources pattern_sources(const DrawnSurface& drawn) {
+  const Sources tile{"texture_tile.glsl", "broken_tiles.glsl"};
+  if (drawn.style && drawn.style->regions() > 0) return {tile[0], tile[1], "region_texture.glsl"};
+  if (drawn.style) return {"stripe_coverage.glsl", "strokes.glsl"};
+  if (drawn.surface.has_texture()) {
+    return {tile[0], tile[1], "texture_pattern.glsl", {"pattern", kWholePattern}};
+  }
+  if (drawn.surface.has_waves()) {
+    return {"stripe_coverage.glsl", "stripe_pattern.glsl", {"pattern", kWholePattern}};
+  }
+  return {{"pattern", kNoPattern}};
+}
+
+/// Constants of GLSL for what a program uses. Software renderers execute both sides of a branch, so
+/// every combination has a program of its own.
+std::string features_of(const DrawnSurface& drawn, const StyledOptions& options) {
+  const DepthCue cue = drawn.tinted ? options.depth_cue : DepthCue::none;
+  return (drawn.style ? drawn.style->features()
+                      : glsl_constant("kSurfacePlaces", false) +
+                            glsl_constant("kWholeTiles", drawn.surface.has_broken_tiles())) +
+         glsl_constant("kTriangleColors", drawn.surface.has_triangle_colors()) +
+         glsl_constant("kOcclusion", options.occlusion > 0) +
+         "const int kDepthCue = " + std::to_string(static_cast<int>(cue)) + ";\n";
 }
 
 }  // namespace
 
-const ShaderProgram& Shading::program_for(const GlSurface& surface) {
-  const auto program = [this](std::size_t kind, std::vector<ShaderSource> pattern) -> auto& {
-    std::optional<ShaderProgram>& made = programs_[kind];
-    if (!made) made.emplace(kFullScreen, fragment_sources(std::move(pattern)));
-    return *made;
-  };
-  if (surface.has_texture()) {
-    const bool whole = surface.has_broken_tiles();
-    return program(whole ? kWholeTiles : kTexture, {{"features", whole_tiles_feature(whole)},
-                                                    "fragment_phase.glsl",
-                                                    "fragment_turns.glsl",
-                                                    "texture_fragment.glsl",
-                                                    "texture_tile.glsl",
-                                                    "broken_tiles.glsl",
-                                                    "texture_pattern.glsl"});
-  }
-  if (surface.has_waves()) {
-    return program(kStripes, {"fragment_phase.glsl", "fragment_turns.glsl", "stripe_wave.glsl",
-                              "stripe_coverage.glsl", "stripe_pattern.glsl"});
-  }
-  return program(kNone, {"plain_pattern.glsl"});
+const ShaderProgram& Shading::program_for(const DrawnSurface& drawn, const StyledOptions& options) {
+  const std::string features = features_of(drawn, options);
+  const Sources pattern = pattern_sources(drawn);
+  std::string key = features;
+  for (const ShaderSource& source : pattern) key += std::string(source.name) + "\n";
+  if (const auto made = programs_.find(key); made != programs_.end()) return made->second;
+  Sources sources{{"features", features}, "surface_buffers.glsl", "surface_point.glsl",
+                  "fragment_phase.glsl",  "light.glsl",           "picture_light.glsl",
+                  "style_buffers.glsl"};
+  sources.insert(sources.end(), pattern.begin(), pattern.end());
+  sources.insert(sources.end(), {"visible_samples.glsl", "occlusion.glsl", "shade.frag"});
+  return programs_.try_emplace(std::move(key), Sources{"full_screen.vert"}, sources).first->second;
 }
 
-void Shading::draw(const GlSurface& surface, const VisibleTriangles& visible, const Camera& camera,
-                   const Eigen::Vector4f& tile, const Target& light, const Eigen::Vector2i& size,
-                   const RenderOptions& options) {
-  constexpr std::array<float, 4> kNothing{0, 0, 0, 0};
-  glClearNamedFramebufferfv(light.framebuffer, GL_COLOR, 0, kNothing.data());
-  if (surface.triangle_count() == 0) return;
-  const ShaderProgram& program = program_for(surface);
-  groups_.find(surface, visible.samples(), camera, tile, light, size);
-  surface.bind(program, camera, tile);
-  visible.bind(program);
-  set_looks(program, options);
-  set_light(program, camera, options);
-  program.set("target_size", Eigen::Vector2f(size.cast<float>()));
-  groups_.shade(program, light, SampleGroups::count(surface, options.quality));
+/// Depths tell how many groups of samples a pixel has, so that a depth test leaves out pixels
+/// without shading them.
+void Shading::group_samples(const DrawnSurface& drawn, const VisibleSamples& seen,
+                            const PictureScene& scene, const PicturePart& part,
+                            const Target& light) {
+  fit_target(groups_, {GL_R8UI}, true, light.width, light.height);
+  part_ = seen_part(drawn.surface.box(), scene.camera, part.transform, part.size);
+  seen.bind(group_);
+  set_camera(group_, scene.camera, part.transform);
+  group_.set("first_number", drawn.first_number);
+  group_.set("triangle_count", static_cast<int>(drawn.surface.triangle_count()));
+  group_.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
+  group_.set("distinct_triangles", has_distinct_triangles(drawn.surface));
+  glScissor(part_[0], part_[1], part_[2], part_[3]);
+  glEnable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, groups_.framebuffer);
+  glViewport(0, 0, part.size.x(), part.size.y());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  fill_viewport(group_, no_attributes_);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Shades `count` groups one after the other, each over the pixels that have so many.
+void Shading::shade_groups(const ShaderProgram& program, const Target& light, int count,
+                           Light first) {
+  program.set("groups", static_cast<int>(kGroupUnit));
+  program.set("last_group", count - 1);
+  glBindTextureUnit(kGroupUnit, groups_.textures[0]);
+  glNamedFramebufferTexture(light.framebuffer, GL_DEPTH_ATTACHMENT, groups_.textures[1], 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, light.framebuffer);
+  glScissor(part_[0], part_[1], part_[2], part_[3]);
+  glEnable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_FALSE);
+  glBlendFunc(GL_ONE, GL_ONE);
+  for (int group = 0; group < count; ++group) {
+    program.set("group", group);
+    const double depth = 1 - (2 * group + 1) / 16.0;  // between those of group_samples.frag
+    glDepthRange(depth, depth);
+    if (group > 0 || first == Light::added) glEnable(GL_BLEND);
+    fill_viewport(program, no_attributes_);
+  }
+  glDisable(GL_BLEND);
+  glDepthRange(0, 1);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Sets what the program needs to know of the picture and of the surface in it.
+void Shading::set_scene(const ShaderProgram& program, const DrawnSurface& drawn,
+                        const VisibleSamples& seen, const PictureScene& scene,
+                        const PicturePart& part) const {
+  const StyledOptions& options = scene.options;
+  program.set("target_size", Eigen::Vector2f(part.size.cast<float>()));
+  program.set("first_number", drawn.first_number);
+  program.set("triangle_count", static_cast<int>(drawn.surface.triangle_count()));
+  set_light(program, scene.camera, options.render);
+  seen.bind(program);
+  drawn.surface.bind(program, scene.camera, part.transform);
+  if (!drawn.style) return set_looks(program, options.render);
+  drawn.style->bind(program, shading_side(options.render));
+  if (!options.render.shading) program.set("shading", false);
+  glBindTextureUnit(kColorMapUnit, scene.color_map);
+  program.set("has_threshold", options.scale.threshold.has_value());
+  program.set("threshold", options.scale.threshold.value_or(0.0f));
+  program.set("beyond_color", linear_light(options.scale.beyond));
+  program.set("depth_range", scene.depths);
+  program.set("haze_color", linear_light(options.render.background_center));
+  program.set("occlusion", options.occlusion);
+  program.set("occlusion_radius", kOcclusionReach * scene.diagonal);
+  program.set("target_corner", Eigen::Vector2f(part.corner.cast<float>()));
+  program.set("has_surroundings", scene.surroundings != nullptr);
+  program.set("depths_of_picture", static_cast<int>(kSurroundingsUnit));
+  if (scene.surroundings) {
+    glBindTextureUnit(kSurroundingsUnit, scene.surroundings->target.textures[1]);
+  }
+  const Eigen::Vector2f samples = (VisibleTriangles::kSamples * part.size).cast<float>();
+  program.set("part_of_target", Eigen::Vector2f(samples.cwiseQuotient(
+                                    Eigen::Vector2f(seen.target.width, seen.target.height))));
+}
+
+void Shading::draw(const DrawnSurface& drawn, const VisibleSamples& seen, const PictureScene& scene,
+                   const PicturePart& part, const Target& light, Light first) {
+  const ShaderProgram& program = program_for(drawn, scene.options);
+  group_samples(drawn, seen, scene, part, light);
+  set_scene(program, drawn, seen, scene, part);
+  const int count = group_count(drawn.surface, scene.options.render.quality);
+  if (!drawn.style || drawn.style->regions() == 0) {
+    return shade_groups(program, light, count, first);
+  }
+  for (std::size_t region = 0; region < drawn.style->regions(); ++region) {
+    drawn.style->bind_region(program, region);
+    shade_groups(program, light, count, region == 0 ? first : Light::added);
+  }
 }
 
 }  // namespace brindle

@@ -1,36 +1,50 @@
 /// The second pass of a picture: the light of what is seen.
 #pragma once
 
-#include <array>
-#include <optional>
+#include <map>
+#include <string>
 
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/gl_surface.h"
-#include "brindle/render/gl_target.h"
-#include "brindle/render/sample_groups.h"
 #include "brindle/render/visible_triangles.h"
-#include "brindle/renderer.h"
+#include "brindle/styled_picture.h"
 
 namespace brindle {
 
-/// Evaluates the surface's pattern and light once for each pixel, and once more for each further
-/// surface that is seen in it.
+/// What all passes over a picture share.
+struct PictureScene {
+  Camera camera;
+  const StyledOptions& options;
+  Eigen::Vector2f depths{0, 1};  ///< for depth cues: of the nearest and the farthest point
+  float diagonal = 0;            ///< of all surfaces
+  GlTexture color_map = {};      ///< where styles follow values
+  const VisibleSamples* surroundings = nullptr;  ///< all of a picture that is drawn in parts
+};
+
+/// Evaluates a surface's pattern and light once for each pixel, and once more for each further
+/// surface that is seen in it. Kept from picture to picture.
 class Shading {
  public:
-  /// Draws into the lower left of `light`, `size` pixels; what shows no surface is left
-  /// transparent.
-  void draw(const GlSurface& surface, const VisibleTriangles& visible, const Camera& camera,
-            const Eigen::Vector4f& tile, const Target& light, const Eigen::Vector2i& size,
-            const RenderOptions& options);
+  /// The light of a part goes in place of what is there, or is added to it.
+  enum class Light { replaced, added };
+
+  /// Draws the light of a surface into the lower left of `light`, where `seen` shows its triangles.
+  void draw(const DrawnSurface& drawn, const VisibleSamples& seen, const PictureScene& scene,
+            const PicturePart& part, const Target& light, Light first);
 
  private:
-  /// Software renderers execute both sides of a branch, so every pattern has a program of its own.
-  enum Pattern { kNone, kStripes, kTexture, kWholeTiles, kPatterns };
+  const ShaderProgram& program_for(const DrawnSurface& drawn, const StyledOptions& options);
+  void group_samples(const DrawnSurface& drawn, const VisibleSamples& seen,
+                     const PictureScene& scene, const PicturePart& part, const Target& light);
+  void set_scene(const ShaderProgram& program, const DrawnSurface& drawn,
+                 const VisibleSamples& seen, const PictureScene& scene,
+                 const PicturePart& part) const;
+  void shade_groups(const ShaderProgram& program, const Target& light, int count, Light first);
 
-  const ShaderProgram& program_for(const GlSurface& surface);
-
-  std::array<std::optional<ShaderProgram>, kPatterns> programs_;  ///< made when they are needed
-  SampleGroups groups_;
+  ShaderProgram group_{{"full_screen.vert"}, {"visible_samples.glsl", "group_samples.frag"}};
+  std::map<std::string, ShaderProgram> programs_;  ///< by pattern and features
+  Target groups_;         ///< which samples of a pixel are shaded together; depths: how many groups
+  Eigen::Vector4i part_;  ///< of the target, where the surface is seen: lower left corner and size
+  GlVertexArray no_attributes_ = no_vertex_attributes();
 };
 
 }  // namespace brindle

@@ -14,7 +14,7 @@
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/shader_program.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/sliced_drawing.h"
+#include "brindle/render/gl_camera.h"
 #include "brindle/render/tiled_picture.h"
 
 namespace brindle {
@@ -123,11 +123,8 @@ void SplatRenderer::State::draw_tile(const Target& target, const Camera& camera,
   }
   glClearNamedFramebufferfv(sums.framebuffer, GL_DEPTH, 0, &kFarthest);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, sums.framebuffer);
-  splat.set("origin", camera.origin);
-  splat.set("view_from_world", camera.view_from_world);
-  splat.set("clip_from_view", camera.clip_from_view);
-  splat.set("tile", tile_transform(tile, options));
-  std::optional<SlicedDrawing> sliced(std::in_place, splat, camera);
+  set_camera(splat, camera, tile_transform(tile, options));
+  std::optional<SlicedDrawing> sliced(std::in_place, camera);
   glEnable(GL_DEPTH_TEST);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   draw_splats(true);
@@ -158,8 +155,7 @@ void SplatRenderer::State::draw_surface(const Target& target, const Camera& came
   glBindTextureUnit(0, sums.textures[0]);
   glBindTextureUnit(1, sums.textures[1]);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  glUseProgram(surface.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  fill_viewport(surface, no_attributes);
 }
 
 SplatRenderer::SplatRenderer() : state_(std::make_unique<State>()) {}

@@ -82,9 +82,7 @@ void TiledPicture::develop(const Tile& tile, const RenderOptions& options) {
   glBindTextureUnit(0, light_.textures[0]);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_.framebuffer);
   glViewport(0, 0, tile.width, tile.height);
-  glUseProgram(program.name());
-  glBindVertexArray(no_attributes_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  fill_viewport(program, no_attributes_);
 }
 
 Image TiledPicture::draw(const RenderOptions& options, const DrawLight& draw_light,

@@ -1,3 +1,7 @@
+// What the groups of a dispatch add up to, one part a group.
+
+layout(std430, binding = 7) buffer Parts { vec4 parts[]; };
+
 // The sum of a vec4 over the group, in a fixed order; for the group's first invocation.
 shared vec4 group_parts[gl_WorkGroupSize.x];
 

@@ -13,7 +13,6 @@
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
 #include "brindle/render/drawing/drawing_size.h"
-#include "brindle/render/drawing/simplified_stroke.h"
 
 namespace brindle {
 namespace {
@@ -34,6 +33,20 @@ float length_of(const Stroke& stroke) {
   float length = 0;
   for (std::size_t i = 1; i < stroke.size(); ++i) length += (stroke[i] - stroke[i - 1]).norm();
   return length;
+}
+
+/// As `simplified` does with lines in space.
+Stroke simplified_stroke(const Stroke& stroke, float tolerance) {
+  Polylines line;
+  for (const auto& p : stroke) {
+    line.points.emplace_back(p.x(), p.y(), 0.0f);
+    line.normals.emplace_back(0.0f, 0.0f, 1.0f);
+  }
+  line.offsets.push_back(static_cast<Index>(stroke.size()));
+  line.closed.push_back(0);
+  Stroke result;
+  for (const Vec3& p : simplified(line, tolerance).points) result.emplace_back(p.x(), p.y());
+  return result;
 }
 
 /// Two digits behind the point are a hundredth of a pixel.
@@ -316,7 +329,7 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool h
   Stroke stroke;
   const auto finish = [&] {
     if (length_of(stroke) >= kShortest)
-      strokes.push_back(simplified_stroke(stroke, false, kSmallestCorner));
+      strokes.push_back(simplified_stroke(stroke, kSmallestCorner));
     stroke.clear();
   };
   float passed = 0;  // pixels since the last point that is drawn

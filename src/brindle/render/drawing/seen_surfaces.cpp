@@ -7,8 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/render/drawing/tile_cover.h"
-
 namespace brindle {
 namespace {
 

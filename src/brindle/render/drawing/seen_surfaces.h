@@ -8,7 +8,7 @@
 
 #include "brindle/camera.h"
 #include "brindle/progress.h"
-#include "brindle/render/drawing/stroke_cover.h"
+#include "brindle/render/drawing/cover.h"
 #include "brindle/render/surface_light.h"
 #include "brindle/styled_picture.h"
 

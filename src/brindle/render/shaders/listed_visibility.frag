@@ -1,4 +1,4 @@
-// As parts_visibility.frag, of the triangles in the pixel's list: the nearest of which something is
+// As visible_triangles.frag, of the triangles in the pixel's list: the nearest of which something is
 // seen here; of two at the same depth the first.
 
 uniform int first_number;

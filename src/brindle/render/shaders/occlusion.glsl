@@ -32,7 +32,9 @@ float front_depth(vec2 clip) {
 }
 
 float open_share(SurfacePoint p) {
+  if (!kOcclusion) return 1.0;
   const float kSamples = 18.0;
+  const float kFullTurn = 6.28318530717958648;
   vec3 n = normalize(p.view_normal);
   vec3 side = normalize(cross(n, abs(n.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
   vec3 other = cross(n, side);
@@ -40,7 +42,7 @@ float open_share(SurfacePoint p) {
   float blocked = 0.0;
   for (float k = 0.5; k < kSamples; k += 1.0) {
     float share = k / kSamples;
-    float angle = kTurn * (turn + 0.618034 * k);
+    float angle = kFullTurn * (turn + 0.618034 * k);
     float flat_part = sqrt(share);
     vec3 direction = flat_part * (cos(angle) * side + sin(angle) * other) + sqrt(1.0 - share) * n;
     float distance = occlusion_radius * (0.08 + 0.92 * fract(turn + 0.754878 * k));

@@ -20,22 +20,6 @@ float value_of_tile(SurfacePoint p, Footprint f, uint which) {
   return value + dot(vec2(dot(values, p.barycentric_dx), dot(values, p.barycentric_dy)), pixels);
 }
 
-// A quarter more than the phase over 2 pi, as texture_pattern.glsl has it.
-bool footprint_at(SurfacePoint p, out Footprint footprint) {
-  const float kMostTiles = 4.0;
-  TextureFragment f = texture_at(p);
-  if (f.u.direction == vec3(0.0) || f.v.direction == vec3(0.0)) return false;
-  footprint = Footprint(vec2(turns_at_centre(f.u, p), turns_at_centre(f.v, p)) + 0.25 -
-                            texture_shift,
-                        vec2(f.u.turns_per_pixel.x, f.v.turns_per_pixel.x),
-                        vec2(f.u.turns_per_pixel.y, f.v.turns_per_pixel.y));
-  if (f.u.z == vec2(0.0) || f.v.z == vec2(0.0) ||
-      max(length(footprint.dx), length(footprint.dy)) >= kMostTiles) {
-    footprint = Footprint(vec2(0.0), vec2(kMostTiles, 0.0), vec2(0.0, kMostTiles));
-  }
-  return true;
-}
-
 // One colour for all of a figure.
 vec3 color_of_figure(SurfacePoint p, Footprint f) {
   float place = kFigurePlaces ? value_of_tile(p, f, kPlaceOfFigure) : kNoValue;
@@ -55,7 +39,7 @@ vec4 decal_light(vec3 figure, Footprint f, float size) {
 bool tile_at(SurfacePoint p, out vec4 tile) {
   tile = vec4(0.0);
   Footprint f;
-  if (!footprint_at(p, f)) return first_region;
+  if (!footprint_at(p, texture_shift, f)) return first_region;
   float value = kRegions ? value_of_tile(p, f, kValueOfRegion) : region.x;
   if (kRegions && value <= kNoValue) return first_region;
   if (kRegions && (value < region.x || value >= region.y)) return false;
@@ -74,9 +58,16 @@ bool tile_at(SurfacePoint p, out vec4 tile) {
 }
 
 // False where another region is.
-bool pattern_at(inout vec3 surface, SurfacePoint p, float tone) {
+bool pattern_at(inout vec3 surface, SurfacePoint p) {
   vec4 tile;
   if (!tile_at(p, tile)) return false;
   surface = !discarded ? with_tile(surface, tile) : tile.a > 0.0 ? tile.rgb / tile.a : vec3(0.0);
   return true;
+}
+
+// Whether a triangle shows at this pixel's middle: only where tiles are opaque.
+bool is_seen(uint number) {
+  vec4 tile;
+  SurfacePoint p = surface_point(surface_triangle(number), gl_FragCoord.xy, gl_FragCoord.xy);
+  return tile_at(p, tile) && tile.a > 0.5;
 }

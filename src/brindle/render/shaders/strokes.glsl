@@ -5,6 +5,7 @@ uniform vec3 stroke_looks[2];  // opacity, width, pixels between strokes (0: the
 uniform bvec4 stroke_follows[2];  // widths, opacities, colours; widths are in pixels
 uniform vec4 stroke_tones[2];     // none, 1 / (none - full), whether there are any, least
 uniform float samples_per_pixel;  // along a side
+uniform bool discarded;  // nothing of the surface is seen between strokes
 
 struct StrokeColor {
   vec3 color;
@@ -93,4 +94,34 @@ bool is_plain(SurfacePoint p, int layer) {
   return (follows.x && style_value(p, first) <= kNoValue) ||
          (follows.y && style_value(p, first + 1u) <= kNoValue) ||
          (follows.z && style_value(p, first + 2u) <= kNoValue);
+}
+
+// How light a white surface would look, 0 to 1, even to the eye.
+float tone_at(SurfacePoint p) {
+  vec3 light = lit_here(vec3(1.0), p.view_normal, line_of_sight(p));
+  return pow(clamp(dot(light, vec3(0.2126, 0.7152, 0.0722)), 0.0, 1.0), 1.0 / 2.2);
+}
+
+// Of a discarded surface only strokes are seen; which ones, their shares tell.
+bool pattern_at(inout vec3 surface, SurfacePoint p) {
+  float tone = kTones ? tone_at(p) : 0.0;
+  bool plain = true;
+  for (int layer = 0; layer < kStrokeLayers; ++layer) {
+    if (is_plain(p, layer)) continue;
+    StrokeColor stroke = strokes_at(p, layer, tone);
+    float share = discarded && plain ? 1.0 : stroke.share;
+    plain = false;
+    surface = mix(surface, stroke.color, share * stroke.opacity);
+  }
+  return true;
+}
+
+// Whether a triangle shows at this pixel's middle: only where strokes are.
+bool is_seen(uint number) {
+  SurfacePoint p = surface_point(surface_triangle(number), gl_FragCoord.xy, gl_FragCoord.xy);
+  float tone = kTones ? tone_at(p) : 0.0;
+  for (int layer = 0; layer < kStrokeLayers; ++layer) {
+    if (is_plain(p, layer) || strokes_at(p, layer, tone).share > 0.5) return true;
+  }
+  return false;
 }

@@ -1,3 +1,34 @@
+// The waves U and V that a texture follows, three a triangle each. The twin of `texture_fragment` is
+// in pattern/texture_waves.cpp.
+
+uniform samplerBuffer texture_u;  // three pairs for every corner: direction, frequency, z
+uniform samplerBuffer texture_v;
+
+// What a texture's waves are here.
+struct TextureFragment {
+  FragmentWave u, v;
+};
+
+CornerWave corner_of(samplerBuffer buffer_of_waves, vec3 position, int first) {
+  vec2 a = texelFetch(buffer_of_waves, first).xy;
+  vec2 b = texelFetch(buffer_of_waves, first + 1).xy;
+  return CornerWave(position, vec3(a, b.x), b.y, texelFetch(buffer_of_waves, first + 2).xy);
+}
+
+TextureFragment texture_at(SurfacePoint p) {
+  CornerWave u[3];
+  CornerWave v[3];
+  for (int m = 0; m < 3; ++m) {
+    vec3 position = position_of(p.vertices[m]);
+    int first = 3 * (3 * int(p.triangle) + m);
+    u[m] = corner_of(texture_u, position, first);
+    v[m] = corner_of(texture_v, position, first);
+  }
+  return TextureFragment(
+      split_fragment_phase(u, p.barycentric, p.barycentric_dx, p.barycentric_dy),
+      split_fragment_phase(v, p.barycentric, p.barycentric_dx, p.barycentric_dy));
+}
+
 // The tile under a pixel, filtered over all of the pixel.
 
 uniform sampler2D tile_colors;     // light multiplied with alpha; of a figure: its coverage
@@ -59,3 +90,19 @@ vec4 tile_light(vec3 figure_color, Footprint f) {
 }
 
 vec3 with_tile(vec3 surface, vec4 tile) { return tile.rgb + (1.0 - tile.a) * surface; }
+
+// A quarter more than the phase over 2 pi: `texture_coordinate` of pattern/texture_waves.h. Where a
+// phase is undefined, tiles are mixed up beyond all limits. False where there are no waves.
+bool footprint_at(SurfacePoint p, vec2 shift, out Footprint footprint) {
+  const float kMostTiles = 4.0;
+  TextureFragment f = texture_at(p);
+  if (f.u.direction == vec3(0.0) || f.v.direction == vec3(0.0)) return false;
+  footprint = Footprint(vec2(turns_at_centre(f.u, p), turns_at_centre(f.v, p)) + 0.25 - shift,
+                        vec2(f.u.turns_per_pixel.x, f.v.turns_per_pixel.x),
+                        vec2(f.u.turns_per_pixel.y, f.v.turns_per_pixel.y));
+  if (f.u.z == vec2(0.0) || f.v.z == vec2(0.0) ||
+      max(length(footprint.dx), length(footprint.dy)) >= kMostTiles) {
+    footprint = Footprint(vec2(0.0), vec2(kMostTiles, 0.0), vec2(0.0, kMostTiles));
+  }
+  return true;
+}

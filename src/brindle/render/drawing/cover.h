@@ -1,8 +1,9 @@
-/// Whether strokes of a style cover a point.
+/// Whether strokes of a style, or figures of a texture's tiles, cover a point.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "brindle/styled_picture.h"
 
@@ -33,5 +34,13 @@ Cover cover_at(const SeenPoint& point, float tone);
 
 /// Whether any strokes of the surface follow the light.
 bool follows_tone(const StyledSurface& surface);
+
+/// Whether tiles have their borders where pixels are: their value is looked for in their middle.
+bool follows_values(const RegionTexture& texture);
+
+/// Which of the texture's tiles has its figure at a point of a surface that has one; nothing: none
+/// has. The twin of region_texture.glsl for tiles with figures, which are not filtered. Pictures
+/// have no figure.
+std::optional<std::size_t> tile_at(const SeenPoint& point);
 
 }  // namespace brindle

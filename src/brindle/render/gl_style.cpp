@@ -1,4 +1,4 @@
-#include "brindle/render/styled/gl_style.h"
+#include "brindle/render/gl_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,25 +170,29 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
   second_phases_ = buffer_of(surface.strokes[1].z, "second phases");
 }
 
+std::string glsl_constant(const char* name, bool value) {
+  return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
+}
+
 std::string GlStyle::features() const {
   const auto any = [&](auto&& has) {
     return std::any_of(layers_.begin(), layers_.begin() + layer_count_, has);
   };
-  const auto constant = [](const char* name, bool value) {
-    return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
-  };
   return "const int kStrokeLayers = " + std::to_string(layer_count_) + ";\n" +
-         constant("kFollows", any([](const Layer& l) { return !l.follows.head<3>().isZero(0); })) +
-         constant("kPixels", any([](const Layer& l) { return l.follows[3] != 0; })) +
-         constant("kTones", any([](const Layer& l) { return l.tones[2] != 0; })) +
-         constant("kSpacing", any([](const Layer& l) { return l.looks[2] != 0; })) +
-         constant("kSurfacePlaces", has_places_) + constant("kRegions", has_regions_) +
-         constant("kTileSizes", has_sizes_) + constant("kFigurePlaces", has_figure_places_) +
-         whole_tiles_feature(whole_tiles_);
+         glsl_constant("kFollows",
+                       any([](const Layer& l) { return !l.follows.head<3>().isZero(0); })) +
+         glsl_constant("kPixels", any([](const Layer& l) { return l.follows[3] != 0; })) +
+         glsl_constant("kTones", any([](const Layer& l) { return l.tones[2] != 0; })) +
+         glsl_constant("kSpacing", any([](const Layer& l) { return l.looks[2] != 0; })) +
+         glsl_constant("kSurfacePlaces", has_places_) + glsl_constant("kRegions", has_regions_) +
+         glsl_constant("kTileSizes", has_sizes_) +
+         glsl_constant("kFigurePlaces", has_figure_places_) +
+         glsl_constant("kWholeTiles", whole_tiles_);
 }
 
 void GlStyle::bind(const ShaderProgram& program, int samples_per_pixel) const {
   program.set("samples_per_pixel", static_cast<float>(samples_per_pixel));
+  program.set("color_map", static_cast<int>(kColorMapUnit));
   program.set("discarded", discards_);
   program.set("middle_of_samples", discards_);
   program.set("shading", shading_);

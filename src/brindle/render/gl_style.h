@@ -1,4 +1,4 @@
-/// What the style of a surface adds to it in OpenGL's buffers.
+/// The style of a surface in OpenGL's buffers.
 #pragma once
 
 #include <array>
@@ -13,6 +13,12 @@
 
 namespace brindle {
 
+/// The texture unit of the colour map that styles follow.
+inline constexpr GLuint kColorMapUnit = 15;
+
+/// A declaration of GLSL.
+std::string glsl_constant(const char* name, bool value);
+
 /// Needs a current context, as ShaderProgram does.
 class GlStyle {
  public:
@@ -26,11 +32,11 @@ class GlStyle {
 
   bool discards() const { return discards_; }
 
-  /// Constants of GLSL that say what the style makes use of: software renderers execute whatever a
-  /// program has, so that each style has one that is made for it.
+  /// Constants of GLSL for what the style uses. Software renderers execute all of a program, so
+  /// each combination has a program of its own.
   std::string features() const;
 
-  /// Of a texture, how many tiles it has; each is drawn for itself. 0 without a texture.
+  /// The number of tiles of a texture, which are drawn one after the other; 0 without a texture.
   std::size_t regions() const { return tiles_.size(); }
   /// Lets a program that includes region_texture.glsl draw this one.
   void bind_region(const ShaderProgram& program, std::size_t region) const;

@@ -24,8 +24,8 @@ struct GroundShadow {
 GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangle> triangles,
                            const Eigen::Matrix3f& axes);
 
-/// Of a mesh, as many triangles as are left of it on the side of the plane that its normal points
-/// away from. Those that it cuts end there.
+/// The part of a mesh on the side of the plane that its normal points away from. Triangles that
+/// the plane cuts end there.
 Mesh left_by(const Eigen::Hyperplane<float, 3>& slice, const Mesh& mesh);
 
 }  // namespace brindle

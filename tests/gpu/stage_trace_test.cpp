@@ -1,4 +1,4 @@
-#include "brindle/gpu/frame_traffic.h"
+#include "brindle/gpu/stage_trace.h"
 
 #include <map>
 
@@ -32,6 +32,26 @@ TEST_F(FrameTrafficTest, EverySweepMovesTheSameBytesAndNoOtherStageAny) {
   }
   // A sweep cannot do with less than couplings and neighbours.
   EXPECT_GT((two["sweeps"] - none["sweeps"]) / 2, 12 * hierarchy.levels[0].layout().entry_count());
+}
+
+using StageTimerTest = test::GpuTest;
+
+TEST_F(StageTimerTest, StagesOfOneNameCountTogetherInTheOrderOfTheirFirst) {
+  StageTimer timer;
+  for (int run = 0; run < 2; ++run) {
+    timer.start();
+    for (const char* stage : {"up", "down", "up"}) timer.stage(stage);
+    const auto times = timer.milliseconds();
+    ASSERT_EQ(times.size(), 2u);
+    EXPECT_EQ(times[0].first, "up");
+    EXPECT_EQ(times[1].first, "down");
+    for (const auto& [name, milliseconds] : times) EXPECT_GE(milliseconds, 0) << name;
+  }
+}
+
+TEST_F(StageTimerTest, NothingTakesNoTime) {
+  StageTimer timer;
+  EXPECT_TRUE(timer.milliseconds().empty());
 }
 
 }  // namespace

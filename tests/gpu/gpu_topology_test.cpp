@@ -1,4 +1,4 @@
-#include "brindle/gpu/flat_hierarchy.h"
+#include "brindle/gpu/gpu_topology.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-/// What each stage of a frame takes on the device.
+/// What each stage of a frame takes on the device: time, and bytes that are moved.
 #pragma once
 
 #include <string_view>
@@ -8,6 +8,8 @@
 #include "brindle/gpu_animator.h"
 
 namespace brindle {
+
+class GpuTopology;
 
 /// Timestamps between stages, taken on the device by OpenGL's timer queries.
 class StageTimer {
@@ -33,5 +35,10 @@ class StageTimer {
   std::vector<unsigned> queries_;
   std::vector<std::string_view> names_;
 };
+
+/// Bytes read and written by the stages of a multilevel frame with anchors if every pass over a
+/// level (a sweep is one) reads and writes each item once: gathers that miss the caches come on
+/// top, levels that fit into them stay below.
+std::vector<StageBytes> frame_traffic(const GpuTopology& topology);
 
 }  // namespace brindle

@@ -1,2 +1,0 @@
-// Which level a dispatch works on.
-layout(location = 0) uniform uint level_number;

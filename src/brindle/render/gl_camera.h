@@ -1,0 +1,26 @@
+/// The camera of a picture, as shaders read it.
+#pragma once
+
+#include "brindle/camera.h"
+#include "brindle/gl/shader_program.h"
+
+namespace brindle {
+
+/// Sets the uniforms `origin`, `view_from_world`, `clip_from_view`, `slice` and `tile` of a
+/// program. `tile` is the part of the picture that fills the target (`tile_transform`).
+void set_camera(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile);
+
+/// While this lives, programs whose vertex shaders set `gl_ClipDistance[0]` leave out what the
+/// camera's slice takes away.
+class SlicedDrawing {
+ public:
+  explicit SlicedDrawing(const Camera& camera);
+  ~SlicedDrawing();
+  SlicedDrawing(const SlicedDrawing&) = delete;
+  SlicedDrawing& operator=(const SlicedDrawing&) = delete;
+
+ private:
+  bool sliced_;
+};
+
+}  // namespace brindle
