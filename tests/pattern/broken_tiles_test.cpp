@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/texture_animator.h"

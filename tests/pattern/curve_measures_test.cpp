@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "phase_graphs.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "brindle/error.h"
 #include "phase_graphs.h"
 

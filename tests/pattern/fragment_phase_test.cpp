@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 
 namespace brindle {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "phase_graphs.h"
 
 #ifdef BRINDLE_HAS_NANOFLANN

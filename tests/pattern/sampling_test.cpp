@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/two_pi.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/solver.h"

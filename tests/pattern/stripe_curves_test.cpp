@@ -11,8 +11,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/base/two_pi.h"
 #include "brindle/files.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/solver.h"

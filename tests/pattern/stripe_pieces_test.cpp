@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 
 namespace brindle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/two_pi.h"
+#include "brindle/base/elementary.h"
 #include "brindle/texture_waves.h"
 #include "phase_graphs.h"
 

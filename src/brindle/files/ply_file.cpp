@@ -13,8 +13,6 @@
 #include "brindle/base/input_file.h"
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
-#include "brindle/files/binary_output.h"
-#include "brindle/files/component_groups.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/mesh_formats.h"
 #include "brindle/files/point_output.h"

@@ -12,7 +12,6 @@
 #include "brindle/base/input_file.h"
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
-#include "brindle/files/text/letters.h"
 #include "brindle/files/text/text_words.h"
 
 namespace brindle {

@@ -13,7 +13,6 @@
 #include "brindle/base/array_rows.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/geometry/subdivide.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/nearest.h"
 

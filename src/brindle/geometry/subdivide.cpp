@@ -11,7 +11,6 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
-#include "brindle/geometry/rounded_midpoints.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"

@@ -6,7 +6,6 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
-#include "brindle/recipe/option_row.h"
 #include "brindle/samples.h"
 
 namespace brindle {

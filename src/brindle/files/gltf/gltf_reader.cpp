@@ -1,4 +1,3 @@
-#include "brindle/files/gltf/gltf_reader.h"
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"

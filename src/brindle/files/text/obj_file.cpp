@@ -8,7 +8,6 @@
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/mesh_formats.h"
 #include "brindle/files/point_output.h"
-#include "brindle/files/text/text_positions.h"
 #include "brindle/mesh.h"
 
 namespace brindle {

@@ -18,8 +18,6 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"
 #include "brindle/files/binary_numbers.h"
-#include "brindle/files/byte_order.h"
-#include "brindle/files/text/text_numbers.h"
 #include "brindle/files/text/text_words.h"
 #include "brindle/files/vtk/vtp_file.h"
 
