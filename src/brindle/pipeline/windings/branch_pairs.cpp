@@ -25,7 +25,6 @@
 #include "brindle/geometry/cotangent_weights.h"
 #include "brindle/pipeline/cross_parts.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/pipeline/oriented_texture.h"
 #include "brindle/pipeline/windings/twisted_forms.h"
 
 namespace brindle {
