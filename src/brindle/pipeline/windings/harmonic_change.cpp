@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -28,7 +27,6 @@ class CutFinder {
   CutFinder(const MeshEdges& edges, const TwistedForms& forms,
             const std::vector<SurfaceLoop>& loops)
       : edges_(edges), forms_(forms), loops_(loops), triangles_of_(triangles_of_edges(edges)) {
-    for (Index e = 0; e < edges.count(); ++e) edge_of_[edges.vertices[e]] = e;
     boundary_of_.assign(edges.count(), -1);
     on_handle_.assign(edges.count(), false);
     for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -76,8 +74,7 @@ class CutFinder {
   };
 
   Index edge_at(const SurfaceLoop& loop, std::size_t k) const {
-    const Index a = loop.vertices[k], b = loop.vertices[(k + 1) % loop.vertices.size()];
-    return edge_of_.at({std::min(a, b), std::max(a, b)});
+    return edge_between(edges_, loop.vertices[k], loop.vertices[(k + 1) % loop.vertices.size()]);
   }
 
   void push(Index edge, int value, Index next, int before) {
@@ -121,7 +118,6 @@ class CutFinder {
   const TwistedForms& forms_;
   const std::vector<SurfaceLoop>& loops_;
   std::vector<std::array<Index, 2>> triangles_of_;
-  std::map<std::array<Index, 2>, Index> edge_of_;
   std::vector<int> boundary_of_;
   std::vector<bool> on_handle_;
   std::vector<State> states_;
@@ -135,10 +131,7 @@ std::vector<double> form_weights(const Surface& surface, const MeshEdges& edges)
   std::vector<double> weights(edges.count());
   for (Index e = 0; e < edges.count(); ++e) {
     const auto [a, b] = edges.vertices[e];
-    const auto row = adjacency.of(b);
-    const auto at = std::lower_bound(row.begin(), row.end(), a) - row.begin();
-    const auto weight = directed[adjacency.offsets[b] + static_cast<std::size_t>(at)];
-    weights[e] = std::max(0.02, static_cast<double>(weight) - 0.5);
+    weights[e] = std::max(0.02, value_at(adjacency, directed, b, a) - 0.5);
   }
   return weights;
 }

@@ -1,12 +1,29 @@
-#include "brindle/pipeline/windings/loop_walk.h"
+#include "brindle/pipeline/windings/twisted_forms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/two_pi.h"
 
 namespace brindle {
+
+Index edge_between(const MeshEdges& edges, Index a, Index b) {
+  // Edges are ordered by their higher vertex, then the lower one.
+  const std::array<Index, 2> wanted = {std::min(a, b), std::max(a, b)};
+  const auto at = std::lower_bound(
+      edges.vertices.begin(), edges.vertices.end(), wanted,
+      [](const auto& x, const auto& y) { return std::pair(x[1], x[0]) < std::pair(y[1], y[0]); });
+  return static_cast<Index>(at - edges.vertices.begin());
+}
+
+double value_at(const Adjacency& adjacency, std::span<const float> directed, Index from, Index to) {
+  const auto row = adjacency.of(from);
+  const auto at = std::lower_bound(row.begin(), row.end(), to) - row.begin();
+  return static_cast<double>(directed[adjacency.offsets[from] + static_cast<std::size_t>(at)]);
+}
 
 LoopWalk walk_round(const SurfaceLoop& loop, std::span<const Vec3> normals, const WaveSet& waves,
                     std::span<const Complex> z, PhaseShiftKind kind) {
