@@ -19,7 +19,6 @@
 #include "brindle/carried_phases.h"
 #include "brindle/cross_animator.h"
 #include "brindle/cross_texture.h"
-#include "brindle/normals.h"
 #include "brindle/feature_lines.h"
 #include "brindle/files.h"
 #include "brindle/glyphs.h"

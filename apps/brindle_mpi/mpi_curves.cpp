@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "brindle/base/text.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"

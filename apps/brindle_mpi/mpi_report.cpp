@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bench/resident_memory.h"
-#include "brindle/base/text.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/distributed/surface/rank_surface.h"

@@ -6,7 +6,6 @@
 
 #include "bench/resident_memory.h"
 #include "brindle/base/file_names.h"
-#include "brindle/base/text.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"

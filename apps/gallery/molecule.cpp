@@ -3,7 +3,6 @@
 
 #include "brindle/base/random.h"
 #include "brindle/shapes/implicit_shapes.h"
-#include "brindle/base/random.h"
 #include "gallery/charges.h"
 #include "gallery/items.h"
 

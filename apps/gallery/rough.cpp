@@ -10,7 +10,6 @@
 #include "brindle/mesh.h"
 #include "brindle/shapes/noise.h"
 #include "brindle/shapes/parametric_shapes.h"
-#include "brindle/base/random.h"
 #include "gallery/hare.h"
 #include "gallery/items.h"
 #include "gallery/rough_meshes.h"

@@ -15,7 +15,7 @@ int main() {
   for (int i = 0; i < 3; ++i) {
     const auto turned = brindle::rotated(field, surface.normals, 0.1f * static_cast<float>(i));
     const auto frame = animator.frame({{surface.mesh.positions, turned, frequencies}, {}, {}});
-    std::printf("the seam has %zu edges, tiles are off by %.1f degrees\n", frame.seams.turned,
-                frame.quality.angle_mean_deg);
+    std::printf("the seam has %zu edges, tiles are off by %.1f degrees\n",
+                frame.pattern.seams.turned, frame.pattern.quality.angle_mean_deg);
   }
 }

@@ -70,7 +70,7 @@ std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, con
 /// Throws Error for another number of entries.
 void fill_corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
                         std::span<const Complex> z, PhaseShiftKind kind,
-                        std::span<CornerPhases> corners);
+                        std::span<CornerPhases> corners, const Progress& progress = {});
 
 /// The same for triangles whose corners have waves of their own, as TextureWaves has them.
 std::vector<CornerPhases> corner_phases(std::span<const std::array<CornerWave, 3>> triangles,

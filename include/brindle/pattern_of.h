@@ -90,11 +90,8 @@ void measure_windings(const Surface& surface, const StripePattern& pattern, Maki
 StripePattern pattern_of_frame(const FrameResult& frame, WaveSet waves, double energy,
                                PhaseShiftKind phase_shift);
 
-/// A frame of `animator`, with corners and quality. `waves` and `frequencies_v` are those that it
-/// was solved for, `normals` what V is orthogonal about.
-TexturePattern pattern_of_frame(const TextureFrameResult& frame, const TextureAnimator& animator,
-                                WaveSet waves, std::span<const float> frequencies_v,
-                                std::span<const Vec3> normals, PhaseShiftKind phase_shift);
+/// A frame of `animator` that stays, with its energies.
+TexturePattern pattern_of_frame(const TextureFrameResult& frame, const TextureAnimator& animator);
 
 /// A frame of `animator` as the pattern of a CrossTexture, on `frame.mesh`. Only U is filled in: it
 /// has the waves (i, 0) and the figures of both waves together.

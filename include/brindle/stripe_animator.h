@@ -127,11 +127,7 @@ class StripeAnimator {
   void keep(const FrameInput& input, FrameResult& solved);
   void take_back(const FrameResult& solved);
   void start(const Progress& progress);
-  void take_given();
   FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
-  void couple_next();
-  void iterate();
-  void keep_phases();
   void take_phases_back();
   Pimpl<State> state_;
 };

@@ -10,7 +10,7 @@
 #include "brindle/quality.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"
-#include "brindle/texture_waves.h"
+#include "brindle/texture_pattern.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -27,13 +27,6 @@ struct TextureFrameInput {
   FrameInput u;  ///< V runs along u.directions turned by 90 degrees; u.normals are not looked at
   std::span<const float> frequencies_v = {};  ///< stripes per unit length of V; empty: those of U
   std::span<const Vec3> normals = {};         ///< unit vectors; empty: those of the surface
-};
-
-/// One of a frame's patterns.
-struct TexturePatternFrame {
-  FrameResult stripes;
-  std::span<const CornerPhases> corners;  ///< one entry per triangle; valid until the next frame
-  PatternQuality quality;
 };
 
 /// How a frame's orientation follows from the last frame's.
@@ -53,15 +46,13 @@ struct TextureFrameMilliseconds {
 };
 
 struct TextureFrameResult {
-  TexturePatternFrame u;
-  TexturePatternFrame v;
-  const TextureWaves& waves;  ///< both at the corners of every triangle; valid until the next frame
-  TextureSeams seams;
-  TextureQuality quality;
+  /// As `texture_pattern` has it, but for energies, which `energy_u` and `energy_v` compute. Valid
+  /// until the next frame, as everything is.
+  const TexturePattern& pattern;
+  FrameResult u, v;  ///< how the phases of both patterns were found
   FrameOrientation orientation = FrameOrientation::afresh;
   TextureFrameMilliseconds milliseconds;
-  /// Of TextureAnimatorOptions::whole_tiles; null without. Valid until the next frame.
-  const BrokenTiles* broken = nullptr;
+  const BrokenTiles* broken = nullptr;  ///< of TextureAnimatorOptions::whole_tiles; null without
 };
 
 /// Lays a texture over one surface for a field that changes from frame to frame. The stripes of U

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <brindle/types.h>
 #include <brindle/distributed_waves.h>
 #include <brindle/error.h>
 #include <brindle/frequency_field.h>

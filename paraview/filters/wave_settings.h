@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <brindle/array_field.h>
-#include <brindle/normals.h>
 #include <brindle/data_arrays.h>
 #include <brindle/direction_field.h>
 #include <brindle/measured_field.h>

@@ -9,7 +9,6 @@
 #include "brindle/array_field.h"
 #include "brindle/base/array_numbers.h"
 #include "brindle/carried_field.h"
-#include "brindle/normals.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"

@@ -47,15 +47,15 @@ std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer&
 py::dict figures_of(const TextureFrameResult& result) {
   py::dict figures;
   figures["orientation"] = kOrientations[static_cast<std::size_t>(result.orientation)];
-  figures["phase_step_u"] = result.u.stripes.phase_step;
-  figures["phase_step_v"] = result.v.stripes.phase_step;
-  figures["branches_u"] = result.u.quality.branches;
-  figures["branches_v"] = result.v.quality.branches;
-  figures["turned_edges"] = result.seams.turned;
-  figures["mirrored_edges"] = result.seams.mirrored;
-  figures["unoriented_triangles"] = result.seams.unoriented_triangles;
-  figures["angle_distortion_mean_deg"] = result.quality.angle_mean_deg;
-  figures["area_distortion_mean"] = result.quality.area_mean;
+  figures["phase_step_u"] = result.u.phase_step;
+  figures["phase_step_v"] = result.v.phase_step;
+  figures["branches_u"] = result.pattern.u.quality.branches;
+  figures["branches_v"] = result.pattern.v.quality.branches;
+  figures["turned_edges"] = result.pattern.seams.turned;
+  figures["mirrored_edges"] = result.pattern.seams.mirrored;
+  figures["unoriented_triangles"] = result.pattern.seams.unoriented_triangles;
+  figures["angle_distortion_mean_deg"] = result.pattern.quality.angle_mean_deg;
+  figures["area_distortion_mean"] = result.pattern.quality.area_mean;
   return figures;
 }
 
@@ -81,7 +81,7 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
   std::optional<TextureFrameResult> result;
   Job(progress).run([&](const Progress& reports) {
     result.emplace(data.animator.frame(input, reports));
-    uv = corner_texture_coordinates(result->waves, data.phase_shift);
+    uv = corner_texture_coordinates(result->pattern.waves, data.phase_shift);
   });
   data.figures = figures_of(*result);
   return owned<float>(std::move(uv), {static_cast<py::ssize_t>(mesh.triangle_count()), 3, 2});

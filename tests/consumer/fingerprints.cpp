@@ -136,7 +136,8 @@ void frames() {
       const brindle::FrameInput frame{in.waves.positions, turned, in.waves.frequencies};
       stripes.add(animator.frame(frame).z).add(animator.energy());
       const auto texture = textures.frame({frame, {}, {}});
-      corners.add(texture.u.corners).add(texture.v.corners).add(texture.quality);
+      const brindle::TexturePattern& pattern = texture.pattern;
+      corners.add(pattern.u.corners).add(pattern.v.corners).add(pattern.quality);
     }
     print(slack > 0 ? "frames with slack" : "frames", stripes);
     print("frames of textures", corners);

@@ -1,7 +1,5 @@
 #ifdef BRINDLE_HAS_JSON
 
-#include "brindle/files/gltf/gltf_file.h"
-
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -12,6 +10,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/gltf/gltf_file.h"
 #include "test_folder.h"
 
 namespace brindle {

@@ -1,5 +1,3 @@
-#include "brindle/files/mesh_formats.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -13,6 +11,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/mesh_formats.h"
 #include "test_folder.h"
 
 namespace brindle {

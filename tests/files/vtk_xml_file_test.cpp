@@ -1,5 +1,3 @@
-#include "brindle/files/vtk/vtk_file.h"
-
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,6 +6,7 @@
 
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/files/vtk/vtk_file.h"
 #include "vtk_surfaces.h"
 
 namespace brindle {

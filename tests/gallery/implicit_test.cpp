@@ -6,9 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/random.h"
-#include "brindle/base/random.h"
 #include "brindle/shapes/parametric_shapes.h"
-#include "brindle/base/random.h"
 #include "gallery/hare.h"
 #include "gallery/liver_parts.h"
 #include "parametric_meshes.h"

@@ -1,4 +1,3 @@
-#include "brindle/normals.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
-#include "brindle/geometry/measures.h"
 #include <gtest/gtest.h>
+
+#include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/shapes.h"
 

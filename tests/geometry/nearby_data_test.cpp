@@ -1,4 +1,3 @@
-#include "brindle/mesh_data.h"
 #include <cmath>
 #include <cstring>
 

@@ -1,4 +1,3 @@
-#include "brindle/mesh.h"
 #include <cmath>
 #include <limits>
 #include <numeric>

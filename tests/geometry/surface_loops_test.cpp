@@ -1,4 +1,3 @@
-#include "brindle/surface.h"
 #include <algorithm>
 #include <numbers>
 #include <string>

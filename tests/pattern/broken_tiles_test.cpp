@@ -534,7 +534,7 @@ TEST(BrokenTiles, AnimatorsFindThoseOfTheirTextures) {
     const TextureFrameResult frame =
         animator.frame({{waves.positions, turned_directions, waves.frequencies, {}}, {}, {}});
     ASSERT_NE(frame.broken, nullptr);
-    const Textured textured{surface.mesh, frame.waves};
+    const Textured textured{surface.mesh, frame.pattern.waves};
     EXPECT_EQ(answers(textured, *frame.broken), answers(textured, find(textured, kArrows)));
   }
   EXPECT_EQ(TextureAnimator(surface)
@@ -566,7 +566,7 @@ TEST(BrokenTiles, FramesLookAfterTheFiguresThatAreAskedForLast) {
     const TextureFrameResult frame = animator.frame(input);
     ASSERT_NE(frame.broken, nullptr);
     EXPECT_FALSE(frame.broken->words.empty());
-    const Textured textured{surface.mesh, frame.waves};
+    const Textured textured{surface.mesh, frame.pattern.waves};
     EXPECT_EQ(answers(textured, *frame.broken), answers(textured, find(textured, figures)));
   }
   TileFigures too_large = kArrows;

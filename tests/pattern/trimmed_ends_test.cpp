@@ -23,10 +23,9 @@ struct Drawing {
     curves.ends.push_back({first, last});
   }
 
-  StripeCurves trimmed(float least_gap, float frequency = 1,
-                       std::vector<Index>* sources = nullptr) const {
+  StripeCurves trimmed(float least_gap, float frequency = 1) const {
     const std::vector<float> frequencies(curves.lines.points.size(), frequency);
-    return trimmed_ends(curves, frequencies, least_gap, {}, sources);
+    return trimmed_ends(curves, frequencies, least_gap);
   }
 };
 
@@ -126,13 +125,6 @@ TEST(TrimmedEnds, LeaveNoSpecks) {
   const StripeCurves trimmed = drawing.trimmed(0.6f);
   EXPECT_EQ(trimmed.lines.count(), 1);
   EXPECT_EQ(trimmed.trimmed_away, 2);
-}
-
-TEST(TrimmedEnds, TellWhereTheirPointsComeFrom) {
-  std::vector<Index> sources;
-  const StripeCurves trimmed = wedge().trimmed(0.6f, 1, &sources);
-  EXPECT_EQ(sources, (std::vector<Index>{0, 1, 2, 3, 4, 5}));
-  ASSERT_EQ(sources.size(), trimmed.lines.points.size());
 }
 
 TEST(TrimmedEnds, RefuseWhatMakesNoSense) {

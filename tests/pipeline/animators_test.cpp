@@ -1,9 +1,11 @@
 /// What all animators promise alike (docs/library.md).
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,6 +17,8 @@
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/texture_animator.h"
+#include "brindle/threads.h"
+#include "progress_reports.h"
 
 namespace brindle {
 namespace {
@@ -38,6 +42,17 @@ using Phases = std::vector<Complex>;
 
 Phases copy_of(std::span<const Complex> z) { return {z.begin(), z.end()}; }
 
+/// Phases at all corners, as they are turned there.
+Phases corners_of(const TextureWaves& waves) {
+  Phases z;
+  for (const auto* all : {&waves.u, &waves.v}) {
+    for (const CornerWaves& corners : *all) {
+      for (const CornerWave& corner : corners) z.push_back(corner.z);
+    }
+  }
+  return z;
+}
+
 struct OfStripes {
   using Animator = StripeAnimator;
   static std::vector<Phases> next(StripeAnimator& animator, const FrameInput& input) {
@@ -56,17 +71,21 @@ struct OfStripes {
   static void give(StripeAnimator& animator, const std::vector<Phases>& z) {
     animator.set_last_phases(z[0]);
   }
+  static bool unchanged(StripeAnimator& animator, const FrameInput& input) {
+    return animator.frame(input).unchanged;
+  }
+  static std::vector<double> energies(const StripeAnimator& a) { return {a.energy()}; }
 };
 
 struct OfTextures {
   using Animator = TextureAnimator;
   static std::vector<Phases> next(TextureAnimator& animator, const FrameInput& input) {
     const TextureFrameResult frame = animator.frame({input, {}, {}});
-    return {copy_of(frame.u.stripes.z), copy_of(frame.v.stripes.z)};
+    return {copy_of(frame.u.z), copy_of(frame.v.z), corners_of(frame.pattern.waves)};
   }
   static std::vector<std::vector<float>> frequencies(TextureAnimator& a, const FrameInput& input) {
     const TextureFrameResult frame = a.frame({input, {}, {}});
-    const auto u = frame.u.stripes.frequencies, v = frame.v.stripes.frequencies;
+    const auto u = frame.u.frequencies, v = frame.v.frequencies;
     return {{u.begin(), u.end()}, {v.begin(), v.end()}};
   }
   static void heard(TextureAnimator& animator, const FrameInput& input, const Progress& progress) {
@@ -82,12 +101,20 @@ struct OfTextures {
   static void give(TextureAnimator& animator, const std::vector<Phases>& z) {
     animator.set_last_phases(z[0], z[1]);
   }
+  static bool unchanged(TextureAnimator& animator, const FrameInput& input) {
+    const TextureFrameResult frame = animator.frame({input, {}, {}});
+    return frame.u.unchanged && frame.v.unchanged;
+  }
+  static std::vector<double> energies(const TextureAnimator& a) {
+    return {a.energy_u(), a.energy_v()};
+  }
 };
 
 struct OfCrosses {
   using Animator = CrossAnimator;
   static std::vector<Phases> next(CrossAnimator& animator, const FrameInput& input) {
-    return {copy_of(animator.frame({input, {}}).stripes.z)};
+    const CrossFrameResult frame = animator.frame({input, {}});
+    return {copy_of(frame.stripes.z), corners_of(frame.waves)};
   }
   static std::vector<std::vector<float>> frequencies(CrossAnimator& a, const FrameInput& input) {
     const auto chosen = a.frame({input, {}}).stripes.frequencies;
@@ -103,6 +130,10 @@ struct OfCrosses {
   static CrossAnimator made(const Surface& surface, const AnimatorOptions& options = {}) {
     return CrossAnimator(surface, options);
   }
+  static bool unchanged(CrossAnimator& animator, const FrameInput& input) {
+    return animator.frame({input, {}}).stripes.unchanged;
+  }
+  static std::vector<double> energies(const CrossAnimator& a) { return {a.energy()}; }
 };
 
 template <class Kind>
@@ -163,6 +194,171 @@ TYPED_TEST(EveryAnimator, ProgressOfAFrameNeverFalls) {
   }
 }
 
+TYPED_TEST(EveryAnimator, RestartForgetsTheLastFrame) {
+  Turning turning;
+  for (const int cycles : {0, 2}) {
+    AnimatorOptions options;
+    options.cycles = cycles;
+    auto used = TypeParam::made(turning.surface, options);
+    auto fresh = TypeParam::made(turning.surface, options);
+    const auto first = TypeParam::next(fresh, turning.frame(0));
+    used.restart();  // before there is anything to forget
+    EXPECT_EQ(TypeParam::next(used, turning.frame(0)), first);
+    TypeParam::next(used, turning.frame(1));
+    used.restart();
+    EXPECT_EQ(TypeParam::next(used, turning.frame(0)), first);
+  }
+}
+
+TYPED_TEST(EveryAnimator, IsTheSameForEveryNumberOfThreads) {
+  Turning turning{make_surface(make_shape("sphere,resolution=24"))};
+  std::vector<std::vector<Phases>> results;
+  for (const int threads : {1, 2, 3}) {
+    const ThreadLimit limit(threads);
+    auto animator = TypeParam::made(turning.surface);
+    for (const int number : {0, 1}) TypeParam::next(animator, turning.frame(number));
+    results.push_back(TypeParam::next(animator, turning.frame(16)));
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_EQ(results[0], results[2]);
+}
+
+/// Whatever stops a frame, the animator is as it was before: what later frames are says so.
+template <class Kind>
+struct InterruptedFrame : testing::Test {
+  using Animator = typename Kind::Animator;
+
+  Surface surface = make_surface(make_shape("sphere,resolution=7"));
+  WaveSet first{surface.mesh.positions, smooth_direction_field(surface),
+                FrequencyField(surface.mesh.vertex_count(), 12)};
+  WaveSet second = first, third = first;
+  AnimatorOptions options = {};
+
+  /// Three inputs that differ in everything.
+  InterruptedFrame() {
+    second.directions = rotated(first.directions, surface.normals, 0.4f);
+    for (std::size_t i = 0; i < second.directions.size(); ++i) {
+      if (i % 3 == 0) second.directions[i] = -second.directions[i];
+      second.frequencies[i] *= 1.01f;
+    }
+    third.directions = rotated(first.directions, surface.normals, 2.0f);
+    for (Vec3& p : third.positions) p.x() *= 1.1f;
+  }
+
+  static FrameInput input_of(const WaveSet& waves) {
+    return {waves.positions, waves.directions, waves.frequencies};
+  }
+
+  template <class Body>
+  void for_options(const Body& body) {
+    for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+      for (const auto& [cycles, slack] : {std::pair(0, 0.0f), {3, 0.0f}, {2, 0.2f}}) {
+        options.solver = solver;
+        options.cycles = cycles;
+        options.slack = slack;
+        SCOPED_TRACE(testing::Message() << "solver " << static_cast<int>(solver) << ", cycles "
+                                        << cycles << ", slack " << slack);
+        body();
+      }
+    }
+  }
+
+  Animator animator() const { return Kind::made(surface, options); }
+
+  /// Of an animator after these frames.
+  Animator after(std::initializer_list<const WaveSet*> frames) const {
+    Animator started = animator();
+    for (const WaveSet* waves : frames) Kind::next(started, input_of(*waves));
+    return started;
+  }
+
+  static std::vector<double> energies(const Animator& animator) {
+    try {
+      return Kind::energies(animator);
+    } catch (const Error&) {
+      return {};  // there is no frame
+    }
+  }
+
+  struct Seen {
+    std::vector<Phases> z;
+    std::vector<double> energies;
+    bool operator==(const Seen&) const = default;
+  };
+  static Seen see(Animator& animator, const WaveSet& waves) {
+    std::vector<Phases> z = Kind::next(animator, input_of(waves));
+    return {std::move(z), energies(animator)};
+  }
+
+  /// Cancels a frame at every report of progress that it makes, each time of an animator that
+  /// `start` hands over, and lets `expect` look at what is left of it.
+  template <class Start, class Expect>
+  void cancel_everywhere(const WaveSet& waves, const Start& start, const Expect& expect) const {
+    Animator undisturbed = start();
+    testing_support::Reports all;
+    Kind::heard(undisturbed, input_of(waves), all.progress());
+    EXPECT_GE(all.count(), options.solver == FrameSolver::multilevel ? options.cycles + 1 : 1);
+    for (const int k : testing_support::reports_to_cancel(all.count())) {
+      SCOPED_TRACE(k);
+      Animator cancelled = start();
+      testing_support::Reports reports(k);
+      EXPECT_THROW(Kind::heard(cancelled, input_of(waves), reports.progress()), Cancelled);
+      expect(cancelled);
+    }
+  }
+};
+TYPED_TEST_SUITE(InterruptedFrame, Kinds);
+
+TYPED_TEST(InterruptedFrame, FirstLeavesNothingBehind) {
+  this->for_options([&] {
+    auto undisturbed = this->animator();
+    const auto a = this->see(undisturbed, this->first), b = this->see(undisturbed, this->second);
+    this->cancel_everywhere(
+        this->third, [&] { return this->animator(); },
+        [&](auto& cancelled) {
+          EXPECT_THROW(TypeParam::energies(cancelled), Error);
+          EXPECT_EQ(this->see(cancelled, this->first), a);
+          EXPECT_EQ(this->see(cancelled, this->second), b);
+        });
+  });
+}
+
+TYPED_TEST(InterruptedFrame, LaterOneLeavesTheLastOne) {
+  this->for_options([&] {
+    auto undisturbed = this->animator();
+    const auto a = this->see(undisturbed, this->first), b = this->see(undisturbed, this->second);
+    const auto c = this->see(undisturbed, this->third);
+    for (const WaveSet* tried : {&this->second, &this->third}) {
+      this->cancel_everywhere(
+          *tried, [&] { return this->after({&this->first}); },
+          [&](auto& cancelled) {
+            EXPECT_EQ(TypeParam::energies(cancelled), a.energies);
+            EXPECT_TRUE(TypeParam::unchanged(cancelled, this->input_of(this->first)));
+            EXPECT_EQ(this->see(cancelled, this->second), b);
+            EXPECT_EQ(this->see(cancelled, this->third), c);
+          });
+    }
+  });
+}
+
+TYPED_TEST(InterruptedFrame, OneAfterARestartLeavesItRestarted) {
+  const auto restarted = [&] {
+    auto started = this->after({&this->first, &this->second});
+    started.restart();
+    return started;
+  };
+  this->for_options([&] {
+    auto undisturbed = restarted();
+    const auto energies = this->energies(undisturbed);
+    const auto a = this->see(undisturbed, this->first), b = this->see(undisturbed, this->second);
+    this->cancel_everywhere(this->third, restarted, [&](auto& cancelled) {
+      EXPECT_EQ(this->energies(cancelled), energies);
+      EXPECT_EQ(this->see(cancelled, this->first), a);
+      EXPECT_EQ(this->see(cancelled, this->second), b);
+    });
+  });
+}
+
 /// Normals that a frame was given are that frame's.
 template <class Kind>
 struct AnimatorWithNormals : testing::Test {};
@@ -199,18 +395,53 @@ struct AnimatorOfLastPhases : testing::Test {};
 using KindsByVertex = testing::Types<OfStripes, OfTextures>;
 TYPED_TEST_SUITE(AnimatorOfLastPhases, KindsByVertex);
 
-/// What was there before is forgotten, and given again.
+/// What was there before is forgotten, and given again; frames after it follow each other.
 TYPED_TEST(AnimatorOfLastPhases, GoesOnBitForBit) {
-  Turning turning;
-  auto goes_on = TypeParam::made(turning.surface), resumed = TypeParam::made(turning.surface);
-  TypeParam::next(resumed, turning.frame(0));
-  TypeParam::next(goes_on, turning.frame(0));
-  const std::vector<Phases> last = TypeParam::next(goes_on, turning.frame(1));
-  const std::vector<Phases> expected = TypeParam::next(goes_on, turning.frame(2));
-  resumed.restart();
-  TypeParam::give(resumed, last);
-  EXPECT_EQ(TypeParam::next(resumed, turning.frame(2)), expected);
-  EXPECT_NE(expected, last);
+  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
+    Turning turning;
+    AnimatorOptions options;
+    options.solver = solver;
+    options.lambda = 0.2f;
+    auto goes_on = TypeParam::made(turning.surface, options);
+    auto resumed = TypeParam::made(turning.surface, options);
+    TypeParam::next(resumed, turning.frame(0));  // aggregates follow the first frame
+    int number = 0;
+    std::vector<Phases> last = TypeParam::next(goes_on, turning.frame(number++));
+    // Momenta of the paper's iterations cannot be given: there are none after the first frame.
+    if (solver == FrameSolver::multilevel) {
+      last = TypeParam::next(goes_on, turning.frame(number++));
+    }
+    resumed.restart();
+    TypeParam::give(resumed, last);
+    for (int following = 0; following < 2; ++following, ++number) {
+      const std::vector<Phases> expected = TypeParam::next(goes_on, turning.frame(number));
+      EXPECT_EQ(TypeParam::next(resumed, turning.frame(number)), expected);
+      EXPECT_NE(expected, last);
+    }
+  }
+}
+
+/// A first frame that is cancelled leaves them, too.
+template <class Kind>
+struct InterruptedGivenFrame : InterruptedFrame<Kind> {};
+TYPED_TEST_SUITE(InterruptedGivenFrame, KindsByVertex);
+
+TYPED_TEST(InterruptedGivenFrame, LeavesThem) {
+  this->for_options([&] {
+    auto before = this->animator();
+    const std::vector<Phases> last = this->see(before, this->second).z;
+    const auto given = [&] {
+      auto started = this->animator();
+      TypeParam::give(started, last);
+      return started;
+    };
+    auto undisturbed = given();
+    const auto a = this->see(undisturbed, this->first), b = this->see(undisturbed, this->second);
+    this->cancel_everywhere(this->third, given, [&](auto& cancelled) {
+      EXPECT_EQ(this->see(cancelled, this->first), a);
+      EXPECT_EQ(this->see(cancelled, this->second), b);
+    });
+  });
 }
 
 /// Before any frame, as a program does that was closed in between.
@@ -222,8 +453,9 @@ TYPED_TEST(AnimatorOfLastPhases, FollowsFromTheFirstFrame) {
   TypeParam::give(given, last);
   const auto steps = [&](const std::vector<Phases>& z) {
     double sum = 0;
-    for (std::size_t k = 0; k < z.size(); ++k) {
-      for (std::size_t v = 0; v < z[k].size(); ++v) {
+    const std::size_t vertices = turning.surface.mesh.vertex_count();
+    for (std::size_t k = 0; k < z.size() && z[k].size() == vertices; ++k) {
+      for (std::size_t v = 0; v < vertices; ++v) {
         sum += static_cast<double>(std::abs(std::arg(z[k][v] * std::conj(last[k][v]))));
       }
     }
@@ -233,9 +465,9 @@ TYPED_TEST(AnimatorOfLastPhases, FollowsFromTheFirstFrame) {
   EXPECT_LT(followed, 0.5 * steps(TypeParam::next(scratch, turning.frame(1))));
   EXPECT_GT(followed, 0);
   std::vector<Phases> bad = last;
-  bad.back()[3] = 2;
+  bad[0][3] = 2;
   EXPECT_THROW(TypeParam::give(given, bad), Error);
-  bad.back().pop_back();
+  bad[0].pop_back();
   EXPECT_THROW(TypeParam::give(given, bad), Error);
 }
 

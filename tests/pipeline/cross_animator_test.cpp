@@ -18,7 +18,6 @@
 #include "brindle/frequency_field.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
-#include "brindle/threads.h"
 
 namespace brindle {
 namespace {
@@ -172,22 +171,6 @@ TEST(CrossAnimator, PhasesGoOnWhereSingularitiesMove) {
   EXPECT_GT(renewed, 2);
   // Phases that know nothing of each other are pi / 2 apart on average.
   EXPECT_LT(step, 0.9);
-}
-
-TEST(CrossAnimator, IsTheSameForEveryNumberOfThreads) {
-  const CrossedSurface c = crossed("torus,resolution=60");
-  std::vector<std::vector<Complex>> results;
-  for (const int threads : {1, 2, 3}) {
-    const ThreadLimit limit(threads);
-    CrossAnimator animator(c.surface);
-    for (int k = 0; k < 3; ++k) {
-      const WaveSet waves = renamed(c, turned(c, 0.1f * static_cast<float>(k)));
-      const CrossFrameResult frame = animator.frame(cross_input_of(waves));
-      if (k == 2) results.emplace_back(frame.stripes.z.begin(), frame.stripes.z.end());
-    }
-  }
-  EXPECT_EQ(results[0], results[1]);
-  EXPECT_EQ(results[0], results[2]);
 }
 
 TEST(CrossAnimator, WeightsOfEdgesCountOnBothSheets) {

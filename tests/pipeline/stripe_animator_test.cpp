@@ -156,17 +156,6 @@ TEST(StripeAnimator, SiblingSharesTheTopologyAndSolvesItsOwnField) {
   EXPECT_EQ(v.topology_milliseconds(), 0);
 }
 
-TEST(StripeAnimator, RestartForgetsTheLastFrame) {
-  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
-  StripeAnimator used(surface.neighborhood), fresh(surface.neighborhood);
-  used.frame(input_of(surface));
-  const auto first = fresh.frame(input_of(surface)).z;
-  used.restart();
-  const FrameResult again = used.frame(input_of(surface));
-  EXPECT_TRUE(std::ranges::equal(again.z, first));
-  EXPECT_EQ(again.phase_step, 0);
-}
-
 /// What a caller sees of a frame.
 struct Seen {
   std::vector<Complex> z;
@@ -180,7 +169,6 @@ Seen see(StripeAnimator& animator, const FrameInput& input, const Progress& prog
   return {{frame.z.begin(), frame.z.end()}, animator.energy(), frame.phase_step};
 }
 
-/// Three inputs that differ in everything, and animators for them.
 /// The momenta of the paper's mode are turned with the phases.
 TEST(StripeAnimator, TurningDirectionsRoundInAnyFrameLeavesThePattern) {
   for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
@@ -207,6 +195,7 @@ TEST(StripeAnimator, TurningDirectionsRoundInAnyFrameLeavesThePattern) {
   }
 }
 
+/// What all animators promise of frames that are cancelled is in animators_test.cpp.
 struct Interrupted : testing::TestWithParam<std::tuple<FrameSolver, int>> {
   WavySurface first = wavy_surface("torus,resolution=60", kAxis, 20);
   WavySurface second = first, third = first;
@@ -241,77 +230,6 @@ struct Interrupted : testing::TestWithParam<std::tuple<FrameSolver, int>> {
   }
 };
 
-TEST_P(Interrupted, FirstFrameLeavesNothingBehind) {
-  StripeAnimator undisturbed = animator();
-  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
-  for (const WavySurface* tried : {&first, &third}) {
-    cancel_everywhere(
-        *tried, [&] { return animator(); },
-        [&](StripeAnimator& cancelled) {
-          EXPECT_THROW(cancelled.energy(), Error);
-          EXPECT_EQ(see(cancelled, input_of(first)), a);
-          EXPECT_EQ(see(cancelled, input_of(second)), b);
-        });
-  }
-}
-
-TEST_P(Interrupted, LaterFrameLeavesTheLastOne) {
-  StripeAnimator undisturbed = animator();
-  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
-  const Seen c = see(undisturbed, input_of(third));
-  for (const WavySurface* tried : {&second, &third}) {
-    cancel_everywhere(
-        *tried,
-        [&] {
-          StripeAnimator started = animator();
-          started.frame(input_of(first));
-          return started;
-        },
-        [&](StripeAnimator& cancelled) {
-          EXPECT_EQ(cancelled.energy(), a.energy);
-          const FrameResult again = cancelled.frame(input_of(first));
-          EXPECT_TRUE(again.unchanged);
-          EXPECT_TRUE(std::ranges::equal(again.z, a.z));
-          EXPECT_EQ(see(cancelled, input_of(second)), b);
-          EXPECT_EQ(see(cancelled, input_of(third)), c);
-        });
-  }
-}
-
-TEST_P(Interrupted, FrameAfterARestartLeavesItRestarted) {
-  const auto restarted = [&] {
-    StripeAnimator started = animator();
-    started.frame(input_of(first));
-    started.frame(input_of(second));
-    started.restart();
-    return started;
-  };
-  StripeAnimator undisturbed = restarted();
-  const double energy = undisturbed.energy();
-  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
-  cancel_everywhere(third, restarted, [&](StripeAnimator& cancelled) {
-    EXPECT_EQ(cancelled.energy(), energy);
-    EXPECT_EQ(see(cancelled, input_of(first)), a);
-    EXPECT_EQ(see(cancelled, input_of(second)), b);
-  });
-}
-
-TEST_P(Interrupted, FirstFrameLeavesGivenPhases) {
-  StripeAnimator before = animator();
-  const std::vector<Complex> last = see(before, input_of(second)).z;
-  const auto given = [&] {
-    StripeAnimator started = animator();
-    started.set_last_phases(last);
-    return started;
-  };
-  StripeAnimator undisturbed = given();
-  const Seen a = see(undisturbed, input_of(first)), b = see(undisturbed, input_of(second));
-  cancel_everywhere(third, given, [&](StripeAnimator& cancelled) {
-    EXPECT_EQ(see(cancelled, input_of(first)), a);
-    EXPECT_EQ(see(cancelled, input_of(second)), b);
-  });
-}
-
 TEST_P(Interrupted, FirstFrameOfASiblingLeavesItsTopology) {
   StripeAnimator u = animator();
   u.frame(input_of(first));
@@ -341,18 +259,6 @@ INSTANTIATE_TEST_SUITE_P(StripeAnimator, Interrupted,
                                                           FrameSolver::relaxation),
                                           testing::Values(0, 3)));
 
-TEST(StripeAnimator, RestartForgetsTheCyclesOfTheLastFrame) {
-  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
-  AnimatorOptions options;
-  options.cycles = 2;
-  StripeAnimator used(surface.neighborhood, options), fresh(surface.neighborhood, options);
-  used.restart();  // before there is anything to forget
-  const Seen first = see(fresh, input_of(surface));
-  EXPECT_EQ(see(used, input_of(surface)), first);
-  used.restart();
-  EXPECT_EQ(see(used, input_of(surface)), first);
-}
-
 #ifdef BRINDLE_HAS_TBB
 TEST(StripeAnimator, MoreThreadsMayWorkOnAFrameThanOnTheFirst) {
   const auto run = [](int first, int later) {
@@ -378,22 +284,6 @@ TEST(StripeAnimator, HasNoEnergyBeforeTheFirstFrame) {
   animator.frame(input_of(surface));
   EXPECT_NO_THROW(animator.energy());
   EXPECT_THROW(animator.sibling().energy(), Error);
-}
-
-TEST(StripeAnimator, IsTheSameForEveryNumberOfThreads) {
-  const auto run = [](int threads) {
-    const ThreadLimit limit(threads);
-    auto surface = wavy_surface("sphere,resolution=40", kAxis, 25);
-    StripeAnimator animator(surface.neighborhood);
-    std::vector<Complex> z;
-    for (int n = 0; n < 5; ++n) {
-      zoom(surface);
-      const auto frame = animator.frame(input_of(surface));
-      z.assign(frame.z.begin(), frame.z.end());
-    }
-    return z;
-  };
-  EXPECT_EQ(run(1), run(2));
 }
 
 TEST(StripeAnimator, AllocatesNothingAfterTheFirstFrame) {
@@ -444,47 +334,7 @@ TEST(StripeAnimator, RefusesBadInputAndOptions) {
   EXPECT_THROW(StripeAnimator(surface.neighborhood, options), Error);
 }
 
-TEST(StripeAnimator, GivenPhasesAreThoseOfTheLastFrame) {
-  for (const FrameSolver solver : {FrameSolver::multilevel, FrameSolver::relaxation}) {
-    auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
-    AnimatorOptions options = with_lambda(0.2f);
-    options.solver = solver;
-    StripeAnimator goes_on(surface.neighborhood, options), starts_anew = [&] {
-      StripeAnimator animator(surface.neighborhood, options);
-      animator.frame(input_of(surface));  // aggregates follow the first frame
-      return animator;
-    }();
-    const auto first = copy_of(goes_on.frame(input_of(surface)).z);
-    zoom(surface);
-    const FrameResult expected = goes_on.frame(input_of(surface));
-    starts_anew.restart();
-    starts_anew.set_last_phases(first);
-    const FrameResult frame = starts_anew.frame(input_of(surface));
-    EXPECT_EQ(copy_of(frame.z), copy_of(expected.z));
-    EXPECT_EQ(frame.phase_step, expected.phase_step);
-    EXPECT_GT(frame.phase_step, 0);
-    zoom(surface);
-    EXPECT_EQ(copy_of(starts_anew.frame(input_of(surface)).z),
-              copy_of(goes_on.frame(input_of(surface)).z))
-        << "frames after it follow each other";
-  }
-}
-
-TEST(StripeAnimator, FollowsGivenPhasesFromTheFirstFrame) {
-  auto surface = wavy_surface("torus,resolution=80", kAxis, 25);
-  const auto first = copy_of(StripeAnimator(surface.neighborhood).frame(input_of(surface)).z);
-  for (float& f : surface.waves.frequencies) f *= 1.02f;
-  StripeAnimator scratch(surface.neighborhood), given(surface.neighborhood);
-  given.set_last_phases(first);
-  const FrameResult frame = given.frame(input_of(surface));
-  const auto other = copy_of(scratch.frame(input_of(surface)).z);
-  double scratch_step = 0;
-  for (std::size_t i = 0; i < other.size(); ++i) {
-    scratch_step += std::abs(std::arg(other[i] * std::conj(first[i])));
-  }
-  EXPECT_LT(frame.phase_step, 0.5 * scratch_step / static_cast<double>(other.size()));
-  EXPECT_GT(frame.phase_step, 0);
-}
+std::vector<Complex> copy_of(std::span<const Complex> z) { return {z.begin(), z.end()}; }
 
 TEST(StripeAnimator, GivenPhasesCountAlsoForInputOfTheLastFrame) {
   auto surface = wavy_surface("torus,resolution=80", kAxis, 25);

@@ -3,11 +3,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
-#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/smooth_field.h"
 #include "progress_reports.h"
@@ -73,8 +71,8 @@ TEST(TextureAnimator, TheFirstFrameIsOrientedAsATexturePatternIs) {
       options.oriented = oriented;
       const TexturePattern pattern = texture_pattern(surface, waves, options);
       EXPECT_EQ(frame.orientation, FrameOrientation::afresh);
-      EXPECT_EQ(runs(frame.waves), runs(pattern.waves)) << name;
-      expect_same_seams(frame.seams, pattern.seams);
+      EXPECT_EQ(runs(frame.pattern.waves), runs(pattern.waves)) << name;
+      expect_same_seams(frame.pattern.seams, pattern.seams);
     }
   }
 }
@@ -92,8 +90,8 @@ TEST(TextureAnimator, WhatIsKeptIsWhatComputingAfreshGives) {
       kept += is_kept;
       if (!is_kept && frame > 0) break;
       const TexturePattern afresh = texture_pattern(surface, next);
-      ASSERT_EQ(runs(result.waves), runs(afresh.waves)) << name << ", frame " << frame;
-      expect_same_seams(result.seams, afresh.seams);
+      ASSERT_EQ(runs(result.pattern.waves), runs(afresh.waves)) << name << ", frame " << frame;
+      expect_same_seams(result.pattern.seams, afresh.seams);
     }
     EXPECT_GT(kept, 0) << name;
   }
@@ -132,16 +130,16 @@ TEST(TextureAnimator, TrianglesRunOnWhileSingularitiesMove) {
     }
     const WaveSet waves = waves_of(surface, field, 10);
     const TextureFrameResult result = animator.frame(texture_input_of(waves));
-    EXPECT_EQ(result.seams.unoriented_triangles, 1u) << frame;
+    EXPECT_EQ(result.pattern.seams.unoriented_triangles, 1u) << frame;
     if (frame > 0 && result.orientation == FrameOrientation::continued) {
-      EXPECT_EQ(share_that_runs_on(last, result.waves), 1) << frame;
+      EXPECT_EQ(share_that_runs_on(last, result.pattern.waves), 1) << frame;
     }
     const TextureSeams afresh = texture_pattern(surface, waves).seams;
-    EXPECT_EQ(result.seams.unoriented_triangles, afresh.unoriented_triangles);
-    EXPECT_LE(static_cast<double>(result.seams.turned),
+    EXPECT_EQ(result.pattern.seams.unoriented_triangles, afresh.unoriented_triangles);
+    EXPECT_LE(static_cast<double>(result.pattern.seams.turned),
               1.5 * static_cast<double>(afresh.turned) + 17)
         << frame;
-    last = result.waves;
+    last = result.pattern.waves;
   }
 }
 
@@ -155,8 +153,8 @@ TEST(TextureAnimator, SeamsThatGrowAreLaidAnew) {
     const WaveSet waves = waves_of(surface, field, 10);
     const TextureFrameResult result = animator.frame(texture_input_of(waves));
     const TextureSeams afresh = texture_pattern(surface, waves).seams;
-    EXPECT_EQ(result.seams.unoriented_triangles, afresh.unoriented_triangles);
-    EXPECT_LE(static_cast<double>(result.seams.turned),
+    EXPECT_EQ(result.pattern.seams.unoriented_triangles, afresh.unoriented_triangles);
+    EXPECT_LE(static_cast<double>(result.pattern.seams.turned),
               1.3 * static_cast<double>(afresh.turned) + 20)
         << frame;
   }
@@ -169,42 +167,18 @@ TEST(TextureAnimator, SeamsAndQualityAreThoseOfItsWaves) {
       const WaveSet next = turned_by(surface, waves, angle);
       const TextureFrameResult result = animator.frame(texture_input_of(next));
       const TextureQuality quality =
-          measure_texture(surface.mesh, result.waves, PhaseShiftKind::aligned);
-      EXPECT_EQ(result.quality.measured_triangles, quality.measured_triangles) << name;
-      EXPECT_NEAR(result.quality.angle_mean_deg, quality.angle_mean_deg, 1e-4) << name;
-      EXPECT_NEAR(result.quality.area_mean, quality.area_mean, 1e-4) << name;
+          measure_texture(surface.mesh, result.pattern.waves, PhaseShiftKind::aligned);
+      EXPECT_EQ(result.pattern.quality.measured_triangles, quality.measured_triangles) << name;
+      EXPECT_NEAR(result.pattern.quality.angle_mean_deg, quality.angle_mean_deg, 1e-4) << name;
+      EXPECT_NEAR(result.pattern.quality.area_mean, quality.area_mean, 1e-4) << name;
       std::size_t unoriented = 0;
       for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
-        unoriented += !is_oriented(result.waves, t);
+        unoriented += !is_oriented(result.pattern.waves, t);
       }
-      EXPECT_EQ(result.seams.unoriented_triangles, unoriented) << name;
-      EXPECT_EQ(result.u.corners.size(), surface.mesh.triangle_count());
+      EXPECT_EQ(result.pattern.seams.unoriented_triangles, unoriented) << name;
+      EXPECT_EQ(result.pattern.u.corners.size(), surface.mesh.triangle_count());
     }
   }
-}
-
-TEST(TextureAnimator, DoesNotDependOnThreads) {
-  const auto [name, surface, waves] = std::move(cases()[1]);
-  std::vector<std::vector<std::array<Vec3, 6>>> results;
-  for (const int threads : {1, 2}) {
-    const ThreadLimit limit(threads);
-    TextureAnimator animator(surface);
-    animator.frame(texture_input_of(waves));
-    results.push_back(
-        runs(animator.frame(texture_input_of(turned_by(surface, waves, 0.5f))).waves));
-  }
-  EXPECT_EQ(results[0], results[1]);
-}
-
-TEST(TextureAnimator, RestartedItOrientsAfresh) {
-  const auto [name, surface, waves] = std::move(cases()[0]);
-  TextureAnimator animator(surface);
-  animator.frame(texture_input_of(waves));
-  animator.frame(texture_input_of(turned_by(surface, waves, 0.5f)));
-  animator.restart();
-  const TextureFrameResult again = animator.frame(texture_input_of(waves));
-  EXPECT_EQ(again.orientation, FrameOrientation::afresh);
-  EXPECT_EQ(runs(again.waves), runs(texture_pattern(surface, waves).waves));
 }
 
 TEST(TextureAnimator, RefusesBadInputAndIsAsItWas) {
@@ -233,9 +207,9 @@ TEST(TextureAnimator, RefusesBadInputAndIsAsItWas) {
   const WaveSet next = turned_by(surface, waves, 0.2f);
   const TextureFrameResult a = animator.frame(texture_input_of(next));
   const TextureFrameResult b = untouched.frame(texture_input_of(next));
-  EXPECT_TRUE(std::ranges::equal(a.u.stripes.z, b.u.stripes.z));
-  EXPECT_TRUE(std::ranges::equal(a.v.stripes.z, b.v.stripes.z));
-  EXPECT_EQ(runs(a.waves), runs(b.waves));
+  EXPECT_TRUE(std::ranges::equal(a.u.z, b.u.z));
+  EXPECT_TRUE(std::ranges::equal(a.v.z, b.v.z));
+  EXPECT_EQ(runs(a.pattern.waves), runs(b.pattern.waves));
 }
 
 TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
@@ -253,142 +227,55 @@ TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
     const FrameResult alone_u = u.frame(texture_input_of(next).u);
     if (!v) v = u.sibling();
     const FrameResult alone_v = v->frame(texture_input_of(crossing).u);
-    EXPECT_TRUE(std::ranges::equal(result.u.stripes.z, alone_u.z)) << angle;
-    EXPECT_TRUE(std::ranges::equal(result.v.stripes.z, alone_v.z)) << angle;
-    EXPECT_TRUE(std::ranges::equal(result.u.stripes.frequencies, alone_u.frequencies)) << angle;
-    EXPECT_TRUE(std::ranges::equal(result.v.stripes.frequencies, alone_v.frequencies)) << angle;
-    EXPECT_GT(result.u.stripes.frequency_change.ratio_max, 1.01) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.u.z, alone_u.z)) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.v.z, alone_v.z)) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.u.frequencies, alone_u.frequencies)) << angle;
+    EXPECT_TRUE(std::ranges::equal(result.v.frequencies, alone_v.frequencies)) << angle;
+    EXPECT_GT(result.u.frequency_change.ratio_max, 1.01) << angle;
     // What is drawn and measured is what was chosen; what was asked for is measured beside it.
     for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
       for (int m = 0; m < 3; ++m) {
         const Index vertex = surface.mesh.triangles[t][m];
-        ASSERT_EQ(result.waves.u[t][m].wave.frequency, alone_u.frequencies[vertex]);
-        ASSERT_EQ(result.waves.v[t][m].wave.frequency, alone_v.frequencies[vertex]);
+        ASSERT_EQ(result.pattern.waves.u[t][m].wave.frequency, alone_u.frequencies[vertex]);
+        ASSERT_EQ(result.pattern.waves.v[t][m].wave.frequency, alone_v.frequencies[vertex]);
       }
     }
-    EXPECT_LT(result.u.quality.spacing_error_mean, result.u.quality.spacing_error_wanted_mean);
-    EXPECT_EQ(result.u.quality.branches_in_calm, result.u.quality.branches);
+    EXPECT_LT(result.pattern.u.quality.spacing_error_mean,
+              result.pattern.u.quality.spacing_error_wanted_mean);
+    EXPECT_EQ(result.pattern.u.quality.branches_in_calm, result.pattern.u.quality.branches);
   }
 }
 
 TEST(TextureAnimator, WithoutSlackSpacingIsMeasuredAgainstWhatWasAskedFor) {
   const auto [name, surface, waves] = std::move(cases()[0]);
   TextureAnimator animator(surface);
-  const PatternQuality quality = animator.frame(texture_input_of(waves)).u.quality;
+  const PatternQuality quality = animator.frame(texture_input_of(waves)).pattern.u.quality;
   EXPECT_EQ(quality.spacing_error_wanted_mean, quality.spacing_error_mean);
   EXPECT_EQ(quality.branches_in_calm, std::nullopt);
 }
 
-/// Whatever stops a frame, both patterns and the orientation are those of the last one.
-struct InterruptedTexture : testing::TestWithParam<std::tuple<FrameSolver, float>> {
-  Surface surface = make_surface(make_shape("sphere,resolution=7"));
-  WaveSet first = waves_of(surface, smooth_direction_field(surface), 12);
-  WaveSet second = turned_by(surface, first, 0.4f), third = turned_by(surface, first, 2.0f);
-  TextureAnimatorOptions options;
-
-  InterruptedTexture() {
-    options.stripes.solver = std::get<0>(GetParam());
-    options.stripes.slack = std::get<1>(GetParam());
-    options.stripes.cycles = 2;
-    for (Vec3& p : third.positions) p.x() *= 1.1f;
-  }
-
-  struct Seen {
-    std::vector<Complex> u, v;
-    std::vector<std::array<Vec3, 6>> runs;
-    std::size_t seam;
-    FrameOrientation orientation;
-    double energy_u, energy_v;
-    bool operator==(const Seen&) const = default;
-  };
-  static Seen see(TextureAnimator& animator, const WaveSet& waves) {
-    const TextureFrameResult result = animator.frame(texture_input_of(waves));
-    const auto& z_u = result.u.stripes.z;
-    const auto& z_v = result.v.stripes.z;
-    return {{z_u.begin(), z_u.end()}, {z_v.begin(), z_v.end()}, runs(result.waves),
-            result.seams.turned,      result.orientation,       animator.energy_u(),
-            animator.energy_v()};
-  }
-
-  /// Cancels a frame at every report that it makes, each time of an animator that `start` makes.
-  template <class Start, class Expect>
-  void cancel_everywhere(const WaveSet& waves, const Start& start, const Expect& expect) const {
-    TextureAnimator undisturbed = start();
-    Reports all;
-    undisturbed.frame(texture_input_of(waves), all.progress());
-    EXPECT_GE(all.count(), 1);  // the orientation, where iterations make none
-    for (const int k : testing_support::reports_to_cancel(all.count())) {
-      SCOPED_TRACE(k);
-      TextureAnimator cancelled = start();
-      Reports reports(k);
-      EXPECT_THROW(cancelled.frame(texture_input_of(waves), reports.progress()), Cancelled);
-      expect(cancelled);
-    }
-  }
-};
-
-TEST_P(InterruptedTexture, FirstFrameLeavesNothingBehind) {
-  TextureAnimator undisturbed(surface, options);
-  const Seen a = see(undisturbed, first), b = see(undisturbed, second);
-  cancel_everywhere(
-      third, [&] { return TextureAnimator(surface, options); },
-      [&](TextureAnimator& cancelled) {
-        EXPECT_THROW(cancelled.energy_u(), Error);
-        EXPECT_THROW(cancelled.energy_v(), Error);
-        EXPECT_EQ(see(cancelled, first), a);
-        EXPECT_EQ(see(cancelled, second), b);
-      });
-}
-
-TEST_P(InterruptedTexture, LaterFrameLeavesTheLastOne) {
-  TextureAnimator undisturbed(surface, options);
-  see(undisturbed, first);
-  const Seen a = see(undisturbed, second);
-  const Seen c = see(undisturbed, third);
-  const auto started = [&] {
-    TextureAnimator animator(surface, options);
-    animator.frame(texture_input_of(first));
-    animator.frame(texture_input_of(second));
-    return animator;
-  };
-  cancel_everywhere(third, started, [&](TextureAnimator& cancelled) {
-    EXPECT_EQ(cancelled.energy_u(), a.energy_u);
-    EXPECT_EQ(cancelled.energy_v(), a.energy_v);
-    EXPECT_EQ(see(cancelled, third), c);
-  });
-  // An unchanged U is solved no more, and V and the orientation are taken back all the same.
-  WaveSet other_v = second;
-  for (float& f : other_v.frequencies) f *= 1.2f;
-  const auto with_other_v = [&](const WaveSet& waves) {
-    TextureFrameInput input = texture_input_of(waves);
-    input.frequencies_v = other_v.frequencies;
-    return input;
-  };
-  TextureAnimator cancelled = started();
+/// An unchanged U is solved no more, and V and the orientation are taken back all the same.
+TEST(TextureAnimator, WithAnUnchangedUACancelledFrameLeavesTheLastOne) {
+  const auto [name, surface, waves] = std::move(cases()[0]);
+  FrequencyField other_v = waves.frequencies;
+  for (float& f : other_v) f *= 1.2f;
+  TextureFrameInput crossing = texture_input_of(waves);
+  crossing.frequencies_v = other_v;
+  const WaveSet next = turned_by(surface, waves, 0.4f);
+  TextureAnimator cancelled(surface), untouched(surface);
+  for (TextureAnimator* a : {&cancelled, &untouched}) a->frame(texture_input_of(waves));
+  TextureAnimator counted(surface);
+  counted.frame(texture_input_of(waves));
   Reports all;
-  started().frame(with_other_v(second), all.progress());
+  EXPECT_TRUE(counted.frame(crossing, all.progress()).u.unchanged);
   Reports last(all.count() - 1);
-  EXPECT_THROW(cancelled.frame(with_other_v(second), last.progress()), Cancelled);
-  EXPECT_EQ(see(cancelled, third), c);
+  EXPECT_THROW(cancelled.frame(crossing, last.progress()), Cancelled);
+  const TextureFrameResult a = cancelled.frame(input_of(next));
+  const TextureFrameResult b = untouched.frame(input_of(next));
+  EXPECT_TRUE(std::ranges::equal(a.u.z, b.u.z));
+  EXPECT_TRUE(std::ranges::equal(a.v.z, b.v.z));
+  EXPECT_EQ(runs(a.pattern.waves), runs(b.pattern.waves));
 }
-
-TEST_P(InterruptedTexture, FrameAfterARestartLeavesItRestarted) {
-  const auto restarted = [&] {
-    TextureAnimator animator(surface, options);
-    animator.frame(texture_input_of(first));
-    animator.restart();
-    return animator;
-  };
-  TextureAnimator undisturbed = restarted();
-  const Seen a = see(undisturbed, second);
-  cancel_everywhere(third, restarted,
-                    [&](TextureAnimator& cancelled) { EXPECT_EQ(see(cancelled, second), a); });
-}
-
-INSTANTIATE_TEST_SUITE_P(TextureAnimator, InterruptedTexture,
-                         testing::Combine(testing::Values(FrameSolver::multilevel,
-                                                          FrameSolver::relaxation),
-                                          testing::Values(0.0f, 0.2f)));
 
 TEST(TextureAnimator, NeedsTriangles) { EXPECT_THROW(TextureAnimator(Surface{}), Error); }
 

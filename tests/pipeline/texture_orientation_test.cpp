@@ -22,22 +22,11 @@ DirectionField with_random_signs(DirectionField field) {
   return field;
 }
 
-/// Waves as they stand at the vertices of a surface, U along the field and V across it, all with
-/// the same phase.
-TextureWaves waves_at_corners(const Surface& surface, const DirectionField& field) {
-  const WaveSet u = waves_of(surface, field, 10);
-  const WaveSet v = waves_of(surface, rotated(field, surface.normals, 1.5707963f), 10);
-  const std::vector<Complex> z(field.size(), Complex(1));
-  TextureWaves waves = texture_waves(surface.mesh.triangles, u, z, v, z);
-  orient_corners(waves);
-  return waves;
-}
-
-TextureSeams seams_after_orientation(const Surface& surface, const DirectionField& field) {
-  TextureWaves waves = waves_at_corners(surface, field);
-  const auto edges = shared_edges(surface.mesh.triangles);
-  orient_triangles(waves, surface.mesh.triangles, edges);
-  return texture_seams(waves, edges);
+/// Of U along the field and V across it.
+TextureOrientation oriented(const Surface& surface, const DirectionField& field) {
+  TextureOrientation orientation(surface.mesh.triangles);
+  orientation.follow(field, rotated(field, surface.normals, 1.5707963f), false);
+  return orientation;
 }
 
 TEST(TextureOrientation, FindsTheOrientationOfAFieldThatHasOne) {
@@ -55,7 +44,7 @@ TEST(TextureOrientation, FindsTheOrientationOfAFieldThatHasOne) {
     } else if (shape[0] == 'p') {
       field = projected_direction_field(Vec3(3, 1, 0), surface.normals);
     }
-    const TextureSeams seams = seams_after_orientation(surface, with_random_signs(field));
+    const TextureSeams seams = oriented(surface, with_random_signs(field)).seams();
     EXPECT_EQ(seams.turned, 0u) << shape;
     EXPECT_EQ(seams.mirrored, 0u) << shape;
     EXPECT_EQ(seams.unoriented_triangles, 0u) << shape;
@@ -70,10 +59,12 @@ TEST(TextureOrientation, KeepsTheSignsThatMostOfAPieceHas) {
     for (Vec3& direction : field) {
       if (random() % 4 == 0) direction = -direction;
     }
-    TextureWaves waves = waves_at_corners(surface, field);
-    orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles));
-    for (const CornerWaves& corners : waves.u) {
-      for (const CornerWave& corner : corners) ASSERT_GT(corner.wave.direction.x(), 0) << shape;
+    const TextureOrientation orientation = oriented(surface, field);
+    for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
+      for (Index m = 0; m < 3; ++m) {
+        const bool turned = turns_u(orientation.signs()[t], m);
+        ASSERT_EQ(turned, field[surface.mesh.triangles[t][m]].x() < 0) << shape;
+      }
     }
   }
 }
@@ -84,7 +75,7 @@ TEST(TextureOrientation, TheSeamOfAHalfSingularityTakesTheShortWayOut) {
     const Surface surface =
         make_surface(make_shape("plane,resolution=" + std::to_string(resolution)));
     const TextureSeams seams =
-        seams_after_orientation(surface, with_random_signs(singular_field(surface.mesh, 0.5f)));
+        oriented(surface, with_random_signs(singular_field(surface.mesh, 0.5f))).seams();
     EXPECT_EQ(seams.unoriented_triangles, 1u);
     // From the middle straight to the border.
     EXPECT_GE(seams.turned, static_cast<std::size_t>(resolution / 2 - 1));
@@ -96,22 +87,20 @@ TEST(TextureOrientation, TheSeamOfAHalfSingularityTakesTheShortWayOut) {
 TEST(TextureOrientation, AWholeSingularityNeedsNoSeam) {
   const Surface surface = make_surface(make_shape("plane,resolution=50"));
   const TextureSeams seams =
-      seams_after_orientation(surface, with_random_signs(singular_field(surface.mesh, 1)));
+      oriented(surface, with_random_signs(singular_field(surface.mesh, 1))).seams();
   EXPECT_EQ(seams.turned, 0u);
 }
 
 TEST(TextureOrientation, DoesNotDependOnThreads) {
   const Surface surface = make_surface(make_shape("sphere,resolution=30"));
   const DirectionField field = smooth_direction_field(surface);
-  std::vector<TextureWaves> results;
+  std::vector<std::vector<CornerSigns>> results;
   for (const int threads : {1, 2}) {
     const ThreadLimit limit(threads);
-    results.push_back(waves_at_corners(surface, field));
-    orient_triangles(results.back(), surface.mesh.triangles, shared_edges(surface.mesh.triangles));
+    const TextureOrientation orientation = oriented(surface, field);
+    results.emplace_back(orientation.signs().begin(), orientation.signs().end());
   }
-  for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
-    ASSERT_EQ(results[0].u[t][0].wave.direction, results[1].u[t][0].wave.direction);
-  }
+  EXPECT_EQ(results[0], results[1]);
 }
 
 }  // namespace

@@ -42,12 +42,15 @@ bool is_steady(const TextureWaves& waves, Index t, const Vec3& point, const Vec3
   return jump(here.u, there.u, false) < 0.02f && jump(here.v, there.v, false) < 0.02f;
 }
 
-EdgeJumps jumps_at_edges(const Mesh& mesh, const TextureWaves& waves) {
+/// At every `stride`-th edge; all torn ones are counted.
+EdgeJumps jumps_at_edges(const Mesh& mesh, const TextureWaves& waves, std::size_t stride = 1) {
   EdgeJumps jumps;
+  std::size_t number = 0;
   for (const SharedEdge& edge : shared_edges(mesh.triangles)) {
     const Index a = edge.from[0] / 3, b = edge.from[1] / 3;
     const bool torn = is_torn(waves, edge);
     jumps.torn += torn;
+    if (number++ % stride != 0) continue;
     for (const float share : {0.2f, 0.5f, 0.9f}) {
       const Vec3 in_a = point_on_edge(edge.from[0], edge.to[0], share);
       const Vec3 in_b = point_on_edge(edge.from[1], edge.to[1], share);
@@ -69,8 +72,8 @@ EdgeJumps jumps_at_edges(const Mesh& mesh, const TextureWaves& waves) {
 
 TEST(TexturePattern, NoEdgeShowsASeamInStripesOrSymmetricTextures) {
   for (const char* shape :
-       {"torus,resolution=60", "sphere,resolution=10", "trefoil,resolution=16", "molecule,atoms=4",
-        "plane,resolution=30,noise=0.3", "torus,resolution=60,noise=0.4"}) {
+       {"torus,resolution=40", "sphere,resolution=10", "trefoil,resolution=12", "molecule,atoms=4",
+        "plane,resolution=30,noise=0.3", "torus,resolution=40,noise=0.4"}) {
     const Surface surface = make_surface(make_shape(shape));
     const TexturePattern pattern =
         texture_pattern(surface, waves_of(surface, smooth_direction_field(surface), 25));
@@ -281,7 +284,7 @@ TEST(TexturePattern, ACheckerboardStaysSquareOnTheHorse) {
   EXPECT_LT(pattern.quality.angle_mean_deg, 8);
   EXPECT_LT(pattern.quality.angle_95th_deg, 25);
   EXPECT_LT(pattern.quality.area_mean, 0.25);
-  const EdgeJumps jumps = jumps_at_edges(surface.mesh, pattern.waves);
+  const EdgeJumps jumps = jumps_at_edges(surface.mesh, pattern.waves, 7);
   EXPECT_LT(jumps.symmetric, 5e-3f);
   EXPECT_LT(jumps.torn, 50u);  // of 145,449
 }

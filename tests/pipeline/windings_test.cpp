@@ -10,7 +10,6 @@
 
 #include "brindle/boundary_phases.h"
 #include "brindle/branch_pairs.h"
-#include "brindle/normals.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
 #include "brindle/shapes.h"

@@ -105,13 +105,12 @@ TEST_F(PatternOf, AFrameIsThePatternMadeAtOnce) {
 
   TextureAnimator textures(surface);
   const TextureFrameResult texture = textures.frame({input(), {}, {}});
-  const TexturePattern of_texture =
-      pattern_of_frame(texture, textures, waves, {}, surface.normals, PhaseShiftKind::aligned);
+  const TexturePattern of_texture = pattern_of_frame(texture, textures);
   const TexturePattern laid = texture_pattern(surface, waves);
   expect_same(of_texture.u, laid.u);
   // V's frames share the topology of U, which other couplings have led.
   EXPECT_EQ(of_texture.v.waves.directions, laid.v.waves.directions);
-  EXPECT_TRUE(std::ranges::equal(of_texture.v.solution.z, texture.v.stripes.z));
+  EXPECT_TRUE(std::ranges::equal(of_texture.v.solution.z, texture.v.z));
   EXPECT_EQ(of_texture.seams.turned, laid.seams.turned);
 
   CrossAnimator animator(surface);

@@ -179,12 +179,12 @@ val texture_frame(TextureAnimatorObject& object, val input) {
     const TextureFrameResult made = object.animator.frame(frame);
     const TextureFrameMilliseconds& t = made.milliseconds;
     val result = val::object();
-    put(result, "waves", value_of(made.waves));
-    put(result, "triangleKinds", kinds_shown(made.u.corners, made.v.corners));
+    put(result, "waves", value_of(made.pattern.waves));
+    put(result, "triangleKinds", kinds_shown(made.pattern.u.corners, made.pattern.v.corners));
     put(result, "broken", value_of(made.broken ? *made.broken : BrokenTiles{}));
-    put(result, "branches", made.u.quality.branches + made.v.quality.branches);
+    put(result, "branches", made.pattern.u.quality.branches + made.pattern.v.quality.branches);
     put(result, "energy", (object.animator.energy_u() + object.animator.energy_v()) / 2);
-    put(result, "unchanged", val(made.u.stripes.unchanged && made.v.stripes.unchanged));
+    put(result, "unchanged", val(made.u.unchanged && made.v.unchanged));
     put(result, "milliseconds", t.solve + t.orient + t.measure + t.tiles);
     return result;
   });
@@ -193,12 +193,10 @@ val texture_frame(TextureAnimatorObject& object, val input) {
 /// The next frame, on the surface as it is, as a texture that stays.
 std::shared_ptr<TextureObject> frame_as_texture(TextureAnimatorObject& object, val input) {
   return guarded([&] {
-    const Surface& surface = object.surface->surface;
-    const GivenFrame given(surface.mesh, input);
+    const GivenFrame given(object.surface->surface.mesh, input);
     const TextureFrameResult made = object.animator.frame({given.input, {}, {}});
     return std::make_shared<TextureObject>(
-        TextureObject{object.surface, pattern_of_frame(made, object.animator, given.waves(), {},
-                                                       surface.normals, PhaseShiftKind::aligned)});
+        TextureObject{object.surface, pattern_of_frame(made, object.animator)});
   });
 }
 

@@ -8,7 +8,6 @@
 
 #include "bench/bench_plan.h"
 #include "bench/bench_report.h"
-#include "brindle/base/text.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "brindle/base/text.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"
 #include "brindle/waves/parsed_words.h"

@@ -2,7 +2,6 @@
 #include <iostream>
 
 #include "brindle/base/file_names.h"
-#include "brindle/base/text.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/text.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "cli/command_line.h"

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "brindle/array_field.h"
-#include "brindle/normals.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"

@@ -6,7 +6,6 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/text.h"
-#include "brindle/normals.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "brindle/base/text.h"
-#include "brindle/normals.h"
 #include "brindle/frequency_field.h"
 #include "brindle/normals.h"
 #include "cli/command_line.h"

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/text.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"

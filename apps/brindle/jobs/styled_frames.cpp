@@ -121,7 +121,7 @@ class FrameTexture {
         ->frame({.u = {waves.positions, waves.directions, waves.frequencies},
                  .frequencies_v = across,
                  .normals = surface.normals})
-        .waves;
+        .pattern.waves;
   }
 
   /// What is left out of the tiles of the last frame; for as long as that is shown.

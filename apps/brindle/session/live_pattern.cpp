@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
-#include "brindle/base/text.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/carried_phases.h"

@@ -8,7 +8,6 @@
 
 #include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
-#include "brindle/base/text.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"

@@ -47,7 +47,6 @@ StripeJob TileFollower::next(const StripeArguments& arguments, const PreparedWav
 StripeJob TileFollower::next_texture(const StripeArguments& arguments, const PreparedWaves& waves,
                                      const PreparationFigures& figures) {
   const Surface& surface = prepared_->surface;
-  const PhaseShiftKind kind = arguments.solving.stripes.phase_shift;
   TextureTile tile = chosen_tile(arguments.texture, false).value();
   whole_ = whole_.of_next_texture(arguments.texture.whole);
   const std::optional<TileFigures> figures_left_out =
@@ -56,9 +55,8 @@ StripeJob TileFollower::next_texture(const StripeArguments& arguments, const Pre
   const TextureFrameResult frame =
       texture_->frame({frame_input(waves.waves), waves.frequencies_v, {}});
   if (frame.broken != nullptr) whole_.know(*figures_left_out, *frame.broken);
-  phase_step_ = frame.u.stripes.phase_step;
-  TexturePattern pattern =
-      pattern_of_frame(frame, *texture_, waves.waves, waves.frequencies_v, surface.normals, kind);
+  phase_step_ = frame.u.phase_step;
+  TexturePattern pattern = pattern_of_frame(frame, *texture_);
   Report report = make_report(surface, figures, pattern, arguments.solving.stripes.solver.solver);
   return {{prepared_, &surface},
           {Texture{std::move(pattern), std::move(tile), whole_}},

@@ -13,9 +13,8 @@
 #include "brindle/pattern/quality_sums.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/pipeline/frames/frame_check.h"
-#include "brindle/pipeline/frames/last_phases.h"
-#include "brindle/pipeline/frames/yielding_frames.h"
+#include "brindle/pipeline/frames/frame_input.h"
+#include "brindle/pipeline/frames/frame_phases.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/solver.h"
 #include "brindle/waves/fineness.h"
@@ -133,7 +132,7 @@ void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
   }
 }
 
-/// What `check_values` of frame_check.h refuses of the whole, by what owners say.
+/// What `check_values` of frame_input.h refuses of the whole, by what owners say.
 void DistributedStripeAnimator::State::check_values(const FrameInput& frame) const {
   const std::size_t own = surface->graph.own;
   std::vector<Vec3> normals(own, Vec3::Zero());

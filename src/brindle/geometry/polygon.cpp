@@ -1,4 +1,3 @@
-#include "brindle/mesh.h"
 #include <Eigen/Geometry>
 
 #include "brindle/mesh.h"

@@ -14,8 +14,7 @@
 #include "brindle/phase_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/pipeline/frames/frame_check.h"
-#include "brindle/pipeline/frames/yielding_frames.h"
+#include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {

@@ -53,7 +53,7 @@ void lift(std::size_t count, const CornersOf& corners_of, PhaseShiftKind kind,
 
 template <class CornersOf>
 void lift_into(std::span<CornerPhases> result, const CornersOf& corners_of, PhaseShiftKind kind,
-               const Progress& progress = {}) {
+               const Progress& progress) {
   parallel_for(result.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; t += kTriangleLanes) {
       lift(
@@ -66,13 +66,27 @@ void lift_into(std::span<CornerPhases> result, const CornersOf& corners_of, Phas
 template <class CornersOf>
 std::vector<CornerPhases> lift_all(std::size_t triangles, const CornersOf& corners_of,
                                    PhaseShiftKind kind, const Progress& progress) {
-  std::vector<CornerPhases> result;
-  ticking_resize(result, triangles, progress.part(0, 0.2));
-  lift_into(std::span(result), corners_of, kind, progress.part(0.2, 1));
+  std::vector<CornerPhases> result(triangles);
+  lift_into(std::span(result), corners_of, kind, progress);
   return result;
 }
 
 }  // namespace
+
+CornerWave flipped(const CornerWave& corner) {
+  return {{corner.wave.position, -corner.wave.direction, corner.wave.frequency},
+          -std::conj(corner.z)};
+}
+
+std::array<CornerWave, 3> corner_waves(const Triangle& triangle, const WaveSet& waves,
+                                       std::span<const Complex> z) {
+  std::array<CornerWave, 3> corners;
+  for (int m = 0; m < 3; ++m) {
+    const Index vertex = triangle[m];
+    corners[m] = {waves.wave(vertex), z[vertex]};
+  }
+  return corners;
+}
 
 float lifted_step(const CornerWave& j, const CornerWave& i, PhaseShiftKind kind) {
   return portable::lifted_step(j.z, i.z, phase_shift(kind, j.wave, i.wave).radians);
@@ -99,13 +113,13 @@ std::vector<CornerPhases> corner_phases(std::span<const Triangle> triangles, con
 
 void fill_corner_phases(std::span<const Triangle> triangles, const WaveSet& waves,
                         std::span<const Complex> z, PhaseShiftKind kind,
-                        std::span<CornerPhases> corners) {
+                        std::span<CornerPhases> corners, const Progress& progress) {
   if (corners.size() != triangles.size()) {
     throw Error("corner phases: there are " + std::to_string(corners.size()) + " entries for " +
                 std::to_string(triangles.size()) + " triangles");
   }
   lift_into(
-      corners, [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind);
+      corners, [&](std::size_t t) { return corner_waves(triangles[t], waves, z); }, kind, progress);
 }
 
 std::vector<CornerPhases> corner_phases(std::span<const Corners> triangles, PhaseShiftKind kind,

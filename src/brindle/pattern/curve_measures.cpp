@@ -9,7 +9,6 @@
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
 #include "brindle/nearest.h"
-#include "brindle/pattern/coverage_places.h"
 
 namespace brindle {
 namespace {
@@ -35,6 +34,8 @@ Eigen::Vector3d point_in(const Mesh& mesh, const Triangle& triangle, double u, d
   return a + u * (b - a) + v * (c - a);
 }
 
+constexpr std::size_t kCoveragePlaces = 100'000;
+
 double fraction(double x) { return x - std::floor(x); }
 
 std::vector<double> areas_before(const Mesh& mesh) {
@@ -43,11 +44,6 @@ std::vector<double> areas_before(const Mesh& mesh) {
     before.push_back(before.back() + static_cast<double>(triangle_area(mesh, t)));
   }
   return before;
-}
-
-/// The area at which a place lies, if that of all triangles is counted one after the other.
-double area_at(std::size_t place, double all) {
-  return (static_cast<double>(place) + 0.5) / static_cast<double>(kCoveragePlaces) * all;
 }
 
 /// The plastic number's reciprocals: no sequence in the square is known to be more even (Roberts
@@ -108,24 +104,17 @@ void check_line_width(double width) {
   throw Error("coverage: the width of a line must be a finite number above 0");
 }
 
-double area_of(const Mesh& mesh) { return areas_before(mesh).back(); }
-
-std::vector<Eigen::Vector3d> coverage_places(const Mesh& mesh, const AreaShare& share) {
-  std::vector<Eigen::Vector3d> places;
-  if (mesh.triangles.empty()) return places;
-  const std::vector<double> before = areas_before(mesh);
-  for (std::size_t k = 0; k < kCoveragePlaces; ++k) {
-    const double wanted = area_at(k, share.all);
-    if (wanted < share.before || wanted >= share.behind) continue;
-    places.push_back(place_at(mesh, before, wanted - share.before, k));
-  }
-  return places;
-}
-
-CurveCoverage measure_coverage(std::span<const Eigen::Vector3d> places, const Polylines& lines,
-                               double width, const Progress& progress) {
+CurveCoverage measure_coverage(const Mesh& mesh, const Polylines& lines, double width,
+                               const Progress& progress) {
   check_line_width(width);
-  if (lines.points.empty() || places.empty()) return {};
+  const std::vector<double> area_before = areas_before(mesh);
+  const double area = area_before.back();
+  if (lines.points.empty() || !(area > 0)) return {};
+  constexpr auto kAll = static_cast<double>(kCoveragePlaces);
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t k = 0; k < kCoveragePlaces; ++k) {
+    places.push_back(place_at(mesh, area_before, (static_cast<double>(k) + 0.5) / kAll * area, k));
+  }
   const Mesh segments = segments_of(lines);
   JobStages stages(progress, {{"nearest places", 1}, {"coverage", 1}});
   const NearestOnMesh nearest(segments, stages.begin("nearest places"));
@@ -141,17 +130,7 @@ CurveCoverage measure_coverage(std::span<const Eigen::Vector3d> places, const Po
         return count;
       });
   stages.finish();
-  const auto all = static_cast<double>(places.size());
-  return {covered.once / all, covered.twice / all};
-}
-
-CurveCoverage measure_coverage(const Mesh& mesh, const Polylines& lines, double width,
-                               const Progress& progress) {
-  check_line_width(width);
-  const double area = area_of(mesh);
-  if (lines.points.empty() || !(area > 0)) return {};
-  constexpr double kAll = std::numeric_limits<double>::infinity();
-  return measure_coverage(coverage_places(mesh, {0, kAll, area}), lines, width, progress);
+  return {covered.once / kAll, covered.twice / kAll};
 }
 
 double curve_coverage(const Mesh& mesh, const Polylines& lines, double width,

@@ -60,7 +60,42 @@ Moved placed_in(const Mesh& mesh, const Triangle& triangle, const MeshPoint& poi
   return {there, (position_of(mesh, triangle, there) - from).norm()};
 }
 
+/// Without what rounding leaves of corners that have no share.
+std::array<double, 3> cleaned(std::array<double, 3> barycentric) {
+  double sum = 0;
+  for (double& weight : barycentric) {
+    if (weight < 1e-12) weight = 0;
+    sum += weight;
+  }
+  for (double& weight : barycentric) weight /= sum;
+  return barycentric;
+}
+
 }  // namespace
+
+void add_normal(const WavePattern& pattern, float weight, Index vertex, Vec3& sum) {
+  const Vec3& normal = pattern.normals[vertex];
+  sum += (sum.dot(normal) < 0 ? -weight : weight) * normal;
+}
+
+CurvePoint point_in_triangle(const WavePattern& pattern, const TrianglePoint& place) {
+  const Triangle& triangle = pattern.mesh.triangles[place.triangle];
+  const Vec3& first = pattern.mesh.positions[triangle[0]];
+  CurvePoint result{first,
+                    Vec3::Zero(),
+                    Vec3::Zero(),
+                    0,
+                    {triangle, cleaned(place.barycentric), {place.triangle, place.triangle}}};
+  for (int m = 0; m < 3; ++m) {
+    const auto weight = static_cast<float>(place.barycentric[m]);
+    const Vec3 side = pattern.mesh.positions[triangle[m]] - first;
+    result.position += weight * side;
+    result.size = std::max(result.size, side.norm());
+    add_normal(pattern, weight, triangle[m], result.normal);
+  }
+  result.normal.stableNormalize();
+  return result;
+}
 
 PlacedSegment placed_segment(const Mesh& mesh, const MeshPoint& from, const MeshPoint& to) {
   PlacedSegment best;

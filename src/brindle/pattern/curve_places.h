@@ -4,6 +4,7 @@
 #include <array>
 
 #include "brindle/mesh.h"
+#include "brindle/pattern/lifted_waves.h"
 #include "brindle/polylines.h"
 
 namespace brindle {
@@ -14,6 +15,20 @@ struct MeshPoint {
   std::array<double, 3> weights{};   ///< not negative, sum to 1
   std::array<Index, 2> triangles{};  ///< that it is in; twice the same if there is only one
 };
+
+/// A point of a curve.
+struct CurvePoint {
+  Vec3 position;
+  Vec3 normal;
+  Vec3 forward;  ///< where the wave there runs; zero in the middle of a triangle
+  float size;    ///< of the edge that it lies on, or of the triangle
+  MeshPoint place;
+};
+
+CurvePoint point_in_triangle(const WavePattern& pattern, const TrianglePoint& place);
+
+/// Adds part of a point's normal. Normals of unorientable surfaces may point either way.
+void add_normal(const WavePattern& pattern, float weight, Index vertex, Vec3& sum);
 
 /// The ends of a segment in one triangle.
 struct PlacedSegment {

@@ -21,8 +21,17 @@ constexpr std::size_t kMarksPerReport = 4096;
 constexpr float kStep = 0.2f;     // between points, times 1/f
 constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
 
-CurveMarks marks_along(const StripeCurves& curves, float step, const Progress& progress) {
-  CurveMarks marks;
+/// Points along all curves at which neighbours are looked for.
+struct Marks {
+  Polylines lines;
+  std::vector<Vec3> along;                     ///< the curve's direction, one per point
+  std::vector<std::array<Index, 2>> adjacent;  ///< points before and behind on the curve
+  std::vector<float> frequencies = {};         ///< one per point: those chosen
+  std::vector<float> wanted = {};              ///< and those asked for
+};
+
+Marks marks_along(const StripeCurves& curves, float step, const Progress& progress) {
+  Marks marks;
   marks.lines = resampled(curves.lines, step, progress);
   const auto& points = marks.lines.points;
   marks.along.resize(points.size());
@@ -39,15 +48,6 @@ CurveMarks marks_along(const StripeCurves& curves, float step, const Progress& p
   }
   return marks;
 }
-
-/// Marks with what a measurement needs to know.
-struct Marks {
-  const Polylines& lines;
-  const std::vector<Vec3>& along;
-  const std::vector<std::array<Index, 2>>& adjacent;
-  std::span<const float> frequencies;  ///< one per point: those chosen
-  std::span<const float> wanted;       ///< and those asked for
-};
 
 /// The frequency at each point is that of the nearest vertex.
 std::vector<float> frequencies_at(const PointTree& vertices, std::span<const float> by_vertex,
@@ -269,31 +269,12 @@ CurveSpacing spacing_of(const RatioSums& sums) {
   return spacing;
 }
 
-/// The distance between points that is small enough everywhere.
-float step_at(float highest_frequency) { return kStep / highest_frequency; }
-
 bool are_more_than(std::size_t most_points, const StripeCurves& curves, float step) {
   auto points = static_cast<double>(curves.lines.count());
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {
     points += length_of(curves.lines, line) / static_cast<double>(step);
   }
   return points > static_cast<double>(most_points);
-}
-
-CurveSpacing measured_spacing(const CurveMarks& marks, const MarkFrequencies& frequencies,
-                              JobStages& stages) {
-  const Marks all{marks.lines, marks.along, marks.adjacent, frequencies.chosen, frequencies.wanted};
-  const MarkTree tree(all, stages.begin("boxes"));
-  const RatioSums sums = parallel_sum<RatioSums>(
-      marks.lines.points.size(), stages.begin("gaps"),
-      [&](std::size_t begin, std::size_t end) {
-        RatioSums part;
-        for (std::size_t i = begin; i < end; ++i) measure(all, tree, static_cast<Index>(i), part);
-        return part;
-      },
-      kParallelGrain, kMarksPerReport);
-  stages.finish();
-  return spacing_of(sums);
 }
 
 }  // namespace
@@ -309,34 +290,31 @@ float arc_over_chord(const Vec3& way, const Vec3& normal, const Vec3& other) {
   return half < 1e-3f ? 1.0f : half / elementary::sin(std::min(half, 1.5f));
 }
 
-std::optional<CurveMarks> curve_marks(const StripeCurves& curves, float highest,
-                                      std::size_t most_points, const Progress& progress) {
-  if (are_more_than(most_points, curves, step_at(highest))) return std::nullopt;
-  return marks_along(curves, step_at(highest), progress);
-}
-
-CurveSpacing measure_curve_spacing(const CurveMarks& marks, const MarkFrequencies& frequencies,
-                                   const Progress& progress) {
-  JobStages stages(progress, {{"boxes", 1}, {"gaps", 7}});
-  return measured_spacing(marks, frequencies, stages);
-}
-
 CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurves& curves,
                                    std::size_t most_points, std::span<const float> wanted,
                                    const Progress& progress) {
   const std::span<const float> chosen = pattern.waves.frequencies;
-  const float step = step_at(chosen.empty() ? kStep : *ranges::max_element(chosen));
+  const float step = kStep / (chosen.empty() ? kStep : *ranges::max_element(chosen));
   if (are_more_than(most_points, curves, step)) return {};
   JobStages stages(progress, {{"points", 1}, {"frequencies", 1}, {"boxes", 1}, {"gaps", 7}});
-  const CurveMarks marks = marks_along(curves, step, stages.begin("points"));
+  Marks marks = marks_along(curves, step, stages.begin("points"));
   const Progress finding = stages.begin("frequencies");
   const PointTree vertices(pattern.mesh.positions, finding.part(0, 0));
-  MarkFrequencies frequencies;
-  frequencies.chosen = frequencies_at(vertices, chosen, marks.lines, finding.part(0, 0.5));
-  frequencies.wanted = wanted.empty()
-                           ? frequencies.chosen
-                           : frequencies_at(vertices, wanted, marks.lines, finding.part(0.5, 1));
-  return measured_spacing(marks, frequencies, stages);
+  marks.frequencies = frequencies_at(vertices, chosen, marks.lines, finding.part(0, 0.5));
+  marks.wanted = wanted.empty()
+                     ? marks.frequencies
+                     : frequencies_at(vertices, wanted, marks.lines, finding.part(0.5, 1));
+  const MarkTree tree(marks, stages.begin("boxes"));
+  const RatioSums sums = parallel_sum<RatioSums>(
+      marks.lines.points.size(), stages.begin("gaps"),
+      [&](std::size_t begin, std::size_t end) {
+        RatioSums part;
+        for (std::size_t i = begin; i < end; ++i) measure(marks, tree, static_cast<Index>(i), part);
+        return part;
+      },
+      kParallelGrain, kMarksPerReport);
+  stages.finish();
+  return spacing_of(sums);
 }
 
 }  // namespace brindle

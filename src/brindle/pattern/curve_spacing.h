@@ -31,27 +31,4 @@ CurveSpacing measure_curve_spacing(const WavePattern& pattern, const StripeCurve
                                    std::span<const float> wanted = {},
                                    const Progress& progress = {});
 
-/// Points along all curves at which neighbours are looked for.
-struct CurveMarks {
-  Polylines lines;
-  std::vector<Vec3> along;                     ///< the curve's direction, one per point
-  std::vector<std::array<Index, 2>> adjacent;  ///< points before and behind on the curve
-};
-
-/// The points of `measure_curve_spacing` where no frequency is above `highest`; nothing where they
-/// would be more than `most_points`.
-std::optional<CurveMarks> curve_marks(const StripeCurves& curves, float highest,
-                                      std::size_t most_points = kMostSpacingPoints,
-                                      const Progress& progress = {});
-
-/// Frequencies at points: those chosen, and those asked for.
-struct MarkFrequencies {
-  std::vector<float> chosen, wanted;
-};
-
-/// The second half of `measure_curve_spacing`, for who knows frequencies at the marks but not the
-/// whole pattern: those of the nearest vertices.
-CurveSpacing measure_curve_spacing(const CurveMarks& marks, const MarkFrequencies& frequencies,
-                                   const Progress& progress = {});
-
 }  // namespace brindle

@@ -45,14 +45,15 @@ bool lies_on(const Point& p, const StripePiece& piece) {
 }  // namespace
 
 struct EndWalks::Walker : SurfaceWalker {
-  Walk walk;
-
-  void add_place() { walk.way.push_back({triangle, {place[0], place[1], place[2]}}); }
+  double reach = 0;   ///< how far it may go
+  double passed = 0;  ///< how far it has gone
+  bool met = false;   ///< whether it has met a curve
+  std::vector<TrianglePoint> way{};
 
   void go(double distance, const Point& end) {
-    walk.passed += distance;
+    passed += distance;
     place = end;
-    add_place();
+    way.push_back({triangle, {place[0], place[1], place[2]}});
   }
 };
 
@@ -63,8 +64,7 @@ struct EndWalks::Step {
   int edge;  // that it leaves over; none if it meets a curve
 };
 
-EndWalks::EndWalks(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond)
-    : waves_(waves), beyond_(beyond) {}
+EndWalks::EndWalks(const LiftedWaves& waves) : waves_(waves) {}
 
 EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   const std::array<Point, 3> corners = corners_of(waves_.pattern().mesh, walker.triangle);
@@ -85,13 +85,6 @@ EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   return step;
 }
 
-/// Into a triangle, over one of its edges.
-void EndWalks::enter(Walker& walker, Index next, Index edge,
-                     const std::array<double, 2>& between) const {
-  enter_triangle(waves_.pattern().mesh, waves_.pattern().edges, next, edge, between, walker);
-  walker.walk.direction = walker.direction;
-}
-
 /// Goes over to the other triangle; false if there is none here, or no wave on it.
 bool EndWalks::cross_edge(Walker& walker, int edge) const {
   const MeshEdges& edges = waves_.pattern().edges;
@@ -100,38 +93,30 @@ bool EndWalks::cross_edge(Walker& walker, int edge) const {
   const Triangle& triangle = waves_.pattern().mesh.triangles[t];
   std::array<double, 2> between = {walker.place[edge], walker.place[(edge + 1) % 3]};
   if (triangle[edge] > triangle[(edge + 1) % 3]) std::swap(between[0], between[1]);
-  const EdgeBeyond beyond = beyond_.empty() ? EdgeBeyond::nothing : beyond_[crossed];
-  if (beyond == EdgeBeyond::triangle) {
-    walker.walk.state = Walk::State::beyond;
-    walker.walk.edge = crossed;
-    walker.walk.between = between;
-    return false;
-  }
   const Index next = edges.beyond(t, edge);
-  if (next == kNoTriangle || beyond == EdgeBeyond::nonmanifold) return false;
-  enter(walker, next, crossed, between);
+  if (next == kNoTriangle) return false;
+  enter_triangle(waves_.pattern().mesh, edges, next, crossed, between, walker);
   return waves_.triangle(next).kind != TriangleKind::no_wave;
 }
 
-/// As far as it goes here.
+/// As far as it goes.
 void EndWalks::walk(Walker& walker) const {
-  Walk& walk = walker.walk;
-  for (; walk.triangles < kMostTriangles; ++walk.triangles) {
+  for (int triangles = 0; triangles < kMostTriangles; ++triangles) {
     const Step step = next_step(walker);
-    if (!(walk.passed + step.distance <= walk.reach)) return;
+    if (!(walker.passed + step.distance <= walker.reach)) return;
     walker.go(step.distance, step.end);
-    if (step.edge < 0) walk.state = Walk::State::met;
-    if (step.edge < 0 || !cross_edge(walker, step.edge)) return;
+    walker.met = step.edge < 0;
+    if (walker.met || !cross_edge(walker, step.edge)) return;
   }
 }
 
-std::optional<std::array<Walk, 2>> EndWalks::walks(std::size_t t, const StripePiece& piece,
-                                                   std::span<const StripePiece> pieces) const {
+std::optional<std::vector<TrianglePoint>> EndWalks::way_on(
+    std::size_t t, const StripePiece& piece, std::span<const StripePiece> pieces) const {
   const Point end = point_of(piece.ends[1]);
   const bool met = std::any_of(pieces.begin(), pieces.end(), [&](const StripePiece& other) {
     return &other != &piece && other.ends[1].side != PieceEnd::kInside && lies_on(end, other);
   });
-  if (met) return std::nullopt;
+  if (met) return std::vector<TrianglePoint>();
 
   const Mesh& mesh = waves_.pattern().mesh;
   const std::array<Point, 3> corners = corners_of(mesh, t);
@@ -143,32 +128,16 @@ std::optional<std::array<Walk, 2>> EndWalks::walks(std::size_t t, const StripePi
   Point came = Point::Zero();
   for (int m = 0; m < 3; ++m) came += came_along[m] * corners[m];
   const Point forward = came.dot(across) < 0 ? Point(-across) : across;
-  std::array<Walk, 2> walks;
-  for (const std::size_t side : {0u, 1u}) {
-    const Point direction = (forward + (side == 0 ? 1.0 : -1.0) * aside).normalized();
-    Walker walker{{static_cast<Index>(t), end, direction}, {}};
-    walker.walk.direction = direction;
-    walker.walk.reach = kRunOnReach / static_cast<double>(wave.frequency);
+  std::optional<Walker> shorter;
+  for (const double side : {1.0, -1.0}) {
+    const Point direction = (forward + side * aside).normalized();
+    Walker walker{{static_cast<Index>(t), end, direction}};
+    walker.reach = kRunOnReach / static_cast<double>(wave.frequency);
     walk(walker);
-    walks[side] = std::move(walker.walk);
+    if (walker.met && (!shorter || walker.passed <= shorter->passed)) shorter = std::move(walker);
   }
-  return walks;
-}
-
-Walk EndWalks::go_on(const Walk& from, Index edge) const {
-  Walker walker{{0, Point::Zero(), from.direction}, from};
-  walker.walk.state = Walk::State::lost;
-  walker.walk.way.clear();
-  enter(walker, waves_.pattern().edges.triangles(edge)[0], edge, from.between);
-  walker.add_place();
-  if (waves_.triangle(walker.triangle).kind != TriangleKind::no_wave) walk(walker);
-  return std::move(walker.walk);
-}
-
-std::optional<std::size_t> shorter(const Walk& first, const Walk& second) {
-  const bool met = first.state == Walk::State::met;
-  if (second.state == Walk::State::met && (!met || second.passed <= first.passed)) return 1;
-  return met ? std::optional<std::size_t>(0) : std::nullopt;
+  if (!shorter) return std::nullopt;
+  return std::move(shorter->way);
 }
 
 }  // namespace brindle

@@ -18,7 +18,6 @@
 #include "brindle/error.h"
 #include "brindle/orientation.h"
 #include "brindle/pattern/curve_places.h"
-#include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/end_walks.h"
 #include "brindle/pattern/fairing/faired_curves.h"
 #include "brindle/pattern/trimmed_ends.h"
@@ -34,7 +33,6 @@ constexpr Link kFirstEnd = 0x80000000;  // beyond: numbers of inner ends, then t
 constexpr Link kNoWave = 0xffffffff;
 constexpr Link kBoundary = 0xfffffffe;
 constexpr Link kNonmanifold = 0xfffffffd;
-constexpr Link kCut = 0xfffffffc;  // goes on in a triangle that is not of this part
 constexpr Link kLastInnerEnd = 0xfffffff0;
 constexpr std::size_t kMostNodes = kFirstEnd / 2;
 constexpr double kTracedBeforeTrim = 0.8;  // of the time,
@@ -43,7 +41,7 @@ constexpr double kBeforeFair = 0.5;        // and of all
 bool is_slot(Link link) { return link < kFirstEnd; }
 
 /// Whether a curve has nothing there that anybody needs.
-bool is_bare(Link link) { return link > kLastInnerEnd && link != kCut; }
+bool is_bare(Link link) { return link > kLastInnerEnd; }
 
 /// Points this near to each other are one, over the size of what they lie on: phases have no digits
 /// to tell them apart, where a curve passes by a vertex.
@@ -65,17 +63,6 @@ void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
   if (!closed) curve.push_back(last);
 }
 
-/// Without what rounding leaves of corners that have no share.
-std::array<double, 3> cleaned(std::array<double, 3> barycentric) {
-  double sum = 0;
-  for (double& weight : barycentric) {
-    if (weight < 1e-12) weight = 0;
-    sum += weight;
-  }
-  for (double& weight : barycentric) weight /= sum;
-  return barycentric;
-}
-
 /// Whether waves run to the right of the curve, as seen from outside, on most of its way.
 bool runs_backward(const std::vector<CurvePoint>& curve, bool closed) {
   double left = 0;
@@ -95,6 +82,33 @@ void rotate_to_start(std::vector<CurvePoint>& ring) {
     return a.position.dot(along) < b.position.dot(along);
   };
   std::rotate(ring.begin(), std::max_element(ring.begin(), ring.end(), less), ring.end());
+}
+
+/// Leaves out points at the place of others, turns the curve so that waves run to its left and lets
+/// a closed one start where all do. Returns whether enough is left to be a curve.
+bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
+  const bool closed = ends[0] == CurveEnd::closed;
+  drop_repeats(curve, closed);
+  if (closed && curve.size() <= 2) return false;
+  if (runs_backward(curve, closed)) {
+    std::reverse(curve.begin(), curve.end());
+    std::swap(ends[0], ends[1]);
+  }
+  if (closed) rotate_to_start(curve);
+  return true;
+}
+
+/// Adds the places of a curve's points, and where their segments arrive.
+void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed,
+                Polylines& lines) {
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const bool last = !closed && i + 1 == curve.size();
+    const MeshPoint& from = curve[last && i > 0 ? i - 1 : i].place;
+    const MeshPoint& to = curve[last ? i : (i + 1) % curve.size()].place;
+    const PlacedSegment segment = placed_segment(mesh, from, to);
+    lines.places.push_back({segment.triangle, last ? segment.to : segment.from});
+    lines.arrivals.push_back(segment.to);
+  }
 }
 
 std::size_t ends_inside(const std::vector<StripePiece>& pieces) {
@@ -135,58 +149,33 @@ std::vector<Vec3> directions_alike(const LiftedWaves& lifted, const Progress& pr
   return directions;
 }
 
-/// Normals of unorientable surfaces may point either way.
-void add_normal(const WavePattern& pattern, float weight, Index vertex, Vec3& sum) {
-  const Vec3& normal = pattern.normals[vertex];
-  sum += (sum.dot(normal) < 0 ? -weight : weight) * normal;
-}
-
 /// An end within a triangle.
 struct InnerEnd {
   CurvePoint point;
   CurveEnd reason;
-  std::vector<CurvePoint> way{};               ///< on to a neighbour
-  std::optional<std::array<Walk, 2>> walks{};  ///< if the rest of the surface must say to which
+  std::vector<CurvePoint> way{};  ///< on to a neighbour
 };
 
 class Tracer {
  public:
-  Tracer(const LiftedWaves& lifted, const CurveOptions& options,
-         std::span<const EdgeBeyond> beyond = {}, const Progress& progress = {})
+  Tracer(const LiftedWaves& lifted, const CurveOptions& options, const Progress& progress)
       : pattern_(lifted.pattern()),
         options_(options),
         lifted_(lifted),
-        beyond_(beyond),
         stages_(progress, {{"crossings", 2}, {"pieces", 4}, {"directions", 3}, {"curves", 6}}) {}
 
   StripeCurves trace() {
-    trace_all();
-    return std::move(curves_);
-  }
-
-  /// Where there is something beyond the edges.
-  CutCurves trace_cut() {
-    trace_all();
-    return {std::move(cut_curves_), curves_.joined_ends, curves_.ends_at_neighbors};
-  }
-
- private:
-  void trace_all() {
-    if (options_.join) end_walks_.emplace(lifted_, beyond_);
+    if (options_.join) end_walks_.emplace(lifted_);
     number_nodes(stages_.begin("crossings"));
     link_triangles(stages_.begin("pieces"));
     if (!links_.empty()) directions_ = directions_alike(lifted_, stages_.begin("directions"));
     walk(stages_.begin("curves"));
     stages_.finish();
+    return std::move(curves_);
   }
 
-  EdgeBeyond beyond(Index edge) const {
-    return beyond_.empty() ? EdgeBeyond::nothing : beyond_[edge];
-  }
-
-  bool is_nonmanifold(Index edge) const {
-    return pattern_.edges.triangle_count(edge) > 2 || beyond(edge) == EdgeBeyond::nonmanifold;
-  }
+ private:
+  bool is_nonmanifold(Index edge) const { return pattern_.edges.triangle_count(edge) > 2; }
 
   Index crossings(Index edge) const {
     return static_cast<Index>(std::abs(lifted_.edge(edge).peaks));
@@ -224,8 +213,7 @@ class Tracer {
   /// What a curve meets on the second side of an edge, as long as it meets no other piece.
   Link beyond_edge(Index edge) const {
     if (is_nonmanifold(edge)) return kNonmanifold;
-    if (pattern_.edges.triangle_count(edge) > 1) return kNoWave;
-    return beyond(edge) == EdgeBeyond::triangle ? kCut : kBoundary;
+    return pattern_.edges.triangle_count(edge) > 1 ? kNoWave : kBoundary;
   }
 
   /// Those that a node's curve comes from: of an edge of three or more, its own one.
@@ -325,24 +313,13 @@ class Tracer {
   Link add_end(std::size_t t, const StripePiece& piece, std::span<const StripePiece> pieces,
                CurveEnd reason) {
     InnerEnd end{point_in(t, piece.ends[1].barycentric), reason};
-    if (end_walks_) continue_end(end, end_walks_->walks(t, piece, pieces));
+    if (const auto way = end_walks_ ? end_walks_->way_on(t, piece, pieces) : std::nullopt) {
+      ++curves_.ends_at_neighbors;
+      for (const TrianglePoint& place : *way) end.way.push_back(point_in_triangle(pattern_, place));
+    }
     inner_ends_.push_back(std::move(end));
     check_count(inner_ends_.size());
     return kFirstEnd + static_cast<Link>(inner_ends_.size() - 1);
-  }
-
-  void continue_end(InnerEnd& end, std::optional<std::array<Walk, 2>> walks) {
-    if (walks && ranges::count(*walks, Walk::State::beyond, &Walk::state) > 0) {
-      end.walks = std::move(walks);
-      return;
-    }
-    const auto chosen = walks ? shorter((*walks)[0], (*walks)[1]) : std::nullopt;
-    if (walks && !chosen) return;
-    ++curves_.ends_at_neighbors;
-    if (!chosen) return;  // it is at its neighbour already
-    for (const TrianglePoint& place : (*walks)[*chosen].way) {
-      end.way.push_back(point_in_triangle(pattern_, place));
-    }
   }
 
   CurvePoint point_in(std::size_t t, const std::array<double, 3>& barycentric) const {
@@ -394,16 +371,12 @@ class Tracer {
   void walk_open(Link slot) {
     std::array<CurveEnd, 2> ends{};
     ends[0] = end_at(links_[slot / 2][slot % 2]);
-    cuts_[0] = cut_at(slot / 2, links_[slot / 2][slot % 2]);
-    walks_[0] = walks_at(links_[slot / 2][slot % 2]);
     std::reverse(curve_.begin(), curve_.end());
     while (true) {
       visit(slot / 2);
       const Link next = links_[slot / 2][1 - slot % 2];
       if (!is_slot(next)) {
         ends[1] = end_at(next);
-        cuts_[1] = cut_at(slot / 2, next);
-        walks_[1] = walks_at(next);
         break;
       }
       slot = next;
@@ -432,32 +405,15 @@ class Tracer {
   CurveEnd end_at(Link link) {
     if (link == kBoundary) return CurveEnd::boundary;
     if (link == kNonmanifold) return CurveEnd::nonmanifold;
-    if (link == kNoWave || link == kCut) return CurveEnd::no_wave;
+    if (link == kNoWave) return CurveEnd::no_wave;
     const InnerEnd& end = inner_ends_[link - kFirstEnd];
     curve_.push_back(end.point);
     curve_.insert(curve_.end(), end.way.begin(), end.way.end());
     return end.reason;
   }
 
-  std::optional<CutCurve::Crossing> cut_at(Index node, Link link) const {
-    if (link != kCut) return std::nullopt;
-    const Index edge = edge_of_node_[node];
-    return CutCurve::Crossing{edge, node - first_node_[edge]};
-  }
-
-  std::optional<std::array<Walk, 2>> walks_at(Link link) const {
-    if (is_slot(link) || link > kLastInnerEnd) return std::nullopt;
-    return inner_ends_[link - kFirstEnd].walks;
-  }
-
   void finish(std::array<CurveEnd, 2> ends) {
-    if (!beyond_.empty()) {
-      cut_curves_.push_back({curve_, ends, cuts_, walks_});
-      cuts_ = {};
-      walks_ = {};
-    } else if (tidy_curve(curve_, ends)) {
-      add_curve(ends);
-    }
+    if (tidy_curve(curve_, ends)) add_curve(ends);
     curve_.clear();
   }
 
@@ -477,7 +433,6 @@ class Tracer {
   const WavePattern& pattern_;
   const CurveOptions& options_;
   const LiftedWaves& lifted_;
-  std::span<const EdgeBeyond> beyond_;  // by edge; empty if this is the whole surface
   JobStages stages_;
   Progress walking_;
   std::size_t walked_ = 0;
@@ -490,65 +445,10 @@ class Tracer {
   std::vector<Vec3> directions_;       // one per vertex, running alike where that can be
   std::vector<std::uint8_t> visited_;  // one per node
   std::vector<CurvePoint> curve_;      // that is being walked
-  std::array<std::optional<CutCurve::Crossing>, 2> cuts_ = {};  // its ends
-  std::array<std::optional<std::array<Walk, 2>>, 2> walks_ = {};
   StripeCurves curves_;
-  std::vector<CutCurve> cut_curves_;  // instead, where there is something beyond
 };
 
 }  // namespace
-
-CurvePoint point_in_triangle(const WavePattern& pattern, const TrianglePoint& place) {
-  const Triangle& triangle = pattern.mesh.triangles[place.triangle];
-  const Vec3& first = pattern.mesh.positions[triangle[0]];
-  CurvePoint result{first,
-                    Vec3::Zero(),
-                    Vec3::Zero(),
-                    0,
-                    {triangle, cleaned(place.barycentric), {place.triangle, place.triangle}}};
-  for (int m = 0; m < 3; ++m) {
-    const auto weight = static_cast<float>(place.barycentric[m]);
-    const Vec3 side = pattern.mesh.positions[triangle[m]] - first;
-    result.position += weight * side;
-    result.size = std::max(result.size, side.norm());
-    add_normal(pattern, weight, triangle[m], result.normal);
-  }
-  result.normal.stableNormalize();
-  return result;
-}
-
-bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
-  const bool closed = ends[0] == CurveEnd::closed;
-  drop_repeats(curve, closed);
-  if (closed && curve.size() <= 2) return false;
-  if (runs_backward(curve, closed)) {
-    std::reverse(curve.begin(), curve.end());
-    std::swap(ends[0], ends[1]);
-  }
-  if (closed) rotate_to_start(curve);
-  return true;
-}
-
-void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed,
-                Polylines& lines) {
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    const bool last = !closed && i + 1 == curve.size();
-    const MeshPoint& from = curve[last && i > 0 ? i - 1 : i].place;
-    const MeshPoint& to = curve[last ? i : (i + 1) % curve.size()].place;
-    const PlacedSegment segment = placed_segment(mesh, from, to);
-    lines.places.push_back({segment.triangle, last ? segment.to : segment.from});
-    lines.arrivals.push_back(segment.to);
-  }
-}
-
-CutCurves cut_stripe_curves(const LiftedWaves& waves, std::span<const EdgeBeyond> beyond,
-                            const CurveOptions& options) {
-  if (beyond.size() != waves.pattern().edges.count()) {
-    throw Error("cut curves need to know of every edge what is beyond it");
-  }
-  if (beyond.empty()) return {};
-  return Tracer(waves, options, beyond).trace_cut();
-}
 
 std::array<std::size_t, kCurveEndKinds> StripeCurves::end_counts() const {
   std::array<std::size_t, kCurveEndKinds> counts{};
@@ -577,7 +477,7 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
   const WavePattern& pattern = waves.pattern();
   const bool trims = options.trim > 0, fairs = options.fair > 0;
   const double traced = (trims ? kTracedBeforeTrim : 1) * (fairs ? kBeforeFair : 1);
-  StripeCurves curves = Tracer(waves, options, {}, progress.part(0, traced)).trace();
+  StripeCurves curves = Tracer(waves, options, progress.part(0, traced)).trace();
   curves.lines.origin = pattern.mesh.origin;
   if (trims) {
     curves = trimmed_ends(curves, frequencies_along(pattern, curves.lines), options.trim,

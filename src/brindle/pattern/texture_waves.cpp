@@ -119,9 +119,10 @@ void turn_signs(std::span<const std::uint8_t> turned, std::span<CornerSigns> sig
 void set_texture_waves(std::span<const Triangle> triangles, std::span<const CornerSigns> signs,
                        const VertexWaves& u, const VertexWaves& v, TextureWaves& waves,
                        const Progress& progress) {
-  ticking_resize(waves.u, triangles.size(), progress.part(0, 0.3));
-  ticking_resize(waves.v, triangles.size(), progress.part(0.3, 0.6));
-  parallel_for(triangles.size(), progress.part(0.6, 1), [&](std::size_t begin, std::size_t end) {
+  waves.u.resize(triangles.size());
+  progress.tick();
+  waves.v.resize(triangles.size());
+  parallel_for(triangles.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       for (Index m = 0; m < 3; ++m) {
         waves.u[t][m] = corner_at(u, triangles[t][m], turns_u(signs[t], m));

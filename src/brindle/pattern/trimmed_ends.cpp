@@ -216,9 +216,8 @@ class EndTrimmer {
 /// Copies lines, or what is left of them.
 class LineCutter {
  public:
-  LineCutter(const StripeCurves& from, const EndTrimmer& trimmer, StripeCurves& to,
-             std::vector<Index>* sources)
-      : from_(from), trimmer_(trimmer), to_(to), sources_(sources) {
+  LineCutter(const StripeCurves& from, const EndTrimmer& trimmer, StripeCurves& to)
+      : from_(from), trimmer_(trimmer), to_(to) {
     to_.lines.origin = from.lines.origin;
     to_.joined_ends = from.joined_ends;
     to_.ends_at_neighbors = from.ends_at_neighbors;
@@ -232,7 +231,7 @@ class LineCutter {
     const LinePlace behind = trimmer_.place_at(line, trimmer_.length(line) - cuts[1]);
     if (cut_behind) last = behind.segment_from;
     for (Index i = first; i <= last; ++i) {
-      add_point(lines.points[i], lines.normals[i], i);
+      add_point(lines.points[i], lines.normals[i]);
       if (!lines.places.empty()) to_.lines.places.push_back(lines.places[i]);
       if (!lines.arrivals.empty()) to_.lines.arrivals.push_back(lines.arrivals[i]);
     }
@@ -243,15 +242,9 @@ class LineCutter {
   }
 
  private:
-  void add_point(const Vec3& position, const Vec3& normal, Index source) {
+  void add_point(const Vec3& position, const Vec3& normal) {
     to_.lines.points.push_back(position);
     to_.lines.normals.push_back(normal);
-    if (sources_ != nullptr) sources_->push_back(source);
-  }
-
-  /// Of the two points that a cut is between the nearer one.
-  void add_point(const LinePlace& place) {
-    add_point(place.position, place.normal, place.segment_from + (place.share < 0.5f ? 0 : 1));
   }
 
   std::optional<TrianglePoint> triangle_point(const LinePlace& place) const {
@@ -267,7 +260,7 @@ class LineCutter {
 
   LinePlace add_cut(Index line, double length) {
     const LinePlace place = trimmer_.place_at(line, length);
-    add_point(place);
+    add_point(place.position, place.normal);
     if (const auto point = triangle_point(place)) {
       to_.lines.places.push_back(*point);
       to_.lines.arrivals.push_back(from_.lines.arrivals[place.segment_from]);
@@ -277,7 +270,7 @@ class LineCutter {
 
   /// The segment before it arrives there.
   void add_last(const LinePlace& place) {
-    add_point(place);
+    add_point(place.position, place.normal);
     const auto point = triangle_point(place);
     if (!point) return;
     to_.lines.arrivals.back() = point->barycentric;
@@ -288,7 +281,6 @@ class LineCutter {
   const StripeCurves& from_;
   const EndTrimmer& trimmer_;
   StripeCurves& to_;
-  std::vector<Index>* sources_;
 };
 
 void check_trim(const StripeCurves& curves, std::span<const float> frequencies, float least_gap) {
@@ -303,7 +295,7 @@ void check_trim(const StripeCurves& curves, std::span<const float> frequencies, 
 }  // namespace
 
 StripeCurves trimmed_ends(const StripeCurves& curves, std::span<const float> frequencies,
-                          float least_gap, const Progress& progress, std::vector<Index>* sources) {
+                          float least_gap, const Progress& progress) {
   check_trim(curves, frequencies, least_gap);
   const std::size_t count = curves.lines.count();
   JobStages stages(progress, {{"boxes", 1}, {"ends", 3}});
@@ -318,8 +310,7 @@ StripeCurves trimmed_ends(const StripeCurves& curves, std::span<const float> fre
       },
       1, kCurvesPerReport);
   StripeCurves result;
-  LineCutter cutter(curves, trimmer, result, sources);
-  if (sources != nullptr) sources->clear();
+  LineCutter cutter(curves, trimmer, result);
   for (Index line = 0; line < count; ++line) {
     const double cut = cuts[line][0] + cuts[line][1];
     result.trimmed_ends += (cuts[line][0] > 0) + (cuts[line][1] > 0);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "brindle/curves.h"
 #include "brindle/progress.h"
@@ -15,12 +14,10 @@ namespace brindle {
 /// given up after two periods. What is left of a curve and shorter than 1/f goes. `frequencies` has
 /// one entry per point of the lines, above zero. Boundaries and holes keep their ends, and reasons
 /// of ends stay as they are. Neighbours are those that were there before: the result is the same
-/// whichever way and in which order curves run. `sources` becomes of every point its number in
-/// `curves`; where a curve was cut, that of the nearer one of the two points beside.
+/// whichever way and in which order curves run.
 /// Throws Error for a gap out of range and for another number of frequencies, and Cancelled if
 /// `progress` asks for it.
 StripeCurves trimmed_ends(const StripeCurves& curves, std::span<const float> frequencies,
-                          float least_gap, const Progress& progress = {},
-                          std::vector<Index>* sources = nullptr);
+                          float least_gap, const Progress& progress = {});
 
 }  // namespace brindle

@@ -63,9 +63,10 @@ class CrossTriangles {
     waves_.u.reserve(room);
     waves_.v.reserve(room);
     mesh_.triangles.resize(count);
-    ticking_resize(waves_.u, count, progress.part(0, 0.3));
-    ticking_resize(waves_.v, count, progress.part(0.3, 0.6));
-    parallel_for(count, progress.part(0.6, 1), [&](std::size_t begin, std::size_t end) {
+    waves_.u.resize(count);
+    progress.tick();
+    waves_.v.resize(count);
+    parallel_for(count, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
         mesh_.triangles[s] = mesh.triangles[cover_.base[s]];
         waves_.u[s] = corner_waves(cover_.u()[s], cover_.waves, z_);

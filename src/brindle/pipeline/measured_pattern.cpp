@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "brindle/pattern/point_quality.h"
+#include "brindle/pattern/texture_quality.h"
 
 namespace brindle {
 namespace {
@@ -14,6 +15,11 @@ PatternQuality quality_of(const Surface& surface, const WaveSet& waves,
   }
   return measure_point_quality(*surface.neighborhood, surface.normals, waves, pattern.solution.z,
                                pattern.phase_shift, progress);
+}
+
+VertexWaves vertex_waves(const StripePattern& pattern) {
+  return {pattern.waves.positions, pattern.waves.directions, pattern.waves.frequencies,
+          pattern.solution.z};
 }
 
 }  // namespace
@@ -30,14 +36,17 @@ std::size_t count_in_calm(std::span<const Triangle> triangles,
   return count;
 }
 
-void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
-                     const Progress& progress) {
+void set_corners(std::span<const Triangle> triangles, StripePattern& pattern,
+                 const Progress& progress) {
+  pattern.corners.resize(triangles.size());
+  fill_corner_phases(triangles, pattern.waves, pattern.solution.z, pattern.phase_shift,
+                     pattern.corners, progress);
+}
+
+void set_quality(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
+                 const Progress& progress) {
   WaveSet& waves = pattern.waves;
-  pattern.corners = corner_phases(surface.mesh.triangles, waves, pattern.solution.z,
-                                  pattern.phase_shift, progress.part(0, 0.4));
-  progress.report(0.4);
-  PatternQuality quality = quality_of(surface, waves, pattern, progress.part(0.4, 0.7));
-  progress.report(0.7);
+  PatternQuality quality = quality_of(surface, waves, pattern, progress.part(0, 0.5));
   quality.spacing_error_wanted_mean = quality.spacing_error_mean;
   if (!pattern.frequencies_wanted.empty()) {
     // The waves asked for are measured as the pattern's, and put back whatever is thrown.
@@ -51,12 +60,61 @@ void measure_pattern(const Surface& surface, std::span<const float> calm, Stripe
     };
     const Swapped wanted(pattern);
     quality.spacing_error_wanted_mean =
-        quality_of(surface, waves, pattern, progress.part(0.7, 1)).spacing_error_mean;
+        quality_of(surface, waves, pattern, progress.part(0.5, 1)).spacing_error_mean;
   }
   if (!calm.empty()) {
     quality.branches_in_calm = count_in_calm(surface.mesh.triangles, pattern.corners, calm);
   }
   pattern.quality = quality;
+}
+
+void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
+                     const Progress& progress) {
+  set_corners(surface.mesh.triangles, pattern, progress.part(0, 0.4));
+  set_quality(surface, calm, pattern, progress.part(0.4, 1));
+}
+
+StripeMilliseconds times_of(const FrameMilliseconds& frame) {
+  StripeMilliseconds times;
+  times.frequency = frame.frequency;
+  times.couple = frame.couple;
+  times.solve = frame.sum + frame.solve;
+  return times;
+}
+
+void set_frame(WaveSet waves, const FrameResult& frame, StripePattern& pattern) {
+  pattern.waves = std::move(waves);
+  if (!frame.frequencies.empty()) {
+    pattern.frequencies_wanted = std::exchange(
+        pattern.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
+    pattern.frequency_change = frame.frequency_change;
+  }
+  pattern.solution.z.assign(frame.z.begin(), frame.z.end());
+  pattern.milliseconds = times_of(frame.milliseconds);
+}
+
+void set_oriented_waves(std::span<const Triangle> triangles, const TextureOrientation& orientation,
+                        TexturePattern& pattern, const Progress& progress) {
+  pattern.seams = orientation.seams();
+  set_texture_waves(triangles, orientation.signs(), vertex_waves(pattern.u),
+                    vertex_waves(pattern.v), pattern.waves, progress);
+}
+
+TextureQuality texture_quality(const Mesh& mesh, const TexturePattern& pattern,
+                               const Progress& progress) {
+  return measure_texture(mesh, {pattern.u.corners, pattern.u.waves.frequencies},
+                         {pattern.v.corners, pattern.v.waves.frequencies}, progress);
+}
+
+void orient_texture(const Mesh& mesh, bool as_given, const Progress& progress,
+                    TexturePattern& pattern) {
+  progress.report(0);
+  TextureOrientation orientation(mesh.triangles);
+  progress.tick();
+  orientation.follow(pattern.u.waves.directions, pattern.v.waves.directions, as_given,
+                     progress.part(0, 0.8));
+  set_oriented_waves(mesh.triangles, orientation, pattern, progress.part(0.8, 0.9));
+  pattern.quality = texture_quality(mesh, pattern, progress.part(0.9, 1));
 }
 
 }  // namespace brindle

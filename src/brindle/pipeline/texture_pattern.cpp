@@ -7,8 +7,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/pipeline/oriented_texture.h"
-#include "brindle/pipeline/texture_orientation.h"
+#include "brindle/pipeline/measured_pattern.h"
 
 namespace brindle {
 namespace {
@@ -28,9 +27,14 @@ void check_fits(const Surface& surface, std::size_t triangles, const char* what)
               std::to_string(surface.mesh.triangle_count()));
 }
 
-/// Waves without stripes. Their phase is that of a crest: the same whichever way they run.
-WaveSet level_waves(const WaveSet& waves) {
-  return {waves.positions, waves.directions, FrequencyField(waves.frequencies.size())};
+void check_vertices(const Surface& surface, const StripePattern& pattern) {
+  const WaveSet& waves = pattern.waves;
+  for (const std::size_t entries : {waves.positions.size(), waves.directions.size(),
+                                    waves.frequencies.size(), pattern.solution.z.size()}) {
+    if (entries == surface.mesh.vertex_count()) continue;
+    throw Error("texture: there are waves or phases of " + std::to_string(entries) +
+                " vertices for " + std::to_string(surface.mesh.vertex_count()));
+  }
 }
 
 }  // namespace
@@ -72,17 +76,20 @@ TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pa
                                  PhaseShiftKind phase_shift, bool oriented,
                                  const Progress& progress) {
   check_fits(surface, pattern.corners.size(), "pattern");
+  check_vertices(surface, pattern);
   JobStages stages(progress, {{"orient", 1}, {"coordinates", 2}});
   const Progress orienting = stages.begin("orient");
+  const std::vector<Triangle>& triangles = surface.mesh.triangles;
+  TextureOrientation orientation(triangles);
+  orientation.follow(pattern.waves.directions, pattern.waves.directions, oriented, orienting);
+  const WaveSet& u = pattern.waves;
+  // V has no stripes: its phase is that of a crest, the same whichever way it runs.
+  const FrequencyField level(u.frequencies.size());
   const std::vector<Complex> crest(pattern.solution.z.size(), Complex(0, 1));
-  TextureWaves waves = texture_waves(surface.mesh.triangles, pattern.waves, pattern.solution.z,
-                                     level_waves(pattern.waves), crest);
-  orient_corners(waves);
-  if (!oriented) {
-    orienting.report(0.1);
-    orient_triangles(waves, surface.mesh.triangles, shared_edges(surface.mesh.triangles),
-                     orienting.part(0.2, 1));
-  }
+  TextureWaves waves;
+  set_texture_waves(triangles, orientation.signs(),
+                    {u.positions, u.directions, u.frequencies, pattern.solution.z},
+                    {u.positions, u.directions, level, crest}, waves, orienting.part(1, 1));
   TexturedMesh textured =
       texture_coordinates(surface.mesh, waves, phase_shift, stages.begin("coordinates"));
   stages.finish();

@@ -5,6 +5,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/boundary_phases.h"
 #include "brindle/error.h"
+#include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/yielded_stripes.h"
 #include "brindle/waves_of.h"
 
@@ -104,23 +105,6 @@ void check_wishes(const PatternWishes& wishes) {
   }
 }
 
-StripeMilliseconds times_of(const FrameMilliseconds& frame) {
-  StripeMilliseconds times;
-  times.frequency = frame.frequency;
-  times.couple = frame.couple;
-  times.solve = frame.sum + frame.solve;
-  return times;
-}
-
-StripePattern pattern_of_frame(const TexturePatternFrame& frame, WaveSet waves, double energy,
-                               PhaseShiftKind phase_shift) {
-  StripePattern pattern =
-      brindle::pattern_of_frame(frame.stripes, std::move(waves), energy, phase_shift);
-  pattern.corners.assign(frame.corners.begin(), frame.corners.end());
-  pattern.quality = frame.quality;
-  return pattern;
-}
-
 }  // namespace
 
 MadePattern pattern_of(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
@@ -158,31 +142,16 @@ void measure_windings(const Surface& surface, const StripePattern& pattern,
 StripePattern pattern_of_frame(const FrameResult& frame, WaveSet waves, double energy,
                                PhaseShiftKind phase_shift) {
   StripePattern pattern;
-  pattern.waves = std::move(waves);
-  if (!frame.frequencies.empty()) {
-    pattern.frequencies_wanted = std::exchange(
-        pattern.waves.frequencies, {frame.frequencies.begin(), frame.frequencies.end()});
-    pattern.frequency_change = frame.frequency_change;
-  }
+  set_frame(std::move(waves), frame, pattern);
   pattern.phase_shift = phase_shift;
-  pattern.solution.z.assign(frame.z.begin(), frame.z.end());
   pattern.solution.energy = energy;
-  pattern.milliseconds = times_of(frame.milliseconds);
   return pattern;
 }
 
-TexturePattern pattern_of_frame(const TextureFrameResult& frame, const TextureAnimator& animator,
-                                WaveSet waves, std::span<const float> frequencies_v,
-                                std::span<const Vec3> normals, PhaseShiftKind phase_shift) {
-  WaveSet v = waves_across(waves, normals, frequencies_v);
-  TexturePattern pattern;
-  pattern.u = pattern_of_frame(frame.u, std::move(waves), animator.energy_u(), phase_shift);
-  pattern.v = pattern_of_frame(frame.v, std::move(v), animator.energy_v(), phase_shift);
-  pattern.waves = frame.waves;
-  pattern.seams = frame.seams;
-  pattern.quality = frame.quality;
-  pattern.phase_shift = phase_shift;
-  pattern.orientation_milliseconds = frame.milliseconds.orient + frame.milliseconds.measure;
+TexturePattern pattern_of_frame(const TextureFrameResult& frame, const TextureAnimator& animator) {
+  TexturePattern pattern = frame.pattern;
+  pattern.u.solution.energy = animator.energy_u();
+  pattern.v.solution.energy = animator.energy_v();
   return pattern;
 }
 

@@ -11,7 +11,6 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/distributed/surface/rank_surface.h"
-#include "brindle/pattern/coverage_places.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {

@@ -7,7 +7,6 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/lifted_waves.h"
 
 namespace brindle {

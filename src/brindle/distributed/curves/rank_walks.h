@@ -4,7 +4,6 @@
 #include <span>
 
 #include "brindle/distributed/curves/rank_pattern.h"
-#include "brindle/pattern/cut_curves.h"
 #include "brindle/pattern/lifted_waves.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/pattern/fairing/curve_stations.h"
+#include "brindle/pattern/fairing/unrolled_curve.h"
 #include "brindle/pattern/stripe_curves.h"
 
 namespace brindle {

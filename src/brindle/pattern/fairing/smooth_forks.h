@@ -9,7 +9,6 @@
 
 #include "brindle/curves.h"
 #include "brindle/pattern/fairing/curve_segments.h"
-#include "brindle/pattern/fairing/curve_ways.h"
 #include "brindle/pattern/fairing/unrolled_curve.h"
 #include "brindle/progress.h"
 

@@ -1,20 +1,28 @@
 #include "brindle/pipeline/fields/averaged_normals.h"
 
+#include <array>
 #include <utility>
 
+#include "brindle/base/parallel.h"
+#include "brindle/phases/screened.h"
 #include "brindle/pipeline/fields/surface_elements.h"
+#include "brindle/waves/direction_graph.h"
 
 namespace brindle {
 namespace {
 
 class Averaging {
  public:
-  explicit Averaging(NormalElements elements) : elements_(std::move(elements)) {
-    elements_.graph.anchor.resize(normals().size());
-    for (std::size_t i = 0; i < normals().size(); ++i) {
-      if (normals()[i].isZero(0)) elements_.areas[i] = 0;  // which pulls at nothing
-      across_.emplace_back(normals()[i].x(), normals()[i].y());
-      up_.emplace_back(normals()[i].z());
+  Averaging(const Surface& surface, const Progress& progress) : normals_(surface.normals) {
+    const std::vector<float> stiffness = edge_stiffness(surface, progress);
+    areas_ = areas_of_vertices(surface, areas_of_triangles(surface.mesh));
+    degrees_ = stiffness_sums(*surface.neighborhood, stiffness);
+    graph_ = stiffness_graph(surface, stiffness);
+    graph_.anchor.resize(normals_.size());
+    for (std::size_t i = 0; i < normals_.size(); ++i) {
+      if (normals_[i].isZero(0)) areas_[i] = 0;  // which pulls at nothing
+      across_.emplace_back(normals_[i].x(), normals_[i].y());
+      up_.emplace_back(normals_[i].z());
     }
     averaged_across_ = across_;
     averaged_up_ = up_;
@@ -24,66 +32,83 @@ class Averaging {
   std::vector<Vec3> over(float radius, const Progress& progress) {
     average(radius, across_, averaged_across_, progress.part(0, 0.6));
     average(radius, up_, averaged_up_, progress.part(0.6, 1));
-    std::vector<Vec3> averages(normals().size());
+    std::vector<Vec3> averages(normals_.size());
     for (std::size_t i = 0; i < averages.size(); ++i) {
       const Complex& across = averaged_across_[i];
       const Vec3 sum(across.real(), across.imag(), averaged_up_[i].real());
       constexpr float kNoDirection = 1e-3f;
-      const bool has_direction = sum.norm() > kNoDirection && !normals()[i].isZero(0);
-      averages[i] = has_direction ? Vec3(sum.normalized()) : normals()[i];
+      const bool has_direction = sum.norm() > kNoDirection && !normals_[i].isZero(0);
+      averages[i] = has_direction ? Vec3(sum.normalized()) : normals_[i];
     }
     return averages;
   }
 
  private:
-  std::span<const Vec3> normals() const { return elements_.normals; }
-
   void average(float radius, std::span<const Complex> values, std::vector<Complex>& averages,
                const Progress& progress) {
     // What decays as a screened field does over a length has twice that root mean square distance.
-    std::vector<float> screening = elements_.areas;
+    std::vector<float> screening = areas_;
     for (float& s : screening) s *= 4 / (radius * radius);
-    PhaseGraph& graph = elements_.graph;
-    for (std::size_t i = 0; i < values.size(); ++i) graph.anchor[i] = screening[i] * values[i];
-    ScreenedOptions options = elements_.part;
-    options.of_anchors = true;
-    options.degrees = elements_.degrees;
-    options.progress = progress;
-    averages = smooth_screened(graph, screening, std::move(averages), options);
+    for (std::size_t i = 0; i < values.size(); ++i) graph_.anchor[i] = screening[i] * values[i];
+    averages = smooth_screened(graph_, screening, std::move(averages),
+                               {.of_anchors = true, .degrees = degrees_, .progress = progress});
   }
 
-  NormalElements elements_;
+  std::span<const Vec3> normals_;
+  std::vector<float> areas_;    ///< of vertices
+  std::vector<float> degrees_;  ///< sums of stiffness
+  PhaseGraph graph_;            ///< coupled by the stiffness of edges
   std::vector<Complex> across_, up_, averaged_across_, averaged_up_;
 };
 
-NormalElements elements_of(const Surface& surface, const Progress& progress) {
-  const std::vector<float> stiffness = edge_stiffness(surface, progress);
-  return {surface.normals, areas_of_vertices(surface, areas_of_triangles(surface.mesh)),
-          stiffness_sums(*surface.neighborhood, stiffness), stiffness_graph(surface, stiffness)};
-}
-
 constexpr double kBeforeAverages = 0.2;
 
-}  // namespace
+/// Of the radius that is asked for.
+constexpr std::array<float, 3> kFarther = {1, 2, 4};
 
-std::vector<std::vector<Vec3>> averaged_normals(NormalElements elements,
-                                                std::span<const float> radii,
-                                                const Progress& progress) {
-  Averaging averaging(std::move(elements));
-  std::vector<std::vector<Vec3>> normals;
-  for (const float radius : radii) {
-    const double each = 1 / static_cast<double>(radii.size());
-    const auto done = static_cast<double>(normals.size());
-    normals.push_back(averaging.over(radius, progress.part(done * each, (done + 1) * each)));
-  }
-  return normals;
-}
+}  // namespace
 
 std::vector<std::vector<Vec3>> averaged_normals(const Surface& surface,
                                                 std::span<const float> radii,
                                                 const Progress& progress) {
-  return averaged_normals(elements_of(surface, progress.part(0, kBeforeAverages)), radii,
-                          progress.part(kBeforeAverages, 1));
+  Averaging averaging(surface, progress.part(0, kBeforeAverages));
+  const Progress averages = progress.part(kBeforeAverages, 1);
+  std::vector<std::vector<Vec3>> normals;
+  for (const float radius : radii) {
+    const double each = 1 / static_cast<double>(radii.size());
+    const auto done = static_cast<double>(normals.size());
+    normals.push_back(averaging.over(radius, averages.part(done * each, (done + 1) * each)));
+  }
+  return normals;
+}
+
+std::vector<float> averaging_radii(float normal_radius, bool goes_on) {
+  std::vector<float> radii(goes_on ? 1 : kFarther.size());
+  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = kFarther[i] * normal_radius;
+  return radii;
+}
+
+void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, DirectionField& field) {
+  parallel_for(field.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (field[i].isZero(0) || from[i] == to[i]) continue;
+      // Where the surface is folded so finely that its normal is the other side's, it is mirrored.
+      const bool folded = from[i].dot(to[i]) < kOppositeSides;
+      field[i] =
+          tangent_direction(transported(field[i], from[i], folded ? Vec3(-to[i]) : to[i]), to[i]);
+    }
+  });
+}
+
+std::vector<Complex> values_at(SeenField field, std::span<const Vec3> normals, int symmetry) {
+  turn_to_normals(field.normals, normals, field.directions);
+  std::vector<Complex> u(normals.size());
+  parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      u[i] = representation(field.directions[i], normals[i], symmetry);
+    }
+  });
+  return u;
 }
 
 }  // namespace brindle

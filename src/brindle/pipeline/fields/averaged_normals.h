@@ -1,27 +1,15 @@
-/// Normals of a surface as it is seen from farther away.
+/// Normals of a surface as it is seen from farther away, and fields handed on between them.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "brindle/phase_graph.h"
-#include "brindle/phases/screened.h"
+#include "brindle/direction_field.h"
 #include "brindle/progress.h"
 #include "brindle/surface.h"
+#include "brindle/types.h"
 
 namespace brindle {
-
-/// Normals at the nodes of a graph, and what of a surface is to be known to average them: see
-/// `surface_elements.h`.
-struct NormalElements {
-  std::span<const Vec3> normals;
-  std::vector<float> areas;    ///< of nodes
-  std::vector<float> degrees;  ///< sums of the nodes' stiffness
-  PhaseGraph graph;            ///< coupled by the stiffness of edges
-  /// `own`, `exchange` and `total` of a part that has nodes of other ranks; then averaging is
-  /// collective.
-  ScreenedOptions part = {};
-};
 
 /// For each of `radii`, which ascend, in units of length and above 0, the surface's normals
 /// averaged over places whose root mean square distance it is; of unit length. Zero where the
@@ -31,9 +19,20 @@ std::vector<std::vector<Vec3>> averaged_normals(const Surface& surface,
                                                 std::span<const float> radii,
                                                 const Progress& progress = {});
 
-/// The same of a part of a surface, other ranks' nodes with what their owners have.
-std::vector<std::vector<Vec3>> averaged_normals(NormalElements elements,
-                                                std::span<const float> radii,
-                                                const Progress& progress = {});
+/// The distances over which the normals are averaged that a field of averaged normals goes through,
+/// from the last to the first; one that goes on from the field before begins with that.
+std::vector<float> averaging_radii(float normal_radius, bool goes_on);
+
+/// A field that is tangent to some normals of a surface.
+struct SeenField {
+  std::vector<Vec3> normals;
+  DirectionField directions;
+};
+
+/// Directions that are tangent to some normals, turned until they are to others.
+void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, DirectionField& field);
+
+/// A field's values in the direction graph of other normals, 0 where it has none.
+std::vector<Complex> values_at(SeenField field, std::span<const Vec3> normals, int symmetry);
 
 }  // namespace brindle

@@ -19,9 +19,7 @@
 #include "brindle/geometry/topology.h"
 #include "brindle/orientation.h"
 #include "brindle/phases/screened.h"
-#include "brindle/pipeline/fields/opposite_singularities.h"
-#include "brindle/pipeline/fields/period_walk.h"
-#include "brindle/pipeline/fields/scale_check.h"
+#include "brindle/pipeline/fields/measured_scale.h"
 #include "brindle/pipeline/fields/surface_elements.h"
 #include "brindle/waves/direction_graph.h"
 

@@ -9,8 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
 #include "brindle/phases/screened.h"
-#include "brindle/pipeline/fields/period_walk.h"
-#include "brindle/pipeline/fields/scale_check.h"
+#include "brindle/pipeline/fields/measured_scale.h"
 #include "brindle/pipeline/fields/surface_elements.h"
 
 namespace brindle {

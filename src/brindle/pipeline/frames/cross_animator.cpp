@@ -14,8 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/pattern/texture_quality.h"
 #include "brindle/pipeline/cross_parts.h"
-#include "brindle/pipeline/frames/frame_check.h"
-#include "brindle/pipeline/frames/yielding_frames.h"
+#include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
@@ -25,7 +24,7 @@ namespace {
 
 /// Calls the direction that is nearest to wave (i, 0) of the last frame so again: a cross may be
 /// given by any of its directions.
-void keep_names(const WaveSet& last, WaveSet& crosses) {
+void match_previous_axes(const WaveSet& last, WaveSet& crosses) {
   parallel_for(crosses.directions.size() / 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Vec3& first = crosses.directions[2 * i];
@@ -82,12 +81,8 @@ bool is_cover_of(const CrossCover& cover, const Mesh& mesh) {
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 /// What a frame has come to.
-struct LaidCrosses {
+struct CrossFrameState {
   CrossCover cover = {};
   Mesh cover_mesh = {};  ///< positions and triangles of the cover
   std::vector<Complex> z = {};
@@ -97,7 +92,7 @@ struct LaidCrosses {
 };
 
 /// The frame's phases, and the frequencies that they are for.
-void LaidCrosses::take(const FrameResult& stripes) {
+void CrossFrameState::take(const FrameResult& stripes) {
   cover_mesh.positions = cover.waves.positions;
   if (!stripes.frequencies.empty()) {
     cover.waves.frequencies.assign(stripes.frequencies.begin(), stripes.frequencies.end());
@@ -105,7 +100,7 @@ void LaidCrosses::take(const FrameResult& stripes) {
   z.assign(stripes.z.begin(), stripes.z.end());
 }
 
-void measure(const LaidCrosses& laid, PhaseShiftKind kind, const Progress& progress,
+void measure(const CrossFrameState& laid, PhaseShiftKind kind, const Progress& progress,
              CrossFrameResult& result) {
   const auto& [cover, cover_mesh, z, parts] = laid;
   const auto corners = corner_phases(cover.triangles, cover.waves, z, kind, progress.part(0, 0.3));
@@ -124,10 +119,9 @@ void measure(const LaidCrosses& laid, PhaseShiftKind kind, const Progress& progr
     }
     return phases;
   };
-  progress.report(0.6);
+  progress.tick();
   const auto u = behind(std::span(corners).first(pairs), parts.waves.u);
   const auto v = behind(std::span(corners).last(pairs), parts.waves.v);
-  progress.report(0.65);
   const auto frequencies_u = frequencies_of(cover, 0, parts.mesh.vertex_count());
   const auto frequencies_v = frequencies_of(cover, 1, parts.mesh.vertex_count());
   result.texture =
@@ -143,7 +137,7 @@ struct CrossAnimator::State {
   bool made_with_slack = false;
 
   std::optional<StripeAnimator> animator = {};  ///< of the cover; none before the first frame
-  LaidCrosses laid = {};                        ///< the last frame
+  CrossFrameState laid = {};                    ///< the last frame
 
   WaveSet checked_waves(const CrossFrameInput& input) const;
   std::span<const Vec3> normals_of(const CrossFrameInput& input) const {
@@ -153,9 +147,9 @@ struct CrossAnimator::State {
   StripeAnimator animator_of(const CrossCover& made, std::span<const Vec3> normals) const;
   void solve_again(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
                    CrossFrameResult& result);
-  void solve_afresh(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
-                    CrossFrameResult& result);
-  void lay(const Mesh& placed, LaidCrosses& next, const Progress& progress,
+  void solve_from_scratch(WaveSet crosses, const CrossFrameInput& input, const Progress& progress,
+                          CrossFrameResult& result);
+  void lay(const Mesh& placed, CrossFrameState& next, const Progress& progress,
            CrossFrameResult& result) const;
 };
 
@@ -210,7 +204,7 @@ CrossAnimator::CrossAnimator(CrossAnimator&&) noexcept = default;
 CrossAnimator& CrossAnimator::operator=(CrossAnimator&&) noexcept = default;
 
 /// The triangles of a frame whose phases are known, and what is measured of them.
-void CrossAnimator::State::lay(const Mesh& placed, LaidCrosses& next, const Progress& progress,
+void CrossAnimator::State::lay(const Mesh& placed, CrossFrameState& next, const Progress& progress,
                                CrossFrameResult& result) const {
   Stopwatch watch;
   next.parts = cross_parts(placed, next.cover, next.z, options.phase_shift, std::move(next.parts),
@@ -236,13 +230,13 @@ void CrossAnimator::State::solve_again(WaveSet crosses, const CrossFrameInput& i
 
 /// Crosses belong together in another way, or there is no last frame. Everything is made beside
 /// that of the last frame.
-void CrossAnimator::State::solve_afresh(WaveSet crosses, const CrossFrameInput& input,
-                                        const Progress& progress, CrossFrameResult& result) {
+void CrossAnimator::State::solve_from_scratch(WaveSet crosses, const CrossFrameInput& input,
+                                              const Progress& progress, CrossFrameResult& result) {
   JobStages stages(progress, {{"match crosses", 2}, {"frame", 10}, {"texture", 4}});
   Stopwatch watch;
   result.matching = animator ? CrossMatching::renewed : CrossMatching::afresh;
   const Progress matching = stages.begin("match crosses");
-  LaidCrosses next;
+  CrossFrameState next;
   next.cover = cross_cover(*surface.neighborhood, surface.mesh.triangles, std::move(crosses),
                            matching.part(0, 0.8));
   StripeAnimator first = animator_of(next.cover, normals_of(input));
@@ -268,13 +262,13 @@ CrossFrameResult CrossAnimator::frame(const CrossFrameInput& input, const Progre
   CrossFrameResult result{{}, s.laid.cover, s.laid.parts.mesh, s.laid.parts.waves, {}, {}, {}, {}};
   Stopwatch watch;
   WaveSet crosses = cross_waves(waves, s.normals_of(input));
-  if (s.animator) keep_names(s.laid.cover.waves, crosses);
+  if (s.animator) match_previous_axes(s.laid.cover.waves, crosses);
   const bool kept = s.animator && are_matched_alike(*s.surface.neighborhood, crosses, s.laid.cover);
   result.milliseconds.match = watch.lap();
   if (kept) {
     s.solve_again(std::move(crosses), input, progress, result);
   } else {
-    s.solve_afresh(std::move(crosses), input, progress, result);
+    s.solve_from_scratch(std::move(crosses), input, progress, result);
   }
   return result;
 }
@@ -296,7 +290,7 @@ void CrossAnimator::set_last_phases(const CrossCover& cover, std::span<const Com
     throw Error("cross animator: the cover is of another surface, or incomplete");
   }
   check_last_phases(z, nodes);
-  LaidCrosses last;
+  CrossFrameState last;
   last.cover = cover;
   last.cover_mesh.triangles = cover.triangles;
   last.cover_mesh.positions = cover.waves.positions;

@@ -7,7 +7,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
-#include "brindle/pipeline/frames/frame_check.h"
+#include "brindle/pipeline/frames/frame_input.h"
 
 namespace brindle {
 namespace {

@@ -26,7 +26,6 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/pipeline/cross_parts.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/pipeline/oriented_texture.h"
 #include "brindle/pipeline/windings/twisted_forms.h"
 
 namespace brindle {
@@ -44,29 +43,16 @@ constexpr int kMostMergeRounds = 12;
 constexpr std::size_t kStepsPerReport = 1 << 13;
 constexpr Index kNoNumber = std::numeric_limits<Index>::max();
 
-/// The share of a list's entry, of what the list was handed.
-Progress of_entry(const Progress& progress, std::size_t entry, std::size_t count) {
-  return progress.part(static_cast<double>(entry) / static_cast<double>(count),
-                       static_cast<double>(entry + 1) / static_cast<double>(count));
-}
-
-/// Conjugate gradients, which report at every iteration: the preconditioner is asked in each.
-class HeardPreconditioner : public Eigen::DiagonalPreconditioner<double> {
- public:
-  void set_progress(const Progress& progress) { progress_ = &progress; }
+/// Lets conjugate gradients be cancelled: every iteration calls its preconditioner once.
+struct TickingPreconditioner : Eigen::DiagonalPreconditioner<double> {
+  Progress progress;
 
   template <class Right>
   Eigen::Solve<Eigen::DiagonalPreconditioner<double>, Right> solve(
       const Eigen::MatrixBase<Right>& b) const {
-    // The more iterations there have been, the fewer are left.
-    ++asked_;
-    if (progress_) progress_->report(1 - 1 / (1 + 0.02 * asked_));
+    progress.tick();
     return Eigen::DiagonalPreconditioner<double>::solve(b);
   }
-
- private:
-  const Progress* progress_ = nullptr;
-  mutable int asked_ = 0;
 };
 
 /// An edge that a change of phase crosses, and its number of whole turns.
@@ -94,44 +80,44 @@ struct BranchPair {
 class PairMerger {
  public:
   PairMerger(const Surface& surface, const StripePattern& pattern, double distance,
-             const StripeOptions& options, const Progress& progress)
-      : distance_(distance),
+             const StripeOptions& options, Progress progress)
+      : progress_(std::move(progress)),
+        distance_(distance),
         mesh_(surface.mesh),
         adjacency_(*surface.neighborhood),
         waves_(pattern.waves),
         kind_(pattern.phase_shift),
         fixed_(options.fixed_phases),
         z_(pattern.solution.z),
-        edges_(mesh_edges(mesh_, adjacency_, progress.part(0, 0.3))),
+        edges_(mesh_edges(mesh_, adjacency_, progress_)),
         forms_(mesh_, edges_, waves_.directions),
         index_(mesh_.triangle_count()),
         number_(mesh_.vertex_count(), kNoNumber),
         ways_(mesh_.vertex_count()),
         best_(mesh_.triangle_count(), std::numeric_limits<double>::infinity()),
         turns_(edges_.count()) {
-    weigh_edges(options.weights, progress.part(0.3, 0.4));
-    shift_edges(progress.part(0.4, 0.7));
+    weigh_edges(options.weights);
+    shift_edges();
     changed_.assign(mesh_.vertex_count(), true);
-    reported_for(mesh_.triangle_count(), progress.part(0.7, 0.9),
-                 [&](std::size_t t) { index_[t] = index_of(static_cast<Index>(t)); });
-    reported_for(edges_.count(), progress.part(0.9, 1),
-                 [&](std::size_t e) { energy_ += term(static_cast<Index>(e)); });
+    each(mesh_.triangle_count(),
+         [&](std::size_t t) { index_[t] = index_of(static_cast<Index>(t)); });
+    each(edges_.count(), [&](std::size_t e) { energy_ += term(static_cast<Index>(e)); });
   }
 
   /// Removes what it can within the energy, and returns how many pairs that were.
-  std::size_t merge(double share, const Progress& progress) {
+  std::size_t merge(double share, Progress progress) {
+    progress_ = std::move(progress);
     const double most = (1 + share) * energy_;
     std::size_t merged = 0;
     for (int round = 0; round < kMostMergeRounds; ++round) {
-      const Progress of_round =
-          progress.part(1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1));
-      of_round.report(0);
-      std::vector<BranchPair> pairs = find_pairs(of_round.part(0, 0.3));
-      const std::size_t all = pairs.size();
-      std::size_t number = 0;
+      const double left = std::pow(0.5, round);
+      progress_.report(1 - left);
+      std::vector<BranchPair> pairs = find_pairs();
+      const auto all = static_cast<double>(pairs.size());
+      double tried = 0;
       std::erase_if(pairs, [&](BranchPair& pair) {
-        std::optional<Trial> trial =
-            try_pair(pair, of_entry(of_round.part(0.3, 0.9), number++, all));
+        progress_.report(1 - left * (1 - 0.5 * tried++ / all));
+        std::optional<Trial> trial = try_pair(pair);
         if (trial) pair.trial = std::move(*trial);
         return !trial;
       });
@@ -140,9 +126,7 @@ class PairMerger {
       });
       std::fill(changed_.begin(), changed_.end(), false);
       const std::size_t before = merged;
-      for (std::size_t p = 0; p < pairs.size(); ++p) {
-        merged += apply(pairs[p], most, of_entry(of_round.part(0.9, 1), p, pairs.size()));
-      }
+      for (BranchPair& pair : pairs) merged += apply(pair, most);
       if (merged == before) break;
     }
     return merged;
@@ -151,26 +135,33 @@ class PairMerger {
   const std::vector<Complex>& phases() const { return z_; }
 
  private:
-  void weigh_edges(EdgeWeights weights, const Progress& progress) {
+  Progress tick_alone() const { return progress_.part(1, 1); }
+
+  /// Calls `body(i)` for every i below `count`, one after the other.
+  template <class Body>
+  void each(std::size_t count, const Body& body) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % kReportSlice == 0) progress_.tick();
+      body(i);
+    }
+  }
+
+  void weigh_edges(EdgeWeights weights) {
     weight_.resize(edges_.count());
     std::vector<float> cotangents;
     if (weights == EdgeWeights::cotangent)
-      cotangents = cotangent_weights(mesh_, adjacency_, progress.part(0, 0.5));
-    reported_for(edges_.count(), progress.part(0.5, 1), [&](std::size_t e) {
+      cotangents = cotangent_weights(mesh_, adjacency_, tick_alone());
+    each(edges_.count(), [&](std::size_t e) {
       const auto [a, b] = edges_.vertices[e];
       weight_[e] = std::abs(static_cast<double>(waves_.directions[a].dot(waves_.directions[b])));
-      if (cotangents.empty()) return;
-      const auto row = adjacency_.of(b);
-      const auto at = std::lower_bound(row.begin(), row.end(), a) - row.begin();
-      weight_[e] *=
-          static_cast<double>(cotangents[adjacency_.offsets[b] + static_cast<std::size_t>(at)]);
+      if (!cotangents.empty()) weight_[e] *= value_at(adjacency_, cotangents, b, a);
     });
   }
 
   /// Shifts from the lower end in its sense; and of every directed edge the edge.
-  void shift_edges(const Progress& progress) {
+  void shift_edges() {
     shift_.resize(edges_.count());
-    reported_for(edges_.count(), progress.part(0, 0.4), [&](std::size_t number) {
+    each(edges_.count(), [&](std::size_t number) {
       const auto e = static_cast<Index>(number);
       const auto [a, b] = edges_.vertices[e];
       Wave there = waves_.wave(b);
@@ -178,7 +169,7 @@ class PairMerger {
       shift_[e] = static_cast<double>(phase_shift(kind_, waves_.wave(a), there).radians);
     });
     edge_at_.resize(adjacency_.directed_edge_count());
-    reported_for(adjacency_.node_count(), progress.part(0.4, 1), [&](std::size_t node) {
+    each(adjacency_.node_count(), [&](std::size_t node) {
       const auto v = static_cast<Index>(node);
       for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
         edge_at_[k] = edges_.between(v, adjacency_.neighbors[k]);
@@ -218,15 +209,11 @@ class PairMerger {
   }
 
   /// Of every branch, the way to the nearest that is its opposite.
-  std::vector<BranchPair> find_pairs(const Progress& progress) {
+  std::vector<BranchPair> find_pairs() {
     std::vector<BranchPair> pairs;
-    const auto branches = static_cast<std::size_t>(
-        ranges::count_if(index_, [](int index) { return std::abs(index) == 1; }));
-    std::size_t number = 0;
     for (Index t = 0; t < index_.size(); ++t) {
       if (std::abs(index_[t]) != 1) continue;
-      const Progress of_branch = of_entry(progress, number++, branches);
-      if (auto pair = nearest_partner(t, of_branch)) pairs.push_back(std::move(*pair));
+      if (auto pair = nearest_partner(t)) pairs.push_back(std::move(*pair));
     }
     const auto ends = [](const BranchPair& p) {
       return std::minmax(p.triangles[0], p.triangles[1]);
@@ -252,7 +239,7 @@ class PairMerger {
     }
   };
 
-  std::optional<BranchPair> nearest_partner(Index start, const Progress& progress) {
+  std::optional<BranchPair> nearest_partner(Index start) {
     steps_.clear();
     std::vector<Index> touched;
     std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
@@ -276,7 +263,7 @@ class PairMerger {
     }
     std::optional<BranchPair> found;
     for (std::size_t steps = 0; !queue.empty() && !found; ++steps) {
-      if (steps % kStepsPerReport == 0) progress.report(0);
+      if (steps % kStepsPerReport == 0) progress_.tick();
       const Step step = queue.top();
       queue.pop();
       if (step.length > best_[step.triangle]) continue;
@@ -317,15 +304,14 @@ class PairMerger {
   }
 
   /// Free vertices within so many periods of the way, nearest first.
-  std::vector<Index> vertices_around(const BranchPair& pair, double periods,
-                                     const Progress& progress) const {
+  std::vector<Index> vertices_around(const BranchPair& pair, double periods) const {
     const double reach = periods * period_at(pair.triangles[0]);
     std::vector<Index> found;
     for (const Crossed& crossed : pair.way) {
       for (const Index v : edges_.vertices[crossed.edge]) ways_.offer(v, 0);
     }
     for (std::size_t steps = 0; const auto next_vertex = ways_.next(); ++steps) {
-      if (steps % kStepsPerReport == 0) progress.report(0);
+      if (steps % kStepsPerReport == 0) progress_.tick();
       const auto [distance, v] = *next_vertex;
       if (is_free(v)) found.push_back(v);
       for (const Index n : adjacency_.of(v)) {
@@ -350,40 +336,33 @@ class PairMerger {
     return found;
   }
 
-  std::optional<Trial> try_pair(const BranchPair& pair, const Progress& progress) {
+  std::optional<Trial> try_pair(const BranchPair& pair) {
     const double around = kAround * distance_;
-    if (around <= kNear) return try_within(pair, around, progress);
-    std::optional<Trial> trial = try_within(pair, around, progress.part(0, 0.8));
-    return trial ? std::move(trial) : try_within(pair, kNear, progress.part(0.8, 1));
+    std::optional<Trial> trial = try_within(pair, around);
+    return trial || around <= kNear ? std::move(trial) : try_within(pair, kNear);
   }
 
   /// The phases that are best with so many turns across the way, so many periods around it, if both
   /// branches go and no other comes.
-  std::optional<Trial> try_within(const BranchPair& pair, double periods,
-                                  const Progress& progress) {
+  std::optional<Trial> try_within(const BranchPair& pair, double periods) {
     Trial trial;
-    trial.vertices = vertices_around(pair, periods, progress);
+    trial.vertices = vertices_around(pair, periods);
     if (!is_changed(trial.vertices)) return std::nullopt;  // the same as before
     for (std::size_t i = 0; i < trial.vertices.size(); ++i) {
       number_[trial.vertices[i]] = static_cast<Index>(i);
     }
-    progress.report(0.1);
     const std::vector<Index> edges = edges_around(trial.vertices);
     double before = 0;
-    reported_for(edges.size(), progress.part(0.1, 0.2),
-                 [&](std::size_t e) { before += term(edges[e]); });
+    each(edges.size(), [&](std::size_t e) { before += term(edges[e]); });
     const std::vector<Complex> old = phases_of(trial.vertices);
-    turn_phases(trial.vertices, edges, pair.way, progress.part(0.2, 0.6));
-    for (int sweep = 0; sweep < kPolishSweeps; ++sweep) {
-      polish(trial.vertices, of_entry(progress.part(0.6, 0.8), sweep, kPolishSweeps));
-    }
+    turn_phases(trial.vertices, edges, pair.way);
+    for (int sweep = 0; sweep < kPolishSweeps; ++sweep) polish(trial.vertices);
     double after = 0;
-    reported_for(edges.size(), progress.part(0.8, 0.85),
-                 [&](std::size_t e) { after += term(edges[e]); });
+    each(edges.size(), [&](std::size_t e) { after += term(edges[e]); });
     trial.raise = after - before;
     trial.z = phases_of(trial.vertices);
     trial.triangles = triangles_around(edges);
-    const bool good = is_merged(pair, trial, progress.part(0.85, 1));
+    const bool good = is_merged(pair, trial);
     for (std::size_t i = 0; i < old.size(); ++i) {
       z_[trial.vertices[i]] = old[i];
       number_[trial.vertices[i]] = kNoNumber;
@@ -400,13 +379,13 @@ class PairMerger {
 
   /// Least squares of all remainders, with whole turns added on the way; phases outside stay.
   void turn_phases(const std::vector<Index>& vertices, const std::vector<Index>& edges,
-                   const std::vector<Crossed>& way, const Progress& progress) {
+                   const std::vector<Crossed>& way) {
     const auto count = static_cast<Eigen::Index>(vertices.size());
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
     for (Index i = 0; i < vertices.size(); ++i) entries.emplace_back(i, i, 1e-9);
     for (const Crossed& crossed : way) turns_[crossed.edge] += crossed.turns;
-    reported_for(edges.size(), progress.part(0, 0.2), [&](std::size_t number) {
+    each(edges.size(), [&](std::size_t number) {
       const Index e = edges[number];
       const int sign = forms_.sign(e);
       if (sign == 0) return;
@@ -426,14 +405,13 @@ class PairMerger {
       entries.emplace_back(b, a, -sign * w);
     });
     for (const Crossed& crossed : way) turns_[crossed.edge] = 0;
-    progress.report(0.2);
+    progress_.tick();
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper,
-                             HeardPreconditioner>
+                             TickingPreconditioner>
         solver(matrix);
-    const Progress iterating = progress.part(0.3, 1);
-    solver.preconditioner().set_progress(iterating);
+    solver.preconditioner().progress = progress_;
     solver.setTolerance(1e-3);
     const Eigen::VectorXd turn = solver.solve(right);
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -444,8 +422,8 @@ class PairMerger {
   }
 
   /// Every vertex goes where its neighbours want it: down to the nearest minimum of the energy.
-  void polish(const std::vector<Index>& vertices, const Progress& progress) {
-    reported_for(vertices.size(), progress, [&](std::size_t number) {
+  void polish(const std::vector<Index>& vertices) {
+    each(vertices.size(), [&](std::size_t number) {
       const Index v = vertices[number];
       std::complex<double> sum = 0;
       for (Index k = adjacency_.offsets[v]; k < adjacency_.offsets[v + 1]; ++k) {
@@ -477,9 +455,9 @@ class PairMerger {
   }
 
   /// Whether there are two branches fewer; others may have moved to a neighbouring triangle.
-  bool is_merged(const BranchPair& pair, Trial& trial, const Progress& progress) const {
+  bool is_merged(const BranchPair& pair, Trial& trial) const {
     int fewer = 0;
-    reported_for(trial.triangles.size(), progress, [&](std::size_t number) {
+    each(trial.triangles.size(), [&](std::size_t number) {
       const Index t = trial.triangles[number];
       trial.indices.push_back(index_of(t));
       fewer += std::abs(index_[t]) - std::abs(trial.indices.back());
@@ -493,10 +471,10 @@ class PairMerger {
   }
 
   /// Tries the pair once more, if others have gone nearby.
-  bool apply(BranchPair& pair, double most, const Progress& progress) {
+  bool apply(BranchPair& pair, double most) {
     if (is_changed(pair.trial.vertices)) {
       if (index_[pair.triangles[0]] == 0 || index_[pair.triangles[1]] == 0) return false;
-      std::optional<Trial> again = try_pair(pair, progress);
+      std::optional<Trial> again = try_pair(pair);
       if (!again) return false;
       pair.trial = std::move(*again);
     }
@@ -515,6 +493,7 @@ class PairMerger {
     return true;
   }
 
+  Progress progress_;
   double distance_;  ///< in periods
   const Mesh& mesh_;
   const Adjacency& adjacency_;

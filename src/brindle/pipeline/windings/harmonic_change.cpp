@@ -131,10 +131,7 @@ std::vector<double> form_weights(const Surface& surface, const MeshEdges& edges)
   std::vector<double> weights(edges.count());
   for (Index e = 0; e < edges.count(); ++e) {
     const auto [a, b] = edges.vertices[e];
-    const auto row = adjacency.of(b);
-    const auto at = std::lower_bound(row.begin(), row.end(), a) - row.begin();
-    const auto weight = directed[adjacency.offsets[b] + static_cast<std::size_t>(at)];
-    weights[e] = std::max(0.02, static_cast<double>(weight) - 0.5);
+    weights[e] = std::max(0.02, value_at(adjacency, directed, b, a) - 0.5);
   }
   return weights;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brindle/geometry/topology.h"
-#include "brindle/pipeline/windings/loop_walk.h"
+#include "brindle/pipeline/windings/twisted_forms.h"
 #include "brindle/surface.h"
 
 namespace brindle {

@@ -1,13 +1,21 @@
-/// Changes of phase along edges, which change their sign with the waves that they belong to.
+/// Changes of phase along edges and round loops, whose signs change with the waves that they belong
+/// to.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "brindle/corner_phases.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/surface.h"
+#include "brindle/types.h"
 
 namespace brindle {
+
+/// The value of a directed edge, of one value for each.
+double value_at(const Adjacency& adjacency, std::span<const float> directed, Index from, Index to);
 
 /// One-forms whose values belong to edges, each from its lower vertex to its higher one and in the
 /// lower one's sense.
@@ -63,5 +71,16 @@ class TwistedForms {
   const MeshEdges& edges_;
   std::vector<int> signs_;
 };
+
+struct LoopWalk {
+  bool oriented = false;    ///< the field can be oriented along the loop, and has waves there
+  std::vector<int> senses;  ///< 1 or -1 of every vertex: whether its wave runs like the first one's
+  int periods = 0;          ///< gained in the first one's sense
+  int sign = 1;             ///< what makes of them the number of `Winding`
+  int winding() const { return sign * periods; }
+};
+
+LoopWalk walk_round(const SurfaceLoop& loop, std::span<const Vec3> normals, const WaveSet& waves,
+                    std::span<const Complex> z, PhaseShiftKind kind);
 
 }  // namespace brindle

@@ -1,19 +1,37 @@
-/// Walks along edges whose lengths are counted in periods of the stripes.
+/// The scale of measured data, in periods of the stripes: what it may be, walks along edges whose
+/// lengths are counted so, and pairs of singularities that undo each other.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "brindle/base/graph.h"
 #include "brindle/base/standard.h"
+#include "brindle/error.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
 
 namespace brindle {
 
-/// Shortest ways along edges, one walk after the other on one surface.
+/// Throws Error, "<of>: ...", for numbers of periods that cannot be: P, and how far holes are
+/// filled.
+inline void check_scale(const std::string& of, float periods, float fill) {
+  if (!(periods > 0 && periods <= 100)) {
+    throw Error(of + ": the detail must be a number of periods above 0, and 100 at most");
+  }
+  if (!(std::isfinite(fill) && fill >= 0)) {
+    throw Error(of + ": holes are filled for a finite number of periods, 0 or above");
+  }
+}
+
+/// Shortest ways along edges (Dijkstra 1959), one walk after the other on one surface.
 class PeriodWalk {
  public:
   /// `frequencies` are stripes per unit length, one per vertex. Both must outlive the walk.
@@ -61,5 +79,23 @@ std::vector<float> periods_from_data(const Surface& surface, std::span<const flo
   });
   return distance;
 }
+
+/// Two triangles that a field turns round in opposite senses.
+struct OppositeSingularities {
+  Index positive;
+  Index negative;
+  float distance;  ///< along edges, in periods
+};
+
+struct FoundSingularities {
+  std::size_t count = 0;
+  std::vector<OppositeSingularities> pairs;  ///< the nearest first, each triangle in one at most
+};
+
+/// The singularities of a field of symmetry N, and those nearer to an opposite one than so many
+/// periods of stripes with these frequencies. One direction and frequency per vertex.
+FoundSingularities opposite_singularities(const Surface& surface, std::span<const Vec3> directions,
+                                          int symmetry, std::span<const float> frequencies,
+                                          float reach);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-#include "brindle/pipeline/fields/opposite_singularities.h"
+#include "brindle/pipeline/fields/measured_scale.h"
 
 #include <algorithm>
 #include <tuple>
@@ -6,7 +6,6 @@
 #include "brindle/base/standard.h"
 #include "brindle/field_index.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/pipeline/fields/period_walk.h"
 
 namespace brindle {
 

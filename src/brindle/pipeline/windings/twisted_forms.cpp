@@ -1,12 +1,20 @@
-#include "brindle/pipeline/windings/loop_walk.h"
+#include "brindle/pipeline/windings/twisted_forms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
 
 namespace brindle {
+
+double value_at(const Adjacency& adjacency, std::span<const float> directed, Index from, Index to) {
+  const auto row = adjacency.of(from);
+  const auto at = std::lower_bound(row.begin(), row.end(), to) - row.begin();
+  return static_cast<double>(directed[adjacency.offsets[from] + static_cast<std::size_t>(at)]);
+}
 
 LoopWalk walk_round(const SurfaceLoop& loop, std::span<const Vec3> normals, const WaveSet& waves,
                     std::span<const Complex> z, PhaseShiftKind kind) {

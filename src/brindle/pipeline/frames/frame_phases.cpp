@@ -1,0 +1,126 @@
+#include "brindle/pipeline/frames/frame_phases.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
+#include "brindle/pattern/triangle_kernels.h"
+#include "brindle/phases/sliced_graph.h"
+#include "brindle/solver.h"
+
+namespace brindle {
+namespace {
+
+PhaseSteps steps_of_slice(const Complex* z, const Complex* last_z, const float* degree) {
+  static_assert(kLanes == kTriangleLanes);
+  PhaseSteps steps;
+  alignas(64) float distances[kLanes];
+  triangle_kernels::phase_distances(z, last_z, distances);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (degree[lane] <= 0 || last_z[lane] == Complex(0)) continue;
+    steps.angle += static_cast<double>(distances[lane]);
+    steps.count += 1;
+  }
+  return steps;
+}
+
+}  // namespace
+
+void set_anchors(std::span<const float> degree, std::span<const Complex> last_z, float lambda,
+                 std::vector<Complex>& anchor) {
+  anchor.resize(degree.size());
+  parallel_for(degree.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      anchor[slot] = lambda * degree[slot] * last_z[slot];
+    }
+  });
+}
+
+PhaseSteps phase_steps(std::span<const Complex> z, std::span<const Complex> last_z,
+                       std::span<const float> degree) {
+  return parallel_sum<PhaseSteps>(
+      degree.size() / kLanes,
+      [&](std::size_t begin, std::size_t end) {
+        PhaseSteps steps;
+        for (std::size_t first = begin * kLanes; first < end * kLanes; first += kLanes) {
+          steps = steps +
+                  steps_of_slice(z.data() + first, last_z.data() + first, degree.data() + first);
+        }
+        return steps;
+      },
+      kSliceGrain);
+}
+
+FramePhases::FramePhases(const AnimatorOptions& options)
+    : solver(options.solver),
+      lambda(options.lambda),
+      iterations(options.iterations),
+      phase_shift(options.phase_shift) {
+  momentum.strength = SolverOptions().momentum;
+}
+
+bool FramePhases::load(const Level& finest, const FrameInput& input) {
+  const SlicedLayout& layout = finest.layout();
+  has_iterated = false;
+  const bool changed =
+      load_waves(layout, input.positions, input.directions, input.frequencies, next_waves(), waves,
+                 has_given() ? std::span<Complex>() : std::span(last_z), momentum.m);
+  if (!has_given()) return changed || !has_last;
+  last_z.assign(layout.slot_count(), Complex(0));
+  to_slots(layout, given_z, last_z);
+  has_last = true;
+  return true;
+}
+
+void FramePhases::couple_next(Level& finest) {
+  couple(finest.layout(), next_waves(), phase_shift, weights, finest.couplings, degree);
+  const bool anchored = has_last && lambda > 0 && solver == FrameSolver::multilevel;
+  if (anchored) {
+    set_anchors(degree, last_z, lambda, finest.couplings.anchor);
+  } else {
+    finest.couplings.anchor.clear();
+  }
+}
+
+void FramePhases::iterate(Level& finest, const std::function<void(Momentum&)>& relax) {
+  if (may_be_taken_back) {
+    last_momentum = momentum.m;
+    has_iterated = true;
+  }
+  ranges::transform(last_z, finest.z.begin(),
+                    [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
+  for (int iteration = 0; iteration < iterations; ++iteration) relax(momentum);
+}
+
+PhaseSteps FramePhases::steps(const Level& finest) const {
+  return has_last ? phase_steps(finest.z, last_z, degree) : PhaseSteps();
+}
+
+void FramePhases::keep(const Level& finest) {
+  const SlicedLayout& layout = finest.layout();
+  last_z.assign(finest.z.begin(),
+                finest.z.begin() + static_cast<std::ptrdiff_t>(layout.slot_count()));
+  to_nodes(layout, last_z, z_by_node);
+  given_z.clear();
+  if (may_be_taken_back) std::swap(waves, cancellable_waves);
+  has_frame = has_last = true;
+}
+
+void FramePhases::take_back(Level& finest) {
+  if (has_iterated) std::swap(momentum.m, last_momentum);
+  if (!has_frame) return;
+  turn_phases(waves, next_waves(), last_z);
+  turn_phases(waves, next_waves(), momentum.m);
+  couple(finest.layout(), waves, phase_shift, weights, finest.couplings, degree);
+  to_slots(finest.layout(), z_by_node, finest.z);
+}
+
+void FramePhases::restart() {
+  last_z.clear();
+  given_z.clear();
+  has_last = false;
+  ranges::fill(momentum.m, Complex(0));
+}
+
+}  // namespace brindle
