@@ -13,23 +13,23 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// The covering of a surface by two sheets on which a cross field is an ordinary line field
-/// (Kälberer et al. 2007). Wave r of the cross at vertex i, r = 0 or 1, is node 2 i + r; each edge
-/// of the surface joins (i, r) to the wave of j that it turns least to, and the other two to
-/// each other. On the cover everything is as on a mesh with one wave per vertex: its phase graph is
-/// `build_phase_graph(neighborhood, waves)`.
+/// The double cover of a surface, on which a cross field is a line field (Kälberer et al. 2007).
+/// Wave r of the cross at vertex i, r = 0 or 1, is node 2 i + r. Each edge of the surface joins (i,
+/// r) to the wave of j with the smallest turn, and the other two waves to each other. The phase
+/// graph of the cover is `build_phase_graph(neighborhood, waves)`, as on a mesh with one wave per
+/// vertex.
 struct CrossCover {
   WaveSet waves;                                  ///< one wave per node
   std::shared_ptr<const Adjacency> neighborhood;  ///< of the nodes
 
-  /// For every triangle of `base`, in its order, the nodes of one of its two waves, U; behind them,
-  /// for every triangle again, those of the other, V. Which is which may change from one triangle
-  /// to the next: a cross tells them apart no better.
+  /// For every triangle of `base`, in its order, the nodes of one of its two waves, U; then, for
+  /// every triangle again, those of the other, V. A cross does not tell U from V, so they may be
+  /// exchanged from one triangle to the next.
   std::vector<Triangle> triangles;
   std::vector<Index> base;  ///< triangles of the surface around which crosses match
 
-  /// The other triangles, in ascending order: going round, U becomes V. They are the singularities
-  /// of the cross field; each has index 1/4 or -1/4, and larger ones take several triangles.
+  /// All other triangles, in ascending order: around them U becomes V. They are the singularities
+  /// of the cross field, of index 1/4 or -1/4; larger ones consist of several triangles.
   std::vector<Index> singular;
 
   std::span<const Triangle> u() const { return std::span(triangles).first(base.size()); }
@@ -39,24 +39,23 @@ struct CrossCover {
 /// The other wave of a node's cross.
 inline Index other_wave(Index node) { return node ^ 1u; }
 
-/// Both waves of every vertex: the given one and its direction turned a quarter about the normal.
-/// Directions are unit tangent vectors or zero, one per vertex as everything here. A vertex whose
-/// normal is zero has no waves.
+/// Both waves of every vertex: the given one, and the same turned by 90 degrees about the normal.
+/// All lists have one entry per vertex; directions are unit tangent vectors or zero. A vertex with
+/// a zero normal has no waves.
 WaveSet cross_waves(const WaveSet& waves, std::span<const Vec3> normals);
 
-/// The m in {0, 1} for which wave (i, 0) belongs to (j, m) and (i, 1) to (j, 1 - m): the pairing
-/// that turns the cross by less than an eighth, once it has been moved in parallel from i to j. The
-/// same from i to j as from j to i.
+/// The m in {0, 1} for which wave (i, 0) matches (j, m) and (i, 1) matches (j, 1 - m): the pairing
+/// that turns the cross by less than 45 degrees after parallel transport from i to j. Symmetric in
+/// i and j.
 Index matching_wave(const WaveSet& crosses, Index i, Index j);
 
-/// Whether `crosses`, other waves of the same vertices, belong together as those of the cover do:
-/// then it is their cover, too, but for the waves.
+/// Whether `crosses`, other waves of the same vertices, match along all edges as those of the cover
+/// do, so that the cover is theirs except for `waves`.
 bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
                        const CrossCover& cover);
 
-/// `crosses` has two waves for every vertex of `neighborhood`, as `cross_waves` gives them. Throws
-/// Error if it has not, or for more vertices than half an Index can count; Cancelled if `progress`
-/// asks for it.
+/// `crosses` has two waves for every vertex of `neighborhood`, as from `cross_waves`. Throws Error
+/// if sizes do not match or exceed half the range of Index; Cancelled if `progress` asks for it.
 CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> triangles,
                        WaveSet crosses, const Progress& progress = {});
 

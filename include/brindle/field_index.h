@@ -12,22 +12,23 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// How often N-fold directions turn round a triangle, counter-clockwise seen from the tip of
-/// `normal`, in N-th parts of a whole turn: 0 where the field has no singularity (Ray et al. 2008).
-/// `normal` is of any length, `directions` are those of the corners.
+/// The index of an N-direction field (N = `symmetry`) on a triangle, in N-th parts of a whole turn,
+/// counter-clockwise seen from the tip of `normal`; 0 without a singularity (Ray et al. 2008).
+/// `normal` may have any length; `directions` are those of the corners.
 int field_index(const Vec3& normal, const std::array<Vec3, 3>& directions, int symmetry);
 
+/// A triangle with a singularity.
 struct SingularTriangle {
   Index triangle;
-  int index;  ///< of `field_index`, not 0
+  int index;  ///< `field_index`, not 0
 };
 
-/// The triangles that a field of symmetry N turns round, of those whose corners all have a
-/// direction, in their order.
+/// The singular triangles of an N-direction field, in ascending order. Triangles with a corner
+/// without a direction do not count. `directions` has one entry per vertex.
 std::vector<SingularTriangle> singular_triangles(const Mesh& mesh, std::span<const Vec3> directions,
                                                  int symmetry);
 
-/// How many there are.
+/// The number of singular triangles.
 std::size_t count_singularities(const Mesh& mesh, std::span<const Vec3> directions, int symmetry);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// Frequencies: how many stripes per unit length each vertex's wave has.
+/// Frequencies of waves, in stripes per unit length.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ using FrequencyField = std::vector<float>;
 /// The same frequency everywhere. Throws Error if it is not above zero and finite.
 FrequencyField constant_frequency_field(float frequency, std::size_t vertex_count);
 
-/// The frequency that lays `stripes` stripes along a length of `diagonal`: stripes / diagonal.
+/// The frequency with `stripes` stripes along a length of `diagonal`: stripes / diagonal.
 /// Throws Error if either is not above zero and finite.
 float frequency_of_stripes(float stripes, float diagonal);
 

@@ -1,4 +1,4 @@
-/// Signs of directions that are meant up to sign.
+/// Consistent signs of directions that are defined up to sign.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Turns directions round, breadth-first from the first of every component, so that each runs like
-/// the neighbours visited before it. The pattern does not depend on signs; solvers are faster where
-/// few edges reflect. Where no consistent choice exists, some edges stay reflecting. Throws
-/// Cancelled if `progress` asks for it, with some directions turned.
+/// Reverses directions, breadth-first from the first vertex of every component, so that each runs
+/// like the neighbours visited before. Patterns do not depend on signs, but solvers are faster with
+/// few reflecting edges. Where no consistent choice exists, some edges stay reflecting.
+/// `directions` has one entry per vertex. Throws Cancelled if `progress` asks for it; some
+/// directions are reversed then.
 void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
                   const Progress& progress = {});
 
-/// The same of directions that are not settled, from those that are (1), which stay as they are.
+/// The same, starting from settled directions (1), which do not change.
 void orient_alike(const Adjacency& neighborhood, std::span<const std::uint8_t> settled,
                   std::span<Vec3> directions);
 
-/// Turns round those directions that run against `reference` (one per direction).
+/// Reverses directions that run against `reference`, which has one entry per direction.
 void orient_like(std::span<const Vec3> reference, std::span<Vec3> directions);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// The phase graph: all that a solver has to know (docs/method.md, "Phase graph").
+/// The phase graph: the input of all solvers (docs/method.md, "Phase graph").
 #pragma once
 
 #include <cstddef>
@@ -13,34 +13,34 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Unknown phases z_i = exp(i Phi_i) on nodes and one coupling per directed edge j -> i. Node i is
-/// drawn towards its target
+/// Unknown phases z_i = exp(i Phi_i) on nodes and one coupling per directed edge j -> i. The target
+/// of node i is
 ///
 ///     t_i = sum_j A_ij z_j + B_ij conj(z_j) + T_i                                (paper, Eq. 8)
 ///
-/// where the edge's coupling is A_ij = w exp(i Phi_ji) if it is direct and B_ij = -w exp(-i Phi_ji)
-/// if it is reflecting. Couplings are symmetric: A_ji = conj(A_ij), B_ji = B_ij.
+/// where the coupling of a direct edge is A_ij = w exp(i Phi_ji) and that of a reflecting edge
+/// B_ij = -w exp(-i Phi_ji) (Eq. 7). Couplings are symmetric: A_ji = conj(A_ij), B_ji = B_ij.
 struct PhaseGraph {
   std::shared_ptr<const Adjacency> adjacency;
-  std::vector<Complex> coupling;         ///< one per directed edge, in the row of its head i
+  std::vector<Complex> coupling;         ///< one per directed edge, in the row of i
   std::vector<std::uint8_t> reflecting;  ///< one per directed edge: 1 if `coupling` is a B_ij
   std::vector<Complex> anchor;           ///< T_i, one per node; empty for none
 
   std::size_t node_count() const { return adjacency->node_count(); }
 };
 
-/// A coarser graph whose inputs are averages of a finer one's (paper, 3.4).
+/// A coarser graph of averaged waves (paper, 3.4).
 struct AveragedLevel {
   PhaseGraph graph;
-  std::vector<Index> parent;      ///< for every node of the finer graph its node in `graph`
+  std::vector<Index> parent;      ///< node of the finer graph -> node of `graph`
   std::vector<Complex> transfer;  ///< z_i = transfer_i z_parent, or transfer_i conj(z_parent)...
   std::vector<std::uint8_t> transfer_reflects;  ///< ...where this is 1
 };
 
-/// What every node of a phase graph's front end has.
+/// One wave per node.
 struct WaveSet {
   std::vector<Vec3> positions;
-  std::vector<Vec3> directions;    ///< unit tangent vectors or zero (no wave: couplings are 0)
+  std::vector<Vec3> directions;    ///< unit tangent vectors or zero (no wave, couplings are 0)
   std::vector<float> frequencies;  ///< stripes per unit length
 
   Wave wave(std::size_t node) const {
@@ -48,23 +48,23 @@ struct WaveSet {
   }
 };
 
-/// The couplings of the waves along all edges of `adjacency`, with the paper's weight
-/// w = |<d_i, d_j>|, times `edge_weights` (one per directed edge, symmetric, not negative) if
-/// given. Throws Error if sizes do not match, and for values that `check_waves` and
-/// `check_edge_weights` of wave_check.h refuse.
+/// Couples waves along all edges of `adjacency`, with the paper's weight w = |<d_i, d_j>|, times
+/// `edge_weights` (one per directed edge, symmetric, not negative) if given. Throws Error if sizes
+/// do not match, for positions that are not finite, directions that are neither of length 1 nor
+/// zero, and frequencies that are not finite and above zero; Cancelled if `progress` asks for it.
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind = PhaseShiftKind::aligned,
                              std::span<const float> edge_weights = {},
                              const Progress& progress = {});
 
-/// Draws every node to a phase: T_i = lambda deg_i z_i with deg_i = sum_j |A_ij| + |B_ij|, so that
-/// `lambda` (0 to 1e6) compares with the couplings. `z` has a unit number per node, or 0 for a
-/// node that is drawn nowhere. Throws Error for other phases and lambdas.
+/// Sets anchors T_i = lambda deg_i z_i with deg_i = sum_j |A_ij| + |B_ij|, so that `lambda` (0 to
+/// 1e6) is in multiples of a node's couplings. `z` has one unit number per node, or 0 for no
+/// anchor. Throws Error for other phases and lambdas.
 void anchor_phases(PhaseGraph& graph, std::span<const Complex> z, float lambda);
 
 /// The energy of Eq. 4 and 5 over the sum of all weights: between 0 and 1, about 0.5 for random
-/// phases, 0 if the graph has no edges or none of them a weight. Anchors do not count. Not a number
-/// if a coupling or a phase is none. `z` has one unit number per node.
+/// phases, 0 if all weights are 0. Anchors do not count. NaN if a coupling or a phase is NaN. `z`
+/// has one unit number per node.
 double energy(const PhaseGraph& graph, std::span<const Complex> z);
 
 }  // namespace brindle

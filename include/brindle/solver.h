@@ -1,4 +1,4 @@
-/// All solvers behind one function: from a phase graph to phases.
+/// All solvers: from a phase graph to phases.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@
 
 namespace BRINDLE_EXPORT brindle {
 
+/// The methods of `solve_phases`.
 enum class Solver {
-  multilevel,  ///< carries phases up a hierarchy (docs/method.md); the default
+  multilevel,  ///< hierarchy of exact sums (docs/method.md); the default
   relaxation,  ///< the paper's local optimisation (3.2, 3.3, section 4)
   averaged,    ///< the paper's hierarchy of averaged inputs (3.4)
   global       ///< smallest eigenvector (Knöppel et al. 2015); needs a build with CHOLMOD
@@ -20,45 +21,45 @@ enum class Solver {
 
 std::string_view name_of(Solver solver);
 
-/// Whether this build has the solver: all but `global` are always there.
+/// Whether this build has the solver: every build has all but `global`.
 bool is_available(Solver solver);
 
+/// Options of all solvers.
 struct SolverOptions {
   Solver solver = Solver::multilevel;
 
   // relaxation and averaged
   float epsilon = 0.02f;        ///< stop when the relative energy improvement (Eq. 12) is below
-  float momentum = 0.2f;        ///< s_m of Eq. 11; 0 switches it off
-  bool skip_last_third = true;  ///< last third of the colours on every second iteration only
+  float momentum = 0.2f;        ///< s_m of Eq. 11; 0 for none
+  bool skip_last_third = true;  ///< of the colours, on every second iteration
   int max_iterations = 10000;
   std::uint32_t seed = 0;  ///< added to the node number before hashing
 
-  // multilevel, and the cycles of all
-  int sweeps = 2;  ///< coloured sweeps per level; of small levels and large graphs more
+  // multilevel, and cycles after any solver
+  int sweeps = 2;  ///< coloured sweeps per level; more on small levels and large graphs
                    ///< (docs/method.md)
-  int cycles = 0;  ///< descents from the solver's phases, each from those of the one before
+  int cycles = 0;  ///< further descents of the multilevel solver, each from the phases before
 
   // global
   int global_iterations = 20;  ///< inverse iterations
 };
 
+/// Phases, and the work that they took.
 struct PhaseSolution {
   std::vector<Complex> z;  ///< one unit number per node
   double energy = 0;       ///< of `z`, as `energy()` of phase_graph.h defines it
   int iterations = 0;      ///< sweeps over the finest level, or inverse iterations
-  std::vector<double> energy_per_iteration;  ///< before the first iteration and after each one, but
-                                             ///< for those of cycles; empty for multilevel and
-                                             ///< global, which do not need it
+  std::vector<double> energy_per_iteration;  ///< before the first iteration and after each, without
+                                             ///< cycles; empty for multilevel and global
   double topology_milliseconds =
-      0;  ///< what depends on the graph alone: colours, aggregates, order
+      0;  ///< for what depends on connectivity alone: colours, aggregates, order
   double solve_milliseconds = 0;
 };
 
-/// What single solvers ask for besides the graph.
+/// Input of single solvers besides the graph.
 struct SolverData {
   std::vector<float> mass;              ///< of Solver::global: one per node, above 0; empty: 1
-  std::vector<AveragedLevel> averaged;  ///< of Solver::averaged: the graph's coarser and coarser
-                                        ///< levels
+  std::vector<AveragedLevel> averaged;  ///< of Solver::averaged: coarser levels, finest first
 };
 
 /// Throws Error for options out of range, no averaged levels for Solver::averaged, or a build

@@ -1,4 +1,4 @@
-/// Frequencies that yield within bounds, so that fewer stripes must begin or end (docs/spacing.md).
+/// Frequencies that change within bounds, so that fewer stripes begin or end (docs/spacing.md).
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// How far frequencies may depart from those that are asked for. A number is one.
+/// The spacing tolerance: bounds of frequencies relative to those wanted. A number converts to it.
 struct Slack {
-  /// S, of 0 or above: from f / (1 + S) to f (1 + S); 0: not at all.
+  /// S of 0 or above: frequencies from f / (1 + S) to f (1 + S); 0 for no change.
   Slack(float s = 0) : everywhere(s) {}
 
   float everywhere;
   std::vector<float> by_vertex;  ///< S_i in place of `everywhere`; empty: none
-  /// By vertex, from 0 to 1: where branches are unwelcome. Curl weighs up to 10 times as much
-  /// there, and slack is up to 3 times as large, so that they go elsewhere. Empty: 0.
+  /// By vertex, from 0 to 1: where to avoid branches. Curl has up to 10 times the weight there, and
+  /// slack is up to 3 times as large, so that branches appear elsewhere. Empty: 0.
   std::vector<float> calm;
 
   /// Whether frequencies may change.
@@ -31,61 +31,60 @@ struct Slack {
   bool operator==(const Slack&) const = default;
 };
 
-/// What has become of the frequencies, over all vertices that a triangle joins to others (of
-/// points: neighbours).
+/// The change of frequencies, over all vertices with triangles (of points: with neighbours).
 struct FrequencyChange {
-  double ratio_min = 1;  ///< the frequency chosen over the one asked for
+  double ratio_min = 1;  ///< of the frequency over the one wanted
   double ratio_max = 1;
   double ratio_mean = 1;       ///< weighted by area
   double share_at_bounds = 0;  ///< of the vertices, between 0 and 1
   int sweeps = 0;              ///< over all vertices
-  double residual = 0;  ///< length of the projected gradient, over that after the first sweep
+  double residual = 0;         ///< length of the projected gradient over that after the first sweep
 };
 
-/// Finds the frequency g = f exp(x) between bounds around the frequency f asked for with which g d
-/// is as nearly the gradient of a phase as it can be: its curl is what makes branches. It minimises
+/// Finds the frequency g = f exp(x), within bounds around the wanted frequency f, for which g d is
+/// as close to the gradient of a phase as possible: its curl causes branches. It minimises
 ///
 ///     sum_T w_T / A_T (c_T + sum_m (c_Tm - c_T / 3) x_m)^2
 ///       + eta sum_T A_T |f_T grad x|^2 + mu sum_i w_i M_i (f_i x_i)^2,   |x_i| <= log(1 + S_i)
 ///
 /// where c_T = sum_m c_Tm is the circulation of f d around triangle T (compare the curl correction
-/// in Ray et al., Periodic global parameterization, 2006), by multigrid between the bounds: that of
-/// g d over g, which does not know how large g is. The mean of g / f, weighted by area, then is
-/// made 1, and about 1 where it is calm. Results are bit-identical for any number of threads.
-/// Turning a direction round changes nothing. Triangles whose corners have no common orientation
-/// have no circulation, and those with a corner without a wave take no part; a vertex without any
-/// other keeps its frequency. Points take the triangles that they make with their neighbours.
+/// in Ray et al., Periodic global parameterization, 2006), by multigrid with bounds. It is the
+/// circulation of g d over g, which does not depend on the scale of g. Then the mean of g / f,
+/// weighted by area, is made 1, and about 1 where it is calm. Results are bit-identical for any
+/// number of threads. Signs of directions change nothing. Triangles whose corners have no common
+/// orientation have no circulation; those with a corner without a wave are ignored, and a vertex
+/// with no other triangles keeps its frequency. Points use the triangles with their neighbours.
 class YieldingFrequency {
  public:
-  /// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the
-  /// vertex, and unless lists are empty or have one entry per vertex; and Cancelled if `progress`
-  /// asks for it: of points it takes a while to find the triangles.
+  /// Throws Error for a slack that is negative or not finite and for calm out of 0 to 1, naming the
+  /// vertex, and unless lists are empty or have one entry per vertex; Cancelled if `progress` asks
+  /// for it.
   YieldingFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
   ~YieldingFrequency();
   YieldingFrequency(YieldingFrequency&&) noexcept;
   YieldingFrequency& operator=(YieldingFrequency&&) noexcept;
 
-  /// The frequency per vertex, until the next call but one. Spans have one entry per vertex and
-  /// values that `stripe_pattern` takes; neither is checked. Starts from what was kept last,
-  /// relative to the frequencies asked for, and then allocates nothing. `progress` hears of it
-  /// where nothing was kept; whatever it throws, what was kept stays.
+  /// The frequency per vertex; the span is valid until the next call but one. Arguments have one
+  /// entry per vertex and values that `stripe_pattern` accepts; neither is checked. Starts from the
+  /// kept result, relative to the wanted frequencies, and then allocates nothing. `progress` gets
+  /// fractions if nothing is kept. Cancelled or failed calls leave the kept result unchanged.
   std::span<const float> solve(std::span<const Vec3> positions, std::span<const Vec3> directions,
                                std::span<const float> wanted, const Progress& progress = {});
 
-  /// Makes the last result the one to start from. Does nothing where there is none that was not
-  /// kept: before `solve`, after one that failed, or once slack is another. Cannot fail.
+  /// Keeps the last result as the next start. Does nothing if there is none to keep: before
+  /// `solve`, after one that failed, or after a change of slack. Does not throw.
   void keep();
 
-  /// Another one for the same surface and slack, with nothing kept.
+  /// Another one for the same surface and slack, without a kept result.
   YieldingFrequency sibling() const;
 
-  /// What was kept last.
+  /// The kept frequencies.
   std::span<const float> frequencies() const;
 
-  /// Forgets what was kept.
+  /// Drops the kept result.
   void restart();
 
-  /// Of the last `solve`.
+  /// The change by the last `solve`.
   const FrequencyChange& change() const;
 
  private:

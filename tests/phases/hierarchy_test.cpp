@@ -6,7 +6,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/phases/multilevel.h"
-#include "phase_graphs.h"
+#include "reflecting_graph.h"
 
 #ifdef BRINDLE_HAS_TBB
 #include <tbb/task_arena.h>
@@ -15,7 +15,7 @@
 namespace brindle {
 namespace {
 
-using testing_support::flip_half;
+using testing_support::reflecting_graph;
 using testing_support::wavy_surface;
 
 /// sum_i Re(conj(z_i) t_i) over the entries of a level and, twice, over its anchors: what the
@@ -48,20 +48,8 @@ void randomize(Level& level, std::uint32_t seed) {
   for (Complex& z : level.z) z = std::polar(1.0f, angle(random));
 }
 
-PhaseGraph graph_with_reflections_and_anchors() {
-  auto surface = wavy_surface("torus,resolution=40", Vec3(0.3f, 0.9f, 0.2f), 12);
-  flip_half(surface.waves, 5);
-  PhaseGraph graph = surface.graph();
-  std::mt19937 random(3);
-  std::normal_distribution<float> component;
-  for (std::size_t i = 0; i < graph.node_count(); ++i) {
-    graph.anchor.emplace_back(component(random), component(random));
-  }
-  return graph;
-}
-
 TEST(Hierarchy, CoarseEnergyIsThatOfTheProlongedPhasesUpToAConstant) {
-  Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  Hierarchy hierarchy = build_hierarchy(reflecting_graph(true));
   ASSERT_GT(hierarchy.levels.size(), 4u);
   // Only the first coarsening: later ones drop what reflects an aggregate onto itself.
   Level& fine = hierarchy.levels[0];
@@ -77,7 +65,7 @@ TEST(Hierarchy, CoarseEnergyIsThatOfTheProlongedPhasesUpToAConstant) {
 }
 
 TEST(Hierarchy, SweepsNeverRaiseTheEnergyHoweverFarTheyReach) {
-  for (Level& level : build_hierarchy(graph_with_reflections_and_anchors()).levels) {
+  for (Level& level : build_hierarchy(reflecting_graph(true)).levels) {
     for (const float over_relaxation : {1.0f, 1.5f, 1.9f}) {
       randomize(level, 7);
       double last = agreement(level);
@@ -92,7 +80,7 @@ TEST(Hierarchy, SweepsNeverRaiseTheEnergyHoweverFarTheyReach) {
 }
 
 TEST(Hierarchy, EveryLevelHasAtMostAboutHalfTheNodesOfTheOneBefore) {
-  const Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  const Hierarchy hierarchy = build_hierarchy(reflecting_graph(true));
   for (std::size_t l = 1; l < hierarchy.levels.size(); ++l) {
     EXPECT_LE(2 * hierarchy.levels[l].layout().slot_of.size(),
               hierarchy.levels[l - 1].layout().slot_of.size());
@@ -114,7 +102,7 @@ TEST(Hierarchy, OfUnconnectedPiecesEndsWithOneNodeEach) {
 }
 
 TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
-  Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  Hierarchy hierarchy = build_hierarchy(reflecting_graph(true));
   const double before = [&] {
     randomize(hierarchy.levels[2], 1);
     return agreement(hierarchy.levels[2]);
@@ -124,7 +112,7 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuild) {
 }
 
 TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuildAfterCyclesToo) {
-  Hierarchy hierarchy = build_hierarchy(graph_with_reflections_and_anchors());
+  Hierarchy hierarchy = build_hierarchy(reflecting_graph(true));
   descend(hierarchy, 2);
   const std::vector<Complex> first = hierarchy.levels[0].z;
   run_cycles(hierarchy, 2, 3, {});
@@ -136,8 +124,7 @@ TEST(Hierarchy, RenewedSumsAreThoseOfTheFirstBuildAfterCyclesToo) {
 #ifdef BRINDLE_HAS_TBB
 TEST(Hierarchy, HasRoomForThreadsThatWereNotThereWhenItWasBuilt) {
   Hierarchy hierarchy;
-  tbb::task_arena(1).execute(
-      [&] { hierarchy = build_hierarchy(graph_with_reflections_and_anchors()); });
+  tbb::task_arena(1).execute([&] { hierarchy = build_hierarchy(reflecting_graph(true)); });
   const std::size_t many = thread_capacity() + 5;
   tbb::task_arena(static_cast<int>(many)).execute([&] { renew(hierarchy); });
   ASSERT_GE(hierarchy.scratch.threads.size(), many);

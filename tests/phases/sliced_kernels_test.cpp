@@ -7,7 +7,7 @@
 
 #include "brindle/phases/hierarchy.h"
 #include "instruction_sets.h"
-#include "phase_graphs.h"
+#include "reflecting_graph.h"
 
 namespace brindle {
 namespace {
@@ -25,15 +25,9 @@ TEST(ConjugateBit, IsKeptBesideTheValue) {
 
 /// A hierarchy with reflecting edges, anchors and, in its gauges, conjugates.
 Hierarchy reflecting_hierarchy() {
-  auto surface = testing_support::wavy_surface("torus,resolution=50", Vec3(0.3f, 0.9f, 0.2f), 12);
-  testing_support::flip_half(surface.waves, 5);
-  PhaseGraph graph = surface.graph();
+  Hierarchy hierarchy = build_hierarchy(testing_support::reflecting_graph(true));
   std::mt19937 random(3);
   std::normal_distribution<float> component;
-  for (std::size_t i = 0; i < graph.node_count(); ++i) {
-    graph.anchor.emplace_back(component(random), component(random));
-  }
-  Hierarchy hierarchy = build_hierarchy(graph);
   for (Complex& z : hierarchy.levels[0].z) {
     z = std::polar(1.0f, 6.2831853f * component(random));
   }

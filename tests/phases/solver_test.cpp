@@ -163,15 +163,6 @@ TEST(Relaxation, EnergyNeverRisesWithoutMomentum) {
   }
 }
 
-TEST(Relaxation, TracksTheEnergyThatItsPhasesHave) {
-  auto surface = wavy_surface("sphere,resolution=24", kAxis, 20);
-  flip_half(surface.waves, 4);
-  const PhaseSolution solution = solve(surface, options_for(Solver::relaxation));
-  EXPECT_NEAR(solution.energy_per_iteration.back(), solution.energy, 1e-6);
-  EXPECT_NEAR(solution.energy_per_iteration.front(), 0.5, 0.05);
-  EXPECT_EQ(solution.energy_per_iteration.size(), solution.iterations + 1u);
-}
-
 TEST(Relaxation, StopsLaterAndLowerForASmallerEpsilon) {
   const auto surface = wavy_surface("sphere,resolution=24", kAxis, 20);
   double last_energy = 1;
@@ -262,19 +253,13 @@ TEST(Multilevel, MoreSweepsNeverRaiseTheEnergy) {
   }
 }
 
-TEST(Multilevel, CyclesNeverRaiseTheEnergyAndApproachTheOptimum) {
+TEST(Multilevel, CyclesApproachTheOptimum) {
   auto surface = wavy_surface("sphere,resolution=24", kAxis, 25);
   flip_half(surface.waves, 8);
   SolverOptions options;
-  double last = solve(surface, options).energy;
-  const double first = last;
-  for (const int cycles : {1, 2, 6}) {
-    options.cycles = cycles;
-    const double now = solve(surface, options).energy;
-    EXPECT_LE(now, last);
-    last = now;
-  }
-  EXPECT_LT(last, 0.8 * first);
+  const double first = solve(surface, options).energy;
+  options.cycles = 6;
+  EXPECT_LT(solve(surface, options).energy, 0.8 * first);
 }
 
 TEST(Multilevel, AnchorsPullPhasesToTheirs) {

@@ -1,32 +1,97 @@
-/// How the nodes of a level are joined to those of the next coarser one.
+/// Aggregates: the nodes of a level that become one node of the next coarser level, and the
+/// schedules by which couplings are summed over them (docs/method.md, "Multilevel solver").
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "brindle/phases/aggregates.h"
-#include "brindle/phases/gauge_rounds.h"
-#include "brindle/phases/source_rounds.h"
+#include "brindle/phases/sliced_graph.h"
 #include "brindle/progress.h"
+#include "brindle/types.h"
 
 namespace brindle {
 
-/// All in slots of the finer level unless said otherwise. Fixed once the hierarchy is built.
-struct Aggregation {
-  std::vector<Index> coarse_slot;  ///< slot of the aggregate in the coarser level; its slot_count()
-                                   ///< for filling and for nodes without any coupling
-  std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
-  std::vector<Index> member;        ///< members of all aggregates, the reference first
-  GaugeRounds gauges;               ///< the order in which gauges follow from couplings
-  SourceRounds sources;             ///< which entries add to which coarse entry
+/// The aggregate of each slot. Aggregates are numbered in the order in which they grew, block by
+/// block of the layout.
+struct Aggregates {
+  std::vector<Index> aggregate;       ///< slot -> aggregate or kNone
+  std::vector<Index> begin{0};        ///< aggregate a has members begin[a] .. begin[a+1] - 1
+  std::vector<Index> member;          ///< slots, in the order in which they joined
+  std::vector<Index> block_begin{0};  ///< block b has aggregates block_begin[b] .. [b+1] - 1
+
+  Index count() const { return static_cast<Index>(begin.size()) - 1; }
 };
 
-/// The layout of the coarser level in these colours: its blocks hold the aggregates of a few whole
-/// blocks of the finer one.
+/// Aggregates grow one by one, in the order of slots: the free neighbour that is most strongly
+/// coupled to the aggregate, by sum max(|A|, |B|) / sqrt(deg), joins until there are four members.
+/// Aggregates stay within a block, so that a block's gauges and sums stay in the cache; blocks grow
+/// in parallel. Single nodes join the aggregate of the neighbour to which they are most strongly
+/// coupled, in their own block if possible. Nodes without coupling have no aggregate. Throws
+/// Cancelled if `progress` asks for it.
+Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings,
+                           const Progress& progress = {});
+
+/// Neighbouring aggregates: those with neighbouring members, ascending.
+Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggregates);
+
+/// The layout of the coarser level for this colouring: each block holds the aggregates of a few
+/// whole blocks of the finer level.
 SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency,
                            const Coloring& coloring);
 
-/// Arranges aggregates for the kernels; `adjacency` is its coarse adjacency and `coarse` the
-/// layout of that.
+/// The dependency order of gauges: the gauge of an aggregate's r-th member depends on the couplings
+/// to earlier members. The aggregates of a block form a chunk; chunks are independent. A range of a
+/// chunk holds the members of one rank r, from the second up, in groups of kLanes. A round has, for
+/// every lane of a group, one entry of its row that leads to an earlier member, and that member's
+/// slot; or kNone.
+struct GaugeRounds {
+  std::vector<Index> chunk_begin{0};  ///< chunk c has ranges chunk_begin[c] .. [c+1] - 1
+  std::vector<SliceRange> ranges;     ///< groups of one rank in one chunk
+  std::vector<Index> member;          ///< kLanes slots a group, kNone for filling
+  std::vector<Index> round_begin{0};  ///< group g has rounds round_begin[g] .. [g+1] - 1
+  std::vector<Index> entry;           ///< kLanes entries a round
+  std::vector<Index> from;            ///< the slot that each entry leads to; 0 for kNone
+
+  Index chunk_count() const { return static_cast<Index>(chunk_begin.size()) - 1; }
+  std::span<const SliceRange> ranges_of(Index chunk) const {
+    return std::span(ranges).subspan(chunk_begin[chunk],
+                                     chunk_begin[chunk + 1] - chunk_begin[chunk]);
+  }
+};
+
+/// The fine couplings that add to each coarse coupling, block by block of the coarse layout, so
+/// that a block's share of the finer level stays in the cache. First the rows of a block's members
+/// are multiplied by their gauges: slice by slice of its runs, one entry after the other, from
+/// place kLanes on of a scratch array whose place 0 is zero. Then a round has one place, or 0, for
+/// every lane of a coarse column.
+struct SourceRounds {
+  std::vector<Index> run_begin{0};    ///< coarse block b has runs run_begin[b] .. [b+1] - 1
+  std::vector<SliceRange> runs;       ///< fine slices, ascending in a block
+  std::vector<Index> round_begin{0};  ///< coarse column c has rounds round_begin[c] .. [c+1] - 1
+  std::vector<Index> entry;           ///< kLanes places a round
+  std::size_t places = kLanes;        ///< size of the scratch array: the largest block's
+
+  std::span<const SliceRange> runs_of(Index block) const {
+    return std::span(runs).subspan(run_begin[block], run_begin[block + 1] - run_begin[block]);
+  }
+};
+
+/// The entry of the finer level at every place of a block's scratch array, kNone below kLanes.
+std::vector<Index> entries_of_places(const SourceRounds& sources, const SlicedLayout& fine,
+                                     Index block);
+
+/// Aggregates in the form in which kernels read them, in slots of the finer level unless noted
+/// otherwise. Constant once the hierarchy is built.
+struct Aggregation {
+  std::vector<Index> coarse_slot;  ///< slot of the aggregate in the coarser level; its slot_count()
+                                   ///< for filling and for nodes without coupling
+  std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
+  std::vector<Index> member;        ///< members of all aggregates, the reference first
+  GaugeRounds gauges;
+  SourceRounds sources;
+};
+
+/// `adjacency` is the coarse adjacency of the aggregates and `coarse` its layout.
 Aggregation arrange(const SlicedLayout& fine, const Aggregates& aggregates,
                     const Adjacency& adjacency, const SlicedLayout& coarse,
                     const Progress& progress = {});

@@ -8,11 +8,12 @@
 #include "brindle/phases/one_at_a_time.h"
 
 namespace brindle {
+
 Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed, const Progress& progress) {
   const std::size_t nodes = adjacency.node_count();
   std::vector<Index> color(nodes, kUncolored);
-  // Hashed twice: the random start hashes the same numbers once, and nodes whose place in the order
-  // told their phase would draw all others towards the same phases. Ties go to the larger number.
+  // Hashed twice, because the random start is hashed once: if the order followed the start, early
+  // nodes would draw all others towards the same phases. Ties go to the larger number.
   const auto priority = [seed](Index node) {
     return std::pair(one_at_a_time(one_at_a_time(node + seed)), node);
   };
@@ -22,7 +23,7 @@ Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed, const Pro
   std::vector<std::uint8_t> chosen(nodes);
   Index round = 0;
   for (; !remaining.empty(); ++round) {
-    progress.report(1 - static_cast<double>(remaining.size()) / static_cast<double>(nodes));
+    progress.tick();
     parallel_for(remaining.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
         const Index node = remaining[r];

@@ -1,4 +1,4 @@
-/// Graph colouring: nodes of one colour are no neighbours and can be updated at the same time.
+/// Graph colouring: nodes of one colour are not neighbours, so they can be updated in parallel.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +18,16 @@ struct Coloring {
 
 inline constexpr Index kUncolored = ~Index{0};
 
-/// Colours nodes one after the other, some of which may have colours already.
+/// Colours nodes one after the other; some may have colours before.
 class GreedyColorer {
  public:
-  /// `adjacency` must outlive the colourer. Nothing has a colour yet.
+  /// `adjacency` must outlive the colourer. No node has a colour yet.
   explicit GreedyColorer(const Adjacency& adjacency);
 
-  /// Gives the node the smallest colour that no neighbour has yet.
+  /// Gives the node the smallest colour that no neighbour has.
   void color(Index node);
 
-  /// Gives the node this colour, or none.
+  /// Gives the node this colour, or `kUncolored`.
   void set(Index node, Index color);
 
   Index color_of(Index node) const { return coloring_.color[node]; }
@@ -36,17 +36,18 @@ class GreedyColorer {
  private:
   const Adjacency& adjacency_;
   Coloring coloring_;
-  std::vector<std::size_t> taken_in_;  ///< the last step that saw a neighbour of this colour
+  std::vector<std::size_t> taken_in_;  ///< colour -> the last step with a neighbour of this colour
   std::size_t step_ = 0;
 };
 
-/// Jones-Plassmann-Luby as in the paper's section 4 (Naumov et al. 2015): in every round the nodes
-/// whose hash is larger than that of all uncoloured neighbours get the round's number as colour.
+/// Jones-Plassmann-Luby as in the paper's section 4 (Naumov et al. 2015): in each round the nodes
+/// whose hash is larger than those of all uncoloured neighbours get the round's number as colour.
+/// Throws Cancelled if `progress` asks for it.
 Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed = 0,
                        const Progress& progress = {});
 
-/// The smallest colour that no neighbour has yet, in the order of node numbers. Fewer colours than
-/// `luby_coloring`: at most the largest degree plus one.
+/// Nodes in the order of their numbers get the smallest colour that no neighbour has: fewer colours
+/// than `luby_coloring`, at most the largest degree plus one.
 Coloring greedy_coloring(const Adjacency& adjacency);
 
 }  // namespace brindle

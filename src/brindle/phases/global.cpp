@@ -36,8 +36,8 @@ using Vector = Eigen::VectorXd;
 /// Added to the energy matrix, as a share of its mean diagonal, to make it positive definite.
 constexpr double kShift = 1e-7;
 
-/// At least so much of a node's own weights, where its mass is next to nothing: rounding takes
-/// less.
+/// The least shift of a node with next to no mass, as a share of its weights: above rounding
+/// errors.
 constexpr double kLeastShift = 1e-11;
 
 /// One real 2x2 block a coupling, lower triangle only: A z has [[re, -im], [im, re]], B conj(z) has
@@ -55,7 +55,7 @@ std::vector<double> weight_sums(const PhaseGraph& graph) {
   std::vector<double> sums(graph.node_count());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
-      // In double precision, as the matrix has it: rounded down it might not be definite.
+      // In double precision, like the matrix: rounded down it might not be definite.
       sums[i] += std::abs(std::complex<double>(graph.coupling[edge]));
     }
   }
@@ -79,9 +79,9 @@ Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass,
   const double shift = kShift * total_weight / total_mass;
   std::vector<Eigen::Triplet<double, SuiteSparse_long>> entries;
   entries.reserve(2 * nodes + 2 * graph.coupling.size());
-  reported_for(nodes, progress.part(0, 0.4), [&](std::size_t node) {
-    const auto i = static_cast<Index>(node);
-    // A node without couplings stands alone, whatever its phase.
+  for (Index i = 0; i < nodes; ++i) {
+    if (i % kReportSlice == 0) progress.tick();
+    // Of a node without couplings any phase is a solution.
     const double shifted =
         weights[i] + std::max(shift * mass_of(mass, i), kLeastShift * weights[i]);
     const double diagonal = weights[i] > 0 ? shifted : 1.0;
@@ -91,8 +91,8 @@ Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass,
       const Index j = graph.adjacency->neighbors[edge];
       if (j < i) add_coupling(entries, i, j, graph.coupling[edge], graph.reflecting[edge]);
     }
-  });
-  progress.report(0.4);
+  }
+  progress.tick();
   Matrix matrix(2 * nodes, 2 * nodes);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
@@ -137,7 +137,7 @@ PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
                 std::to_string(graph.node_count()) + " nodes, or none");
   }
   Stopwatch watch;
-  // The order and the factor are CHOLMOD's, which cannot be stopped within either.
+  // CHOLMOD cannot be cancelled while it finds the order and the factor.
   JobStages stages(progress, {{"global: energy matrix", 3},
                               {"global: order", 10},
                               {"global: Cholesky factor", 40},

@@ -1,4 +1,4 @@
-/// The global optimum of the relaxed energy: the quality reference (Knöppel et al. 2015).
+/// The global optimum of the relaxed energy (Knöppel et al. 2015): the quality reference.
 #pragma once
 
 #include <span>
@@ -8,11 +8,12 @@
 namespace brindle {
 
 /// Minimises the energy over complex numbers of any length under sum_i mass_i |z_i|^2 = 1: the
-/// smallest eigenvector (`mass` has one entry per node, or none for 1), by
-/// `options.global_iterations` inverse iterations on a sparse Cholesky factor (CHOLMOD), then makes
-/// every z_i a unit number. Anchors do not enter. BLAS works on one thread meanwhile: the result is
-/// the same for every number of threads. Throws Error if brindle was built without CHOLMOD or the
-/// factorisation fails.
+/// smallest eigenvector, by `options.global_iterations` inverse iterations on a sparse Cholesky
+/// factor (CHOLMOD). Then every z_i is scaled to length 1. `mass` has one entry per node, or none
+/// for
+/// 1. Anchors are ignored. BLAS works on one thread meanwhile, so that the result does not depend
+/// on the number of threads. Throws Error if brindle was built without CHOLMOD or if the
+/// factorisation fails; Cancelled if `progress` asks for it.
 PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
                            const SolverOptions& options, const Progress& progress = {});
 

@@ -14,9 +14,9 @@
 namespace brindle {
 namespace {
 
-/// The gauge of the m-th of all members, its reflecting couplings included: the phase that the
-/// earlier members of its aggregate, each in its own gauge, draw it to. The stronger of the two
-/// sums decides whether it takes Z or conj(Z).
+/// The gauge of the m-th of all members, reflecting couplings included: the direction of its target
+/// by the earlier members of its aggregate, each in its own gauge. The stronger of the two sums
+/// decides between Z and conj(Z).
 void gauge_reflecting_member(Level& level, std::size_t m) {
   const GaugeRounds& rounds = level.aggregation().gauges;
   const Index slot = rounds.member[m];
@@ -48,13 +48,13 @@ bool reflects(const Level& level, Index slot) {
   });
 }
 
-/// Whether any row of a block has.
+/// Whether any row of a block has reflecting couplings.
 bool reflects(const Level& level, SliceRange block) {
   const auto counts = level.couplings.reflecting_count.begin();
   return std::any_of(counts + block.begin, counts + block.end, std::identity());
 }
 
-/// The gauges of some members of one rank.
+/// Renews the gauges of groups of one rank.
 void renew_groups(Level& level, SliceRange groups, bool reflecting) {
   const GaugeRounds& rounds = level.aggregation().gauges;
   kernels::gauge_members(level.couplings, rounds, level.gauge.data(), groups);
@@ -66,7 +66,7 @@ void renew_groups(Level& level, SliceRange groups, bool reflecting) {
   }
 }
 
-/// The reflecting sums of one coarse slice while it is renewed.
+/// The reflecting sums of one coarse slice.
 class ReflectingSums {
  public:
   ReflectingSums(Level& coarse, Index slice, std::vector<Complex>& buffer)
@@ -78,7 +78,7 @@ class ReflectingSums {
     buffer_.assign(end_ - first_, Complex(0));
   }
 
-  /// The direct couplings of the finer level that a gauge has made reflecting.
+  /// Sets the sums of the finer level's direct couplings between a Z and a conj(Z).
   void set_marked(const SourceRounds& sources, std::span<const Complex> gauged) {
     kernels::sum_marked_slice(coarse_.layout(), sources.round_begin.data(), sources.entry.data(),
                               gauged.data(), buffer_.data(), slice_);
@@ -102,7 +102,8 @@ class ReflectingSums {
   std::vector<Complex>& buffer_;
 };
 
-/// Adds the reflecting couplings of one member of the aggregate in `coarse_slot`.
+/// Adds the reflecting couplings of one member of the aggregate in `coarse_slot`: the second column
+/// of the table in docs/method.md, "Multilevel solver".
 void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_slot,
                     ReflectingSums& sums) {
   const Complex g_i = fine.gauge[slot];
@@ -124,7 +125,7 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
   }
 }
 
-/// Adds what the kernel leaves out: all that has to do with reflecting couplings.
+/// Completes the sums of a slice by reflecting couplings, which kernels leave out.
 void finish_slice(const Level& fine, SumScratch::OfThread& scratch, Level& coarse, Index slice) {
   const Aggregation& aggregation = fine.aggregation();
   ReflectingSums sums(coarse, slice, scratch.reflecting);
@@ -138,7 +139,7 @@ void finish_slice(const Level& fine, SumScratch::OfThread& scratch, Level& coars
   sums.finish();
 }
 
-/// Marks the slots of a coarse block that reflecting couplings of a fine slice add to.
+/// Marks the slots of a coarse block to which reflecting couplings of a fine slice add.
 void mark_reflecting(const Level& fine, Index fine_slice, SliceRange block, Level& coarse) {
   for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), fine_slice)) {
     const Index coarse_slot = fine.aggregation().coarse_slot[fine_slice * kLanes + entry % kLanes];
@@ -147,7 +148,7 @@ void mark_reflecting(const Level& fine, Index fine_slice, SliceRange block, Leve
   }
 }
 
-/// Brings the rows that add to a coarse block into their gauges.
+/// Multiplies the rows that add to a coarse block by their gauges.
 void gauge_block(const Level& fine, Level& coarse, Index block, SumScratch::OfThread& scratch) {
   const SliceRange slices = coarse.layout().block(block);
   std::fill(coarse.receives_reflecting.begin() + slices.begin * kLanes,
@@ -237,14 +238,14 @@ void SumScratch::make_room(OfThread& own) const {
 Hierarchy finest_level(const Adjacency& adjacency, const Progress& progress) {
   Hierarchy hierarchy;
   Stopwatch watch;
-  // Neither can be split among threads, but they can run beside each other.
+  // Neither can be split among threads, but both can run at the same time.
   GreedyColorer colorer(adjacency);
   BreadthFirstWalk walk(adjacency);
-  constexpr Index kNodesPerReport = 1 << 17;
+  constexpr Index kNodesPerTick = 1 << 17;
   const auto count = static_cast<Index>(adjacency.node_count());
-  for (Index first = 0; first < count; first += kNodesPerReport) {
-    progress.report(0.6 * first / count);
-    const Index last = std::min(count, first + kNodesPerReport);
+  for (Index first = 0; first < count; first += kNodesPerTick) {
+    progress.tick();
+    const Index last = std::min(count, first + kNodesPerTick);
     parallel_for(
         2,
         [&](std::size_t begin, std::size_t end) {
@@ -254,54 +255,49 @@ Hierarchy finest_level(const Adjacency& adjacency, const Progress& progress) {
         1);
   }
   auto layout = std::make_shared<SlicedLayout>(
-      sliced_layout(adjacency, colorer.take(), walk.take(), {}, progress.part(0.6, 0.8)));
-  progress.report(0.8);
+      sliced_layout(adjacency, colorer.take(), walk.take(), {}, progress));
+  progress.tick();
   hierarchy.levels.push_back(make_level({std::move(layout), nullptr}));
   hierarchy.topology_milliseconds = watch.lap();
   return hierarchy;
 }
 
-void coarsen(Hierarchy& hierarchy, const Progress& progress) {
+void coarsen(Hierarchy& hierarchy, const Progress& whole) {
+  const Progress progress = whole.step("hierarchy");
   Stopwatch watch;
   while (hierarchy.levels.back().layout().entry_count() > 0) {
     Level& fine = hierarchy.levels.back();
-    const double left =
-        static_cast<double>(fine.z.size()) / static_cast<double>(hierarchy.levels[0].z.size());
-    const Progress level = progress.step("hierarchy").part(1 - left, 1 - 0.3 * left);
-    const auto report = [&](double of_level) { level.report(of_level); };
-    report(0);
-    const Aggregates aggregates =
-        grow_aggregates(fine.layout(), fine.couplings, level.part(0, 0.4));
+    const auto finest_size = static_cast<double>(hierarchy.levels[0].z.size());
+    progress.report(1 - static_cast<double>(fine.z.size()) / finest_size);
+    const Aggregates aggregates = grow_aggregates(fine.layout(), fine.couplings, progress);
     if (aggregates.count() == 0) break;
-    report(0.4);
+    progress.tick();
     const Adjacency adjacency = coarse_adjacency(fine.layout(), aggregates);
-    report(0.6);
+    progress.tick();
     const Coloring coloring = greedy_coloring(adjacency);
-    report(0.65);
+    progress.tick();
     Level coarse = make_level(
         {std::make_shared<SlicedLayout>(coarse_layout(aggregates, adjacency, coloring)), nullptr});
-    report(0.75);
     fine.topology.aggregation = std::make_shared<Aggregation>(
-        arrange(fine.layout(), aggregates, adjacency, coarse.layout(), level.part(0.75, 0.9)));
-    report(0.9);
+        arrange(fine.layout(), aggregates, adjacency, coarse.layout(), progress));
+    progress.tick();
     hierarchy.levels.push_back(std::move(coarse));
     hierarchy.scratch.reserve(hierarchy.levels);
     hierarchy.topology_milliseconds += watch.lap();
     const std::size_t finer = hierarchy.levels.size() - 2;
     renew_gauges(hierarchy.levels[finer]);
-    report(0.95);
+    progress.tick();
     renew_sums(hierarchy.levels[finer], hierarchy.levels[finer + 1], hierarchy.scratch);
     hierarchy.numeric_milliseconds += watch.lap();
   }
 }
 
 Hierarchy build_hierarchy(const PhaseGraph& graph, const Progress& progress) {
-  progress.report("hierarchy", 0);
-  Hierarchy hierarchy = finest_level(*graph.adjacency, progress.step("hierarchy").part(0, 0.3));
+  Hierarchy hierarchy = finest_level(*graph.adjacency, progress.step("hierarchy"));
   Stopwatch watch;
   load_couplings(graph, hierarchy.levels[0].layout(), hierarchy.levels[0].couplings);
   hierarchy.numeric_milliseconds += watch.lap();
-  coarsen(hierarchy, progress.part(0.3, 1));
+  coarsen(hierarchy, progress);
   return hierarchy;
 }
 
@@ -314,8 +310,7 @@ Hierarchy sibling(const Hierarchy& hierarchy) {
   return result;
 }
 
-/// Asks for the couplings of a block in the order of memory, before gauges read them here and
-/// there.
+/// Prefetches the couplings of a block in the order of memory, before gauges read them in theirs.
 class CouplingFetcher {
  public:
   CouplingFetcher(const Level& level, SliceRange block)
@@ -342,7 +337,7 @@ class CouplingFetcher {
   const float* end_;
 };
 
-/// The gauges of one chunk, while the couplings of the next are on their way.
+/// Renews the gauges of one chunk while the couplings of the next are fetched.
 void renew_chunk(Level& level, Index chunk, CouplingFetcher next) {
   // A block is fetched in about as many steps as its gauges take.
   constexpr Index kGroups = 8;
@@ -375,7 +370,7 @@ void renew_gauges(Level& level) {
 
 namespace {
 
-/// Renews so many blocks of `coarse`: `block_of(n)` is the n-th of them.
+/// Renews `count` blocks of `coarse`: `block_of(n)` is the n-th.
 template <class BlockOf>
 void sum_blocks(const Level& fine, Level& coarse, SumScratch& scratch, std::size_t count,
                 const BlockOf& block_of) {
@@ -412,7 +407,7 @@ void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch,
 
 void reset_gauges(Hierarchy& hierarchy) {
   if (!hierarchy.corrected) return;
-  // Those of references are not renewed: they have to be 1 again.
+  // `renew_gauges` leaves those of first members as they are.
   auto& gauge = hierarchy.levels[0].gauge;
   std::fill(gauge.begin(), gauge.end(), with_conjugate_bit(1, false));
   hierarchy.corrected = false;

@@ -1,11 +1,12 @@
 #include "brindle/phases/multilevel.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
+#include "brindle/base/stopwatch.h"
 #include "brindle/phases/sliced_kernels.h"
+#include "brindle/phases/solver_options.h"
 
 namespace brindle {
 
@@ -20,7 +21,7 @@ LevelSweeps SweepPlan::on_level(Index slot_count) const {
   if (slot_count < kSmallLevel) return {4 * sweeps_, kOfSmall};
   if (slot_count < 4 * kSmallLevel) return {2 * sweeps_, kOfSmall};
   if (large_ == 0) return {sweeps_, 1};
-  // The finest level, the next one, and all others, of about a quarter of the slots each.
+  // The finest level, the next one, and all others: each has about a quarter of the slots.
   if (slot_count > large_ / 2) return {3 * sweeps_, kOfLarge};
   return {(slot_count > large_ / 8 ? 6 : 12) * sweeps_, kOfLarge};
 }
@@ -45,37 +46,66 @@ void descend_from(Hierarchy& hierarchy, Complex start, SweepPlan plan, const Pro
   auto& levels = hierarchy.levels;
   ranges::fill(levels.back().z, start);
   for (std::size_t l = levels.size(); l-- > 0;) {
-    // Each level takes about a quarter of the time of the next finer one.
-    progress.report(std::pow(0.25, static_cast<double>(l + 1)));
+    progress.tick();
     if (l + 1 < levels.size()) prolong(levels[l + 1], levels[l]);
     sweep_level(levels[l], plan);
   }
-}
-
-void correct(Hierarchy& hierarchy, SweepPlan plan, bool has_finest, const Progress& progress) {
-  hierarchy.corrected = true;
-  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
-    if (l < 2) progress.report(0.3 * static_cast<double>(l));
-    set_turns(hierarchy.levels[l], has_finest && l == 0);
-    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);
-  }
-  descend_from(hierarchy, Complex(1), plan, progress.part(0.5, 1));
 }
 
 void descend(Hierarchy& hierarchy, SweepPlan plan, const Progress& progress) {
   descend_from(hierarchy, kPeak, plan, progress);
 }
 
+void correct(Hierarchy& hierarchy, SweepPlan plan, bool has_finest, const Progress& progress) {
+  hierarchy.corrected = true;
+  for (std::size_t l = 0; l + 1 < hierarchy.levels.size(); ++l) {
+    progress.tick();
+    set_turns(hierarchy.levels[l], has_finest && l == 0);
+    renew_sums(hierarchy.levels[l], hierarchy.levels[l + 1], hierarchy.scratch);
+  }
+  descend_from(hierarchy, Complex(1), plan, progress);
+}
+
 void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress& progress) {
   const Progress cycling = progress.step("cycles");
   for (int cycle = 0; cycle < cycles; ++cycle) {
-    const double each = 1.0 / cycles;
-    correct(hierarchy, plan, true, cycling.part(cycle * each, (cycle + 1) * each));
+    cycling.report(static_cast<double>(cycle) / cycles);
+    correct(hierarchy, plan, true, cycling);
   }
 }
 
 std::vector<JobStage> multilevel_stages() {
   return {{"couple", 3}, {"hierarchy", 5}, {"descent", 1}, {"cycles", 3}};
+}
+
+PhaseSolution solve_multilevel(const Adjacency& adjacency,
+                               const std::function<void(Level& finest)>& couple,
+                               const SolverOptions& options, std::span<const Complex> start,
+                               const Progress& progress) {
+  check_solver_options(options);
+  JobStages stages(progress, multilevel_stages());
+  Hierarchy hierarchy = finest_level(adjacency, stages.begin("couple"));
+  couple(hierarchy.levels[0]);
+  coarsen(hierarchy, stages.begin("hierarchy"));
+  Stopwatch watch;
+  Level& finest = hierarchy.levels[0];
+  const Index slots = finest.layout().slot_count();
+  const SweepPlan plan = SweepPlan::for_new_levels(options.sweeps, slots);
+  const Progress descent = stages.begin("descent");
+  if (start.empty()) {
+    descend(hierarchy, plan, descent);
+  } else {
+    to_slots(finest.layout(), start, finest.z);
+  }
+  run_cycles(hierarchy, plan, options.cycles, stages.begin("cycles"));
+  PhaseSolution solution;
+  solution.z = to_nodes(finest.layout(), finest.z);
+  solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
+  solution.topology_milliseconds = hierarchy.topology_milliseconds;
+  solution.iterations = plan.on_level(slots).count * (options.cycles + (start.empty() ? 1 : 0));
+  solution.energy = energy(finest.layout(), finest.couplings, finest.z);
+  stages.finish();
+  return solution;
 }
 
 }  // namespace brindle

@@ -1,71 +1,83 @@
-/// The multilevel solver: descends a hierarchy of exact sums (docs/method.md).
+/// The multilevel solver: descends a hierarchy of exact sums (docs/method.md, "Multilevel solver").
 #pragma once
 
+#include <functional>
+#include <span>
+#include <vector>
+
 #include "brindle/phases/hierarchy.h"
+#include "brindle/solver.h"
 
 namespace brindle {
 
-/// Levels of fewer slots are small: they cost next to nothing.
+/// Levels of fewer slots are small: their sweeps take next to no time.
 inline constexpr Index kSmallLevel = 4096;
 
-/// The sweeps that a descent makes on one level.
+/// Graphs whose finest level has so many slots are large: most of the energy that can still be
+/// lowered is on their levels.
+inline constexpr Index kLargeLevel = Index{1} << 17;
+
+/// The sweeps of a descent on one level.
 struct LevelSweeps {
   int count;
-  float over_relaxation;  ///< of all but the last, which leaves no overshoot behind
+  float over_relaxation;  ///< of all but the last, which leaves no overshoot
 
   float over_relaxation_of(int number) const { return number + 1 < count ? over_relaxation : 1; }
 };
 
-/// Finest levels of so many slots are large: what sweeps leave undone there is much of what energy
-/// is left.
-inline constexpr Index kLargeLevel = Index{1} << 17;
-
-/// The sweeps of a descent where so many are asked for. What a small level leaves undone no finer
-/// level can mend: sweeps grow in number and reach as levels shrink.
+/// The sweeps of a descent on all levels. No finer level can correct the errors of a small one, so
+/// sweeps grow in number and reach as levels shrink.
 class SweepPlan {
  public:
-  /// What frames can afford: more sweeps on small levels alone. A number of sweeps is such a plan.
+  /// For frames: more sweeps on small levels alone. A number of sweeps converts to such a plan.
   SweepPlan(int sweeps) : sweeps_(sweeps) {}
 
-  /// What costs little beside building the levels: on all levels of a large graph three to twelve
-  /// times as many, which leaves about what four cycles left of the plan of frames
-  /// (docs/method.md). `finest` is how many slots the finest level has.
+  /// For levels that have just been built, which took longer than sweeps do: on all levels of a
+  /// large graph three to twelve times as many. That leaves about the energy that four cycles leave
+  /// of a plan for frames. `finest` is the number of slots of the finest level.
   static SweepPlan for_new_levels(int sweeps, Index finest);
 
   LevelSweeps on_level(Index slot_count) const;
 
  private:
   int sweeps_;
-  Index large_ = 0;  ///< slots of the finest level of a large graph; 0: it is none
+  Index large_ = 0;  ///< slots of the finest level of a large graph, 0 for others
 };
 
 /// The sweeps of a descent on one level.
 void sweep_level(Level& level, SweepPlan plan);
 
-/// Makes gauges of the phases that a level has: of the finest of all its phases, of others 1.
+/// Makes the gauges of the finest level its phases, those of others 1.
 void set_turns(Level& level, bool is_finest);
 
-/// From this phase on the coarsest level down to the finest, as `descend` does.
+/// As `descend`, from the phase `start` on the coarsest level.
 void descend_from(Hierarchy& hierarchy, Complex start, SweepPlan plan,
                   const Progress& progress = {});
 
-/// From the coarsest level down: prolong the phases, then coloured sweeps, as many as planned.
-/// Phases end in `hierarchy.levels[0].z`. No random start and nothing to tune; each sweep can only
-/// lower the energy.
+/// From the coarsest level down: prolongs the phases, then sweeps as planned. Phases end in
+/// `hierarchy.levels[0].z`. There is no random start and nothing to tune; no sweep raises the
+/// energy. Throws Cancelled if `progress` asks for it, as the functions below do.
 void descend(Hierarchy& hierarchy, SweepPlan plan, const Progress& progress = {});
 
-/// One cycle of `run_cycles`. `has_finest` tells whether the first level is the finest, as it is
-/// unless finer ones are elsewhere.
+/// One cycle of `run_cycles`. `has_finest` is false if finer levels are elsewhere.
 void correct(Hierarchy& hierarchy, SweepPlan plan, bool has_finest = true,
              const Progress& progress = {});
 
-/// So many further descents, each from the phases that the finest level has: they become its
-/// gauges, so that a coarse unknown turns the phases of its aggregate, and not turning (Z = 1) is
-/// where every level starts. The energy cannot rise. Overwrites gauges and coarse couplings; the
-/// next `renew` restores them. Throws Cancelled if `progress` asks for it.
+/// Further descents, each from the phases of the finest level: they become its gauges, so that a
+/// coarse unknown turns the phases of its aggregate, and every level starts from Z = 1, not
+/// turning. The energy does not rise. Overwrites gauges and coarse couplings, which the next
+/// `renew` restores.
 void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress& progress);
 
-/// The stages of the multilevel solver: "couple", "hierarchy", "descent" and "cycles".
+/// The stages of `solve_multilevel`: "couple", "hierarchy", "descent" and "cycles".
 std::vector<JobStage> multilevel_stages();
+
+/// The whole solver, without the phase graph: `couple` sets the couplings of the finest level.
+/// `start`, with one unit number per node, replaces the descent before the cycles; empty: none.
+/// `solve_milliseconds` are without those of `couple`. Throws Error for options out of range.
+PhaseSolution solve_multilevel(const Adjacency& adjacency,
+                               const std::function<void(Level& finest)>& couple,
+                               const SolverOptions& options, std::span<const Complex> start = {},
+                               const Progress& progress = {});
 
 }  // namespace brindle

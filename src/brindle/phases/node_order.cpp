@@ -22,7 +22,10 @@ void BreadthFirstWalk::step() {
 
 std::vector<Index> breadth_first_order(const Adjacency& adjacency, const Progress& progress) {
   BreadthFirstWalk walk(adjacency);
-  reported_for(adjacency.node_count(), progress, [&](std::size_t) { walk.step(); });
+  for (std::size_t n = 0; n < adjacency.node_count(); ++n) {
+    if (n % kReportSlice == 0) progress.tick();
+    walk.step();
+  }
   return walk.take();
 }
 

@@ -1,4 +1,4 @@
-/// An order of nodes in which neighbours stand close together.
+/// An order of nodes in which neighbours are close together.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 namespace brindle {
 
 /// Breadth-first from the first node of every component: neighbours are at most two fronts apart,
-/// whatever order the nodes had before.
+/// whatever the order of their numbers.
 class BreadthFirstWalk {
  public:
   explicit BreadthFirstWalk(const Adjacency& adjacency);
 
-  /// To the next node, as often as there are nodes.
+  /// Visits the next node; called once per node.
   void step();
   std::vector<Index> take() { return std::move(order_); }
 
@@ -31,7 +31,7 @@ class BreadthFirstWalk {
   Index start_ = 0;
 };
 
-/// All steps of such a walk.
+/// All steps of such a walk. Throws Cancelled if `progress` asks for it.
 std::vector<Index> breadth_first_order(const Adjacency& adjacency, const Progress& progress = {});
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// Bob Jenkins's One-at-a-Time hash: pseudo-random numbers that depend on a number alone.
+/// Bob Jenkins's One-at-a-Time hash: pseudo-random numbers from a key alone.
 #pragma once
 
 #include <complex>
@@ -23,7 +23,8 @@ constexpr std::uint32_t one_at_a_time(std::uint32_t key) {
   return hash + (hash << 15);
 }
 
-/// The paper's pseudo-random start (3.2): a phase in [0, 2 pi) hashed from the node's number.
+/// The paper's pseudo-random start (3.2): exp(i Phi), Phi in [0, 2 pi) hashed from the node's
+/// number.
 inline Complex random_phase(Index node, std::uint32_t seed = 0) {
   const double turns = one_at_a_time(node + seed) / 4294967296.0;
   const auto radians = static_cast<float>(2 * std::numbers::pi * turns);

@@ -1,4 +1,4 @@
-/// Words of solvers, as command lines and scripts have them.
+/// Names of solvers on command lines and in scripts.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace brindle {
 
-/// Reads what `name_of` gives. Empty if there is no such solver.
+/// The solver of this name (`name_of`); empty if there is none.
 std::optional<Solver> parse_solver(std::string_view name);
 
 }  // namespace brindle

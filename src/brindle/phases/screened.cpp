@@ -15,7 +15,7 @@ double dot(const Complex& a, const Complex& b) {
          static_cast<double>(a.imag()) * static_cast<double>(b.imag());
 }
 
-/// A search for a byte is many times as fast as one through iterators.
+/// By memchr, which is many times as fast as a loop over iterators.
 bool any_reflects(const std::vector<std::uint8_t>& reflecting) {
   return !reflecting.empty() && std::memchr(reflecting.data(), 1, reflecting.size()) != nullptr;
 }
@@ -44,7 +44,7 @@ class ScreenedSystem {
     if (options_.exchange) options_.exchange(values);
   }
 
-  /// What neighbours and the diagonal make of a node's value; those of other ranks must be there.
+  /// Row i of the matrix times u; nodes of other ranks must have their values.
   Complex row(Index i, std::span<const Complex> u) const {
     Complex sum = diagonal_[i] * u[i];
     const Index end = offsets()[i + 1];
@@ -111,14 +111,14 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
     step[i] = system.preconditioned(i, residual[i]);
   });
   double error = system.sum([&](Index i) { return dot(residual[i], step[i]); });
-  // Ranks without nodes have no anchors, and sum, too.
+  // Ranks without nodes have no anchors but take part in sums.
   const double first =
       options.of_anchors
           ? system.sum([&](Index i) { return dot(anchor(i), system.preconditioned(i, anchor(i))); })
           : error;
   const double enough = first * static_cast<double>(options.tolerance * options.tolerance);
   for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
-    // How many there will be is not known: each brings the end nearer by a thirtieth of the way.
+    // The number of iterations is unknown: each takes a thirtieth of what is left.
     options.progress.report(1 - std::pow(29.0 / 30, iteration));
     system.exchange(step);
     const double curvature = system.sum([&](Index i) {

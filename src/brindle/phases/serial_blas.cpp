@@ -11,19 +11,19 @@
 namespace brindle {
 namespace {
 
-/// A function of the process, if it is there.
+/// A function of the process, or null.
 template <class Function>
 Function* function_named(const char* name) {
   return reinterpret_cast<Function*>(system::function_named(name));
 }
 
-/// The two functions of a library that has its own threads, by the integer type they take.
+/// The functions of a library that get and set its number of threads.
 template <class Integer>
 struct ThreadControl {
   const char* getter;
   const char* setter;
 
-  /// The number of threads so far; 0 if the library is not there.
+  /// Returns the number before; 0 if the library is not loaded.
   Integer set(Integer threads) const {
     auto* get = function_named<Integer()>(getter);
     auto* set = function_named<void(Integer)>(setter);
@@ -41,8 +41,7 @@ constexpr std::array<ThreadControl<int>, 3> kLibraries{
 constexpr ThreadControl<std::int64_t> kBlis{"bli_thread_get_num_threads",
                                             "bli_thread_set_num_threads"};
 
-/// The libraries' numbers are the whole process's: the first one in changes them, the last one out
-/// puts them back.
+/// The number of threads is global: the first user changes it, the last one restores it.
 struct Shared {
   std::mutex mutex;
   int users = 0;
@@ -56,7 +55,7 @@ Shared& shared() {
   return instance;
 }
 
-/// Lets OpenBLAS take its buffer, which it keeps, while there surely is room.
+/// Makes OpenBLAS allocate its buffer, which it keeps, while there is room.
 void take_buffer(Shared& s) {
   constexpr std::size_t kBuffer = std::size_t{160} << 20;  // 128 MB, aligned
   using Potrf = void(const char*, const std::int64_t*, double*, const std::int64_t*, std::int64_t*,
@@ -67,7 +66,7 @@ void take_buffer(Shared& s) {
     throw Error("there is no memory left for the " + std::to_string(kBuffer >> 20) +
                 " MB that OpenBLAS needs; free some memory or use the multilevel solver");
   }
-  // Integers of 32 bits are read from those of 64, too: one is small, and the first half is read.
+  // BLAS with integers of 32 bits reads the first half, which has the value 1, too.
   const std::int64_t one = 1;
   std::int64_t info = 0;
   double matrix = 1;

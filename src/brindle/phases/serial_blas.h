@@ -1,25 +1,25 @@
-/// One thread for BLAS, whichever library that is.
+/// Restricts BLAS to one thread, whichever library it is.
 #pragma once
 
 namespace brindle {
 
-/// While one lives, BLAS works on the calling thread alone, so that its results depend neither on
+/// During its lifetime BLAS works on the calling thread alone, so that results depend neither on
 /// the number of threads nor on how a library shares work among them. The library is found at run
-/// time: OpenBLAS, MKL, BLIS or FlexiBLAS; others are taken for serial, as the reference BLAS is.
+/// time: OpenBLAS, MKL, BLIS or FlexiBLAS; others count as serial, like the reference BLAS.
 ///
-/// OpenBLAS takes a buffer at its first call, and tries for ever where there is no memory for it:
-/// the constructor sees to it that the buffer is there. OpenMP, by which CHOLMOD fills its blocks,
-/// ends the process where it cannot make a thread: while one lives it makes none on this thread.
+/// OpenBLAS allocates a buffer at its first call and retries for ever if there is no memory, so the
+/// constructor makes sure that the buffer exists. OpenMP, which CHOLMOD uses to fill its blocks,
+/// ends the process if it cannot create a thread, so it creates none on this thread.
 class SerialBlas {
  public:
-  /// Throws Error if there is no memory for what BLAS needs.
+  /// Throws Error if there is no memory for the buffer.
   SerialBlas();
   ~SerialBlas();
   SerialBlas(const SerialBlas&) = delete;
   SerialBlas& operator=(const SerialBlas&) = delete;
 
  private:
-  int levels_before_ = -1;  ///< of OpenMP's regions; -1: there is no OpenMP
+  int levels_before_ = -1;  ///< of OpenMP's nested regions; -1: no OpenMP
 };
 
 }  // namespace brindle

@@ -17,12 +17,13 @@ namespace {
 
 constexpr std::uint32_t kStarts = 256;
 
-/// Which starts are lowest is told on a level of at most `kFirstLevel` nodes, and which of so many
-/// of these on a finer one.
+/// Starts are compared on a level of at most `kFirstLevel` slots, and the lowest of them on a finer
+/// one.
 constexpr std::size_t kFinalists = 24;
 constexpr std::size_t kFirstLevel = 300;
 
-/// Fewer nodes hardly differ from one; of many, chance makes singularities that no sweep undoes.
+/// Starts on fewer nodes hardly differ; on many nodes they have singularities that no sweep
+/// removes.
 constexpr std::size_t kFewestNodes = 20;
 
 /// The coarsest level with so many nodes, if it is not finer than `finest`.
@@ -47,7 +48,7 @@ void set_by_chance(Level& level, std::uint32_t start) {
   }
 }
 
-/// From a level to the finer ones, down to `finest`, with sweeps over each of these.
+/// Prolongs phases from a level to `finest`, with sweeps over each finer level.
 void prolong_levels(std::vector<Level>& levels, std::size_t from, std::size_t finest, int sweeps) {
   for (std::size_t l = from; l-- > finest;) {
     prolong(levels[l + 1], levels[l]);
@@ -55,7 +56,7 @@ void prolong_levels(std::vector<Level>& levels, std::size_t from, std::size_t fi
   }
 }
 
-/// Where one start leads to on a level.
+/// The phases on a level that follow from one start.
 struct Descent {
   std::vector<Complex> z;
   double energy;
@@ -66,8 +67,8 @@ std::vector<Descent> descents_by_chance(std::vector<Level>& levels, std::size_t 
   const std::size_t coarse = coarsest_with(levels, kFewestNodes, to);
   std::vector<Descent> descents;
   for (std::uint32_t start = 0; start < kStarts; ++start) {
-    progress.report(static_cast<double>(start) / kStarts);
-    // Half of them one level finer, since levels differ in what starts they let through.
+    progress.tick();
+    // Half of them one level finer, since levels differ in the minima that they lead to.
     const std::size_t from = start % 2 == 1 && coarse > to ? coarse - 1 : coarse;
     set_by_chance(levels[from], start);
     sweep_level(levels[from], sweeps);
@@ -104,28 +105,28 @@ void descend_from_lowest(Hierarchy& hierarchy, int sweeps, const Progress& progr
   std::vector<Level>& levels = hierarchy.levels;
   const std::size_t judged = finest_with(levels, kSmallLevel);
   const std::size_t first = finest_with(levels, kFirstLevel);
-  std::vector<Descent> descents = descents_by_chance(levels, first, sweeps, progress.part(0, 0.3));
+  std::vector<Descent> descents = descents_by_chance(levels, first, sweeps, progress);
   ranges::stable_sort(descents, {}, &Descent::energy);
   if (descents.size() > kFinalists) descents.resize(kFinalists);
   Descent lowest{{}, std::numeric_limits<double>::infinity()};
   for (Descent& descent : descents) {
-    progress.report(0.4);
+    progress.tick();
     levels[first].z = std::move(descent.z);
     prolong_levels(levels, first, judged, sweeps);
     const double energy = lowered_sums(levels[judged], levels[judged].z).energy;
     if (lowest.z.empty() || energy < lowest.energy) lowest = {levels[judged].z, energy};
   }
   levels[judged].z = std::move(lowest.z);
-  progress.report(0.5);
+  progress.tick();
   prolong_levels(levels, judged, 0, sweeps);
 }
 
 bool descend_from_several(Hierarchy& hierarchy, int sweeps, const Progress& progress) {
   Level& finest = hierarchy.levels[0];
-  descend(hierarchy, sweeps, progress.part(0, 0.4));
+  descend(hierarchy, sweeps, progress);
   const EnergySums plain_sums = lowered_sums(finest, finest.z);
   std::vector<Complex> plain = finest.z;
-  descend_from_lowest(hierarchy, sweeps, progress.part(0.4, 1));
+  descend_from_lowest(hierarchy, sweeps, progress);
   const bool is_lower = is_much_lower(lowered_sums(finest, finest.z), plain_sums);
   if (!is_lower) finest.z = std::move(plain);
   return is_lower;

@@ -1,5 +1,5 @@
-/// Descents from several starts, of which the lowest counts: for fields on surfaces with symmetry,
-/// whose energy has many minima far apart (docs/method.md, "Direction fields as phase graphs").
+/// The lowest of descents from several starts: for fields on surfaces with symmetry, whose energy
+/// has many minima far apart (docs/method.md, "Direction fields as phase graphs").
 #pragma once
 
 #include <span>
@@ -10,37 +10,37 @@
 
 namespace brindle {
 
-/// What a descent lowers: the energy over the edges, to which the anchors add |T_i| - Re(conj(z_i)
-/// T_i) a slot. The weight is that of the edges.
+/// The energy that descents lower: that of the edges, plus |T_i| - Re(conj(z_i) T_i) a slot for
+/// anchors. The weight is that of the edges.
 EnergySums lowered_sums(const Level& level, std::span<const Complex> z);
 
-/// Whether one minimum is so much lower than that of the plain descent that it replaces it: by a
-/// tenth, and by more than rounding. What is hardly lower does not, so that surfaces that hardly
-/// differ get the same field.
+/// Whether a minimum replaces that of the plain descent: if it is lower by a tenth, and by more
+/// than rounding. Smaller gains do not count, so that nearly equal surfaces get the same field.
 bool is_much_lower(const EnergySums& found, const EnergySums& plain);
 
-/// As `descend`, from the lowest of several starts. Each is a peak or a trough at every node of a
-/// level of few nodes, by chance (the same in every run), so that it does not depend on how
-/// directions are signed. Which is lowest is told on a small level.
+/// As `descend`, from the lowest of several starts. A start is a random peak or trough at every
+/// node of a level of few nodes, the same in every run and for any signs of directions. Starts are
+/// compared on a small level.
 void descend_from_lowest(Hierarchy& hierarchy, int sweeps, const Progress& progress = {});
 
-/// Descends from one start (`descend`) and from the lowest of several; keeps the phases of the
-/// former unless those of the latter are much lower. Returns whether they are.
+/// Descends from one start (`descend`) and from the lowest of several. Keeps the phases of the
+/// former unless those of the latter are much lower; returns whether they are.
 bool descend_from_several(Hierarchy& hierarchy, int sweeps, const Progress& progress = {});
 
 enum class Starts { one, several };
 
-/// Those of a direction field. Which of several equally smooth ones is found would depend on
-/// rounding where they cannot be turned to the least curl: without triangles, and with normals to
-/// both sides.
+/// The starts for a direction field. Several are used only where equally smooth fields can be told
+/// apart by their curl: with triangles, and with normals on one side. Elsewhere rounding would
+/// decide.
 Starts starts_of_field(const PhaseGraph& graph, bool has_triangles);
 
 struct LowestPhases {
   std::vector<Complex> z;  ///< one per node
-  bool is_lower = false;   ///< whether they come from another start than those of `descend`
+  bool is_lower = false;   ///< whether they come from another start than that of `descend`
 };
 
-/// The phases of a graph after a descent from one start or from several, and so many cycles.
+/// The phases of a graph after a descent from one start or from several, and then cycles. Throws
+/// Cancelled if `progress` asks for it, as the functions above do.
 LowestPhases solve_from(Starts starts, const PhaseGraph& graph, int sweeps, int cycles,
                         const Progress& progress = {});
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <new>
 #include <numeric>
-#include <utility>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
@@ -15,16 +14,13 @@
 namespace brindle {
 namespace {
 
-/// Nodes of a block unless they are given.
-constexpr std::size_t kBlock = 2048;
-
-/// Ranges (a colour in a block) that one task updates at least.
+/// The least ranges (a colour in a block) for a task of its own.
 constexpr std::size_t kRangeGrain = 4;
 
-/// A block's nodes colour by colour, in a colour by degree from the largest down. Each number says
-/// what comes first and where in the block the node stood, so that they are all different.
+/// Sorts a block's nodes by colour, then by degree from the largest down. Keys end with the place
+/// in the block, so that they are all different.
 void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<Index> block) {
-  constexpr std::uint64_t kDegrees = 1 << 16;  // larger ones are all the same
+  constexpr std::uint64_t kDegrees = 1 << 16;  // larger ones count as this
   std::vector<std::uint64_t> keys(block.size());
   for (std::size_t n = 0; n < block.size(); ++n) {
     const Index degree = adjacency.offsets[block[n] + 1] - adjacency.offsets[block[n]];
@@ -38,7 +34,7 @@ void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<
   for (std::size_t n = 0; n < block.size(); ++n) block[n] = before[static_cast<Index>(keys[n])];
 }
 
-/// Slots of one sorted block of nodes; the ranges that its colours fill go to `ranges`.
+/// Gives the nodes of a sorted block their slots, and adds the ranges of its colours to `ranges`.
 void assign_block(SlicedLayout& layout, const Coloring& coloring, std::span<const Index> block,
                   std::vector<std::vector<SliceRange>>& ranges) {
   for (std::size_t n = 0; n < block.size();) {
@@ -65,18 +61,12 @@ void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Colori
     const Index begin = b == 0 ? 0 : block_ends[b - 1];
     return std::span(nodes).subspan(begin, block_ends[b] - begin);
   };
-  parallel_for(
-      block_ends.size(), progress.part(0, 0.8),
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) sort_block(adjacency, coloring, block(b));
-      },
-      1, kBlocksPerReport);
+  for_blocks(block_ends.size(), progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) sort_block(adjacency, coloring, block(b));
+  });
   std::vector<std::vector<SliceRange>> ranges(coloring.color_count);
   for (std::size_t b = 0; b < block_ends.size(); ++b) {
-    if (b % kBlocksPerReport == 0) {
-      const double done = static_cast<double>(b) / static_cast<double>(block_ends.size());
-      progress.report(0.8 + 0.2 * done);
-    }
+    if (b % 32 == 0) progress.tick();
     assign_block(layout, coloring, block(b), ranges);
     layout.block_begin.push_back(layout.slice_count());
   }
@@ -90,7 +80,7 @@ void assign_slots(SlicedLayout& layout, const Adjacency& adjacency, const Colori
 void fill_columns(SlicedLayout& layout, const Adjacency& adjacency, const Progress& progress) {
   layout.column_begin.assign(layout.slice_count() + 1, 0);
   for (Index slot = 0; slot < layout.slot_count(); ++slot) {
-    if (slot % kReportSlice == 0) progress.report(0);
+    if (slot % kReportSlice == 0) progress.tick();
     const Index node = layout.node_at[slot];
     if (node == kNone) continue;
     Index& width = layout.column_begin[slot / kLanes + 1];
@@ -100,7 +90,7 @@ void fill_columns(SlicedLayout& layout, const Adjacency& adjacency, const Progre
     layout.column_begin[slice + 1] += layout.column_begin[slice];
   }
   layout.neighbor.resize(std::size_t{layout.column_begin.back()} * kLanes);
-  parallel_for(layout.slot_count(), progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(layout.slot_count(), [&](std::size_t begin, std::size_t end) {
     for (Index slot = static_cast<Index>(begin); slot < end; ++slot) {
       const Index node = layout.node_at[slot];
       std::size_t entry = layout.first_entry(slot);
@@ -120,6 +110,7 @@ void fill_columns(SlicedLayout& layout, const Adjacency& adjacency, const Progre
 }  // namespace
 
 std::vector<Index> equal_blocks(std::size_t nodes) {
+  constexpr std::size_t kBlock = 2048;
   std::vector<Index> ends;
   for (std::size_t end = kBlock; end < nodes; end += kBlock) {
     ends.push_back(static_cast<Index>(end));
@@ -137,8 +128,8 @@ SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
   assign_slots(layout, adjacency, coloring, order,
                block_ends.empty() ? equal_blocks(adjacency.node_count())
                                   : std::vector<Index>(block_ends.begin(), block_ends.end()),
-               progress.part(0, 0.5));
-  fill_columns(layout, adjacency, progress.part(0.5, 1));
+               progress);
+  fill_columns(layout, adjacency, progress);
   return layout;
 }
 
@@ -159,7 +150,7 @@ Complex SlicedCouplings::reflecting_at(const SlicedLayout& layout, Index slice,
 
 namespace {
 
-/// Direct couplings of one row; returns whether there are others.
+/// Loads the direct couplings of one row; returns whether there are reflecting ones.
 bool load_row(const PhaseGraph& graph, const SlicedLayout& layout, SlicedCouplings& couplings,
               Index slot) {
   const Index node = layout.node_at[slot];
@@ -178,7 +169,7 @@ bool load_row(const PhaseGraph& graph, const SlicedLayout& layout, SlicedCouplin
   return reflects;
 }
 
-/// Column by column, so that reflecting couplings come in the order of entries.
+/// Loads reflecting couplings column by column: in the order of entries.
 void load_reflecting(const PhaseGraph& graph, const SlicedLayout& layout,
                      SlicedCouplings& couplings, Index slice) {
   const std::vector<Index>& offsets = graph.adjacency->offsets;

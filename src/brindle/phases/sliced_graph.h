@@ -1,11 +1,15 @@
-/// A phase graph laid out for speed: colours contiguous, rows in slices of equal width.
+/// The phase graph in the form in which solvers sweep it: colours contiguous, rows in slices of
+/// equal width (docs/performance.md). `load_couplings` makes it of a PhaseGraph, `couple` of
+/// sliced_waves.h of waves, without a PhaseGraph in between.
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "brindle/base/parallel.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phases/coloring.h"
 #include "brindle/progress.h"
@@ -14,7 +18,7 @@
 
 namespace brindle {
 
-/// Rows of a slice, updated together: the widest vector of floats that processors have.
+/// Rows of a slice, updated together: the widest vector of floats of any processor.
 inline constexpr Index kLanes = 16;
 inline constexpr Index kNone = ~Index{0};
 
@@ -23,20 +27,31 @@ struct SliceRange {
   Index end;
 };
 
-/// Slices that one task works on at least.
+/// The least slices for a task of its own.
 inline constexpr std::size_t kSliceGrain = 64;
 
-/// Blocks between two reports of what is done block by block.
-inline constexpr std::size_t kBlocksPerReport = 32;
+/// Calls `body(begin, end)` on disjoint ranges of so many blocks, in parallel. `progress` ticks
+/// every few blocks.
+template <class Body>
+void for_blocks(std::size_t count, const Progress& progress, const Body& body) {
+  constexpr std::size_t kBlocksPerTick = 32;
+  if (!progress.is_heard()) return parallel_for(count, body, 1);
+  for (std::size_t first = 0; first < count; first += kBlocksPerTick) {
+    progress.tick();
+    parallel_for(
+        std::min(kBlocksPerTick, count - first),
+        [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); }, 1);
+  }
+}
 
-/// Where everything stands (sliced ELLPACK, Kreutzer et al. 2014). Nodes are renumbered to slots:
-/// block by block of nodes that are close together, in a block colour by colour, in a colour by
-/// degree. The nodes of one colour in one block fill whole slices of `kLanes` slots. The neighbours
-/// of a slice's rows stand in columns of `kLanes` entries, one entry a row; rows shorter than the
-/// slice is wide are filled up with entries that point to their own slot.
+/// The order of nodes and edges in memory (sliced ELLPACK, Kreutzer et al. 2014). Nodes are
+/// renumbered to slots: block by block of nodes that are close together, within a block by colour,
+/// within a colour by degree. The nodes of one colour in one block fill whole slices of `kLanes`
+/// slots. The neighbours of a slice's rows stand in columns of `kLanes` entries, one entry a row.
+/// Shorter rows are padded with entries that point to their own slot.
 struct SlicedLayout {
   std::vector<Index> slot_of;         ///< node -> slot
-  std::vector<Index> node_at;         ///< slot -> node, kNone for filling
+  std::vector<Index> node_at;         ///< slot -> node, kNone for padding
   std::vector<SliceRange> ranges;     ///< slices of one colour in one block, colour by colour
   std::vector<Index> block_begin{0};  ///< block b owns slices block_begin[b] .. [b+1] - 1
   std::vector<Index> color_begin;  ///< colour c owns ranges color_begin[c] .. color_begin[c+1] - 1
@@ -65,13 +80,13 @@ struct SlicedLayout {
 };
 
 /// `order` is a permutation of the nodes in which neighbours are close together; empty: as
-/// numbered. `block_ends` tells where blocks of the order end, ascending, the last at its end;
-/// empty: every 2048 nodes, so that what their neighbours' phases take fits the first cache.
+/// numbered. `block_ends` are the ends of blocks in this order, ascending, the last at its end;
+/// empty: `equal_blocks`. Throws Cancelled if `progress` asks for it.
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
                            std::span<const Index> order = {},
                            std::span<const Index> block_ends = {}, const Progress& progress = {});
 
-/// Where the blocks of so many nodes end if nobody says otherwise.
+/// Ends of blocks of 2048 nodes, so that the phases of their neighbours fit the first cache.
 std::vector<Index> equal_blocks(std::size_t nodes);
 
 /// A reflecting coupling B of one entry.
@@ -80,12 +95,11 @@ struct ReflectingCoupling {
   Complex b;
 };
 
-/// Couplings in a layout's entries. Direct ones are dense, real and imaginary parts side by side: a
-/// column of kLanes entries takes 2 * kLanes floats, first all real, then all imaginary parts.
-/// Reflecting ones are few where directions run alike, and stand in a short list for every slice,
-/// in the order of entries. An entry may have both, as sums of finer couplings do. The list of a
-/// slice has room for all its entries at `reflecting + column_begin * kLanes`; pages of it that no
-/// slice needs are never touched.
+/// Couplings in a layout's entries. Direct ones are dense: a column of kLanes entries takes
+/// 2 * kLanes floats, first all real, then all imaginary parts. Reflecting ones are few where
+/// directions run alike, and stand in a short list per slice, in the order of entries. An entry may
+/// have both, as sums of finer couplings do. The list of a slice has room for all its entries at
+/// `reflecting + column_begin * kLanes`; pages that no slice needs are never touched.
 struct SlicedCouplings {
   explicit SlicedCouplings(const SlicedLayout& layout);
 
@@ -130,9 +144,9 @@ struct SlicedCouplings {
 void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
                     SlicedCouplings& couplings);
 
-/// One coloured sweep of z_i = t_i / |t_i| over all slots; nodes without a target keep their phase.
-/// `over_relaxation` w, from 1 to below 2, goes beyond: z_i + w (t_i / |t_i| - z_i), scaled to
-/// length 1. Each update can only lower the energy.
+/// One coloured sweep of z_i = t_i / |t_i| (Eq. 8, 10) over all slots; nodes without a target keep
+/// their phase. `over_relaxation` w, from 1 to below 2, goes beyond: z_i + w (t_i / |t_i| - z_i),
+/// scaled to length 1. No update raises the energy.
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
            float over_relaxation = 1);
 
@@ -148,15 +162,15 @@ EnergySums energy_sums(const SlicedLayout& layout, const SlicedCouplings& coupli
 double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
               std::span<const Complex> z);
 
-/// What the paper's relaxation carries from one iteration to the next.
+/// The momentum of the paper's relaxation.
 struct Momentum {
   float strength;          ///< s_m of Eq. 11
   std::vector<Complex> m;  ///< m_i by slot, zero at first
 };
 
-/// Updates the slots of one colour by Eq. 10 and 11 and returns by how much that lowers the energy
-/// sum of Eq. 5 (anchors included): exactly Re(conj(z_i new - z_i old) t_i) a slot, since no two of
-/// them are neighbours.
+/// Updates the slots of one colour by Eq. 10 and 11. Returns the decrease of the energy sum of Eq.
+/// 5, anchors included: exactly Re(conj(z_i new - z_i old) t_i) a slot, since no two are
+/// neighbours.
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
                    std::span<Complex> z, Momentum& momentum, Index color);
 
@@ -165,7 +179,7 @@ void to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot,
               std::vector<Complex>& by_node);
 std::vector<Complex> to_nodes(const SlicedLayout& layout, std::span<const Complex> by_slot);
 
-/// Node order -> slot order. Slots without a node keep what `by_slot` has there.
+/// Node order -> slot order. Slots without a node keep their value.
 void to_slots(const SlicedLayout& layout, std::span<const Complex> by_node,
               std::span<Complex> by_slot);
 

@@ -1,6 +1,7 @@
-/// The inner loops of the solvers over slices of a SlicedLayout, twice: portable C++, and Highway
-/// vectors with the instruction set chosen at run time. Both follow the same order of operations,
-/// without fused multiply-adds, and so give the same bits on every processor.
+/// The inner loops of the solvers over slices of a SlicedLayout, written once
+/// (sliced_kernels_body.h) and compiled twice: as portable C++, and for Highway vectors whose
+/// instruction set is chosen at run time. Neither fuses multiplications and additions, so results
+/// have the same bits on every processor.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +10,14 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/phase_shift.h"
-#include "brindle/phases/gauge_rounds.h"
+#include "brindle/phases/aggregation.h"
 #include "brindle/phases/sliced_graph.h"
 #include "brindle/types.h"
 
 namespace brindle {
 
-/// A gauge or a coupling that says in the lowest bit of its real part, a relative error of 1e-7,
-/// whether it goes with the conjugate. One gather then brings both.
+/// A gauge or a coupling whose real part keeps in its lowest bit, a relative error of 1e-7, whether
+/// it applies to the conjugate. One gather then loads both.
 constexpr Complex with_conjugate_bit(Complex value, bool conjugate) {
   const auto bits = bit_cast<std::uint32_t>(value.real());
   return {bit_cast<float>((bits & ~1u) | static_cast<std::uint32_t>(conjugate)), value.imag()};
@@ -27,7 +28,7 @@ constexpr bool conjugate_bit(Complex value) {
 
 struct SlicedWave;
 
-/// The sum of one number a lane, by halves: an order that does not depend on how long vectors are.
+/// The sum over lanes by halves: an order that does not depend on the length of vectors.
 inline float sum_of_lanes(const float* numbers) {
   float sum[kLanes];
   std::copy_n(numbers, kLanes, sum);
@@ -42,36 +43,36 @@ inline float sum_of_lanes(const float* numbers) {
 using CoupleSlices = void(const SlicedLayout&, const SlicedWave* waves, PhaseShiftKind kind,
                           const float* entry_weights, SlicedCouplings&, float* degree, SliceRange);
 
-/// z_i = t_i / |t_i| for all rows, or beyond that by over-relaxation (`sweep` of sliced_graph.h);
-/// rows without a target keep their phase. The rows of a range must have one colour.
+/// z_i = t_i / |t_i| (Eq. 10 without momentum) for all rows, or beyond by over-relaxation (`sweep`
+/// of sliced_graph.h); rows without a target keep their phase. The rows of a range must have one
+/// colour.
 using SweepSlices = void(const SlicedLayout&, const SlicedCouplings&, Complex* z,
                          float over_relaxation, SliceRange);
 
-/// Eq. 10 and 11 for all rows; returns by how much it lowers the energy.
+/// Eq. 10 and 11 for all rows; returns the decrease of the energy.
 using RelaxSlices = double(const SlicedLayout&, const SlicedCouplings&, Complex* z, float strength,
                            Complex* momentum, SliceRange);
 
-/// Turns the direct couplings of all entries of a range into the gauges at their ends:
-/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z); entry by entry into `gauged`, from the
-/// first of the range on. The conjugate bit of a result says that it adds to B of the coarser
-/// level, not to A.
+/// The direct couplings of all entries of a range between the unknowns of the coarser level:
+/// conj(g_i) A g_j, conjugated if z_i = g_i conj(Z). Entry by entry into `gauged`, from the first
+/// of the range on. Results with the conjugate bit add to B of the coarser level, others to A.
 using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Complex* gauge,
                          Complex* gauged, SliceRange);
 
-/// Gauges of groups of one rank from the direct couplings to earlier
-/// members: with S = sum A g over members without and C over members with the conjugate bit, the
-/// longer of the two over its length, its own conjugate bit set if that is C. Without either, 1.
+/// Gauges of groups of one rank from the direct couplings to earlier members. With S = sum A g over
+/// members without the conjugate bit and C over members with it, the gauge is the longer of the two
+/// over its length, with the conjugate bit if that is C; 1 if both are 0.
 using GaugeMembers = void(const SlicedCouplings&, const GaugeRounds&, Complex* gauge,
                           SliceRange groups);
 
-/// Direct couplings of the coarse slices of a range: sums of the gauged entries without conjugate
-/// bit that the rounds name. `marked` tells for every slice whether there are others.
+/// Direct couplings of the coarse slices of a range: sums over rounds of gauged entries without
+/// conjugate bit. `marked` becomes 1 for slices that have entries with it.
 using SumSlices = void(const SlicedLayout& coarse, const Index* round_begin,
                        const Index* round_entry, const Complex* gauged, float* direct,
                        std::uint8_t* marked, SliceRange);
 
-/// Reflecting couplings of all entries of one coarse slice: sums of the gauged entries with
-/// conjugate bit that the rounds name, entry by entry into `reflecting`.
+/// Reflecting couplings of all entries of one coarse slice: sums over rounds of gauged entries with
+/// conjugate bit, entry by entry into `reflecting`.
 using SumMarkedSlice = void(const SlicedLayout& coarse, const Index* round_begin,
                             const Index* round_entry, const Complex* gauged, Complex* reflecting,
                             Index slice);

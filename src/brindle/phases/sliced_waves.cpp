@@ -8,6 +8,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -17,14 +18,14 @@ bool same(const SlicedWave& a, const SlicedWave& b) {
          ranges::equal(a.direction, b.direction);
 }
 
-bool turned_round(const SlicedWave& a, const SlicedWave& b) {
+bool is_reversed(const SlicedWave& a, const SlicedWave& b) {
   return a.direction[0] * b.direction[0] + a.direction[1] * b.direction[1] +
              a.direction[2] * b.direction[2] <
          0;
 }
 
-/// The phase, or the momentum, of a wave whose direction is turned round.
-Complex turned(Complex z) { return -std::conj(z); }
+/// The phase or momentum of the same wave with the opposite direction.
+Complex reversed(Complex z) { return -std::conj(z); }
 
 }  // namespace
 
@@ -46,9 +47,9 @@ bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
           {p.x(), p.y(), p.z()}, std::sqrt(frequencies[node]), {d.x(), d.y(), d.z()}, 0};
       if (!last.empty()) {
         changed_here = changed_here || !same(last[slot], now);
-        if (turned_round(last[slot], now)) {
-          if (!z.empty()) z[slot] = turned(z[slot]);
-          if (!m.empty()) m[slot] = turned(m[slot]);
+        if (is_reversed(last[slot], now)) {
+          if (!z.empty()) z[slot] = reversed(z[slot]);
+          if (!m.empty()) m[slot] = reversed(m[slot]);
         }
       }
       waves[slot] = now;
@@ -62,7 +63,7 @@ void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> t
                  std::span<Complex> z) {
   parallel_for(z.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t slot = begin; slot < end; ++slot) {
-      if (turned_round(from[slot], to[slot])) z[slot] = turned(z[slot]);
+      if (is_reversed(from[slot], to[slot])) z[slot] = reversed(z[slot]);
     }
   });
 }
@@ -94,6 +95,18 @@ void couple(const SlicedLayout& layout, std::span<const SlicedWave> waves, Phase
                                degree.data(), {static_cast<Index>(begin), static_cast<Index>(end)});
       },
       kSliceGrain);
+}
+
+void couple_waves(const SlicedLayout& layout, const Adjacency& adjacency, const WaveSet& waves,
+                  PhaseShiftKind kind, std::span<const float> edge_weights,
+                  SlicedCouplings& couplings) {
+  check_coupled_waves(adjacency, waves, edge_weights);
+  std::vector<SlicedWave> sliced;
+  load_waves(layout, waves.positions, waves.directions, waves.frequencies, sliced);
+  std::vector<float> weights;
+  if (!edge_weights.empty()) weights = sliced_weights(layout, adjacency, edge_weights);
+  std::vector<float> degree(layout.slot_count());
+  couple(layout, sliced, kind, weights, couplings, degree);
 }
 
 }  // namespace brindle

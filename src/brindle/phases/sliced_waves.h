@@ -1,4 +1,4 @@
-/// Waves laid out beside a SlicedLayout, and their coupling without a PhaseGraph in between.
+/// Waves in the order of a SlicedLayout, and their couplings without a PhaseGraph in between.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace brindle {
 
-/// One wave by slot. All zero where there is none.
+/// The wave of a slot, all zero for padding.
 struct alignas(32) SlicedWave {
   float position[3] = {};
   float root_frequency = 0;  ///< sqrt(f)
@@ -17,31 +17,36 @@ struct alignas(32) SlicedWave {
   float unused = 0;
 };
 
-/// Copies waves (one entry per node) into the order of slots. Where a direction has turned round
-/// against that of the `last` waves (by slot; none if empty; may be those that are overwritten),
-/// the phase in `z` and the momentum in `m` (by slot; may be empty) are turned with it, so that
-/// they still mean the same wave. Returns whether anything differs from the last waves.
+/// Copies waves (one entry per node) into the order of slots. `last` are the waves before, by slot
+/// (none if empty; may be those that are overwritten). Where a direction is reversed against them,
+/// the phase in `z` and the momentum in `m` (by slot; may be empty) become -conj(z) and -conj(m),
+/// so that they stand for the same wave. Returns whether anything differs from the last waves.
 bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
                 std::vector<SlicedWave>& waves, std::span<const SlicedWave> last = {},
                 std::span<Complex> z = {}, std::span<Complex> m = {});
 
-/// Turns the phases or momenta in `z` (by slot; may be empty) where directions have turned round
-/// from one list of waves to the other. The same again undoes it to the bit.
+/// Makes phases or momenta z (by slot; may be empty) -conj(z) where directions are reversed from
+/// one list of waves to the other. A second call restores all bits.
 void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> to,
                  std::span<Complex> z);
 
-/// Edge weights by entry, from weights by directed edge of the adjacency that the layout was made
-/// of.
+/// Edge weights by entry, from weights by directed edge of the layout's adjacency.
 std::vector<float> sliced_weights(const SlicedLayout& layout, const Adjacency& adjacency,
                                   std::span<const float> edge_weights);
 
-/// All couplings at once, as build_phase_graph and load_couplings would give them.
-/// `entry_weights` is empty or has one weight per entry. `degree` receives the sum of weights of
-/// every slot's row. `kind` is aligned or trapezoid: the paper's common source goes through a
-/// PhaseGraph; throws Error.
+/// The couplings of `build_phase_graph` and `load_couplings`, but for rounding. `entry_weights` is
+/// empty or has one weight per entry. `degree` receives the sum of weights of every slot's row.
+/// `kind` is aligned or trapezoid; throws Error for the paper's common source, which needs a
+/// PhaseGraph.
 void couple(const SlicedLayout& layout, std::span<const SlicedWave> waves, PhaseShiftKind kind,
             std::span<const float> entry_weights, SlicedCouplings& couplings,
             std::span<float> degree);
+
+/// The same for waves by node, with `edge_weights` as in `build_phase_graph`. Throws Error for what
+/// `build_phase_graph` rejects, too.
+void couple_waves(const SlicedLayout& layout, const Adjacency& adjacency, const WaveSet& waves,
+                  PhaseShiftKind kind, std::span<const float> edge_weights,
+                  SlicedCouplings& couplings);
 
 }  // namespace brindle

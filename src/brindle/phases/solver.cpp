@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/phases/averaged.h"
 #include "brindle/phases/global.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/parsed_words.h"
@@ -26,29 +25,23 @@ void require(bool holds, const char* message) {
   if (!holds) throw Error(std::string("solver options: ") + message);
 }
 
-/// The multilevel solver, or its cycles from the phases that another solver has found.
-void run_multilevel(const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
+/// The multilevel solver, or its cycles from the phases of another solver.
+void add_multilevel(const PhaseGraph& graph, const SolverOptions& options, const Progress& progress,
                     PhaseSolution& solution) {
-  JobStages stages(progress, {{"hierarchy", 7}, {"descent", 1}, {"cycles", 3}});
-  Hierarchy hierarchy = build_hierarchy(graph, stages.begin("hierarchy"));
-  Level& finest = hierarchy.levels[0];
-  const Index slots = finest.layout().slot_count();
-  const SweepPlan plan = SweepPlan::for_new_levels(options.sweeps, slots);
-  const int sweeps = plan.on_level(slots).count;
   Stopwatch watch;
-  if (options.solver == Solver::multilevel) {
-    descend(hierarchy, plan, stages.begin("descent"));
-    solution.iterations = sweeps;
-  } else {
-    to_slots(finest.layout(), solution.z, finest.z);
-  }
-  run_cycles(hierarchy, plan, options.cycles, stages.begin("cycles"));
-  solution.z = to_nodes(finest.layout(), finest.z);
-  solution.topology_milliseconds += hierarchy.topology_milliseconds;
-  solution.solve_milliseconds += hierarchy.numeric_milliseconds + watch.lap();
-  solution.iterations += sweeps * options.cycles;
+  double load_milliseconds = 0;
+  const auto load = [&](Level& finest) {
+    watch.lap();
+    load_couplings(graph, finest.layout(), finest.couplings);
+    load_milliseconds = watch.lap();
+  };
+  PhaseSolution last = std::move(solution);
+  solution = solve_multilevel(*graph.adjacency, load, options, last.z, progress);
   solution.energy = energy(graph, solution.z);
-  stages.finish();
+  solution.iterations += last.iterations;
+  solution.energy_per_iteration = std::move(last.energy_per_iteration);
+  solution.topology_milliseconds += last.topology_milliseconds;
+  solution.solve_milliseconds += last.solve_milliseconds + load_milliseconds;
 }
 
 std::vector<JobStage> stages_of(const SolverOptions& options) {
@@ -107,7 +100,7 @@ PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options
       break;
   }
   if (options.solver == Solver::multilevel || options.cycles > 0) {
-    run_multilevel(graph, options, stages.begin("multilevel"), solution);
+    add_multilevel(graph, options, stages.begin("multilevel"), solution);
   }
   stages.finish();
   return solution;

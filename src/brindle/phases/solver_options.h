@@ -1,4 +1,4 @@
-/// Whether options of solvers are in range.
+/// Ranges of the options of solvers.
 #pragma once
 
 #include "brindle/solver.h"

@@ -11,8 +11,8 @@
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
 #include "brindle/pattern/point_quality.h"
-#include "brindle/phases/hierarchy.h"
-#include "brindle/phases/multilevel_waves.h"
+#include "brindle/phases/multilevel.h"
+#include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/yielded_stripes.h"
 #include "brindle/waves/averaged_levels.h"
@@ -23,8 +23,7 @@
 namespace brindle {
 namespace {
 
-/// Vertex areas, never zero: a vertex without area must not make a mass or a mean vanish. Points
-/// without triangles count alike.
+/// Vertex areas, never zero, so that no mass or mean is zero; 1 for points without triangles.
 std::vector<float> positive_areas(const Mesh& mesh) {
   if (mesh.triangles.empty()) return std::vector<float>(mesh.vertex_count(), 1.0f);
   std::vector<float> areas = vertex_areas(mesh);
@@ -53,7 +52,7 @@ SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
                       kind, kLevels, edge_weights, progress)};
 }
 
-constexpr float kFixed = 1000;  // so many times what all neighbours ask for
+constexpr float kFixed = 1000;  // weight of fixed phases, in multiples of all couplings
 
 bool is_followed(const StripeOptions& options) {
   return !options.last_phases.empty() && options.lambda != 0;
@@ -71,7 +70,7 @@ void add_fixed_phases(PhaseGraph& graph, std::span<const Complex> fixed) {
   }
 }
 
-/// The solver comes as near as rounding lets it; curves along a boundary need all of it.
+/// Fixed phases exactly, since solvers only approach them: curves along a boundary need them.
 void set_fixed_phases(const PhaseGraph& graph, std::span<const Complex> fixed,
                       PhaseSolution& solution) {
   for (std::size_t i = 0; i < fixed.size(); ++i) {
@@ -93,24 +92,24 @@ void check_anchors(const StripeOptions& options, std::size_t vertices) {
 void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
                     std::span<const float> weights, const Progress& progress,
                     StripePattern& result) {
-  JobStages stages(progress, {{"couple", 2}, {"solve", 8}});
+  JobStages stages(progress, {{"couple", 1}, {"levels", 1}, {"solve", 8}});
   const Progress coupling = stages.begin("couple");
   Stopwatch watch;
-  PhaseGraph graph = build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights,
-                                       coupling.part(0, 0.3));
+  PhaseGraph graph =
+      build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights, coupling);
   if (is_followed(options)) anchor_phases(graph, options.last_phases, options.lambda);
   if (!options.fixed_phases.empty()) add_fixed_phases(graph, options.fixed_phases);
   result.milliseconds.couple = watch.lap();
-  coupling.report(0.5);
   const SolverData data = data_for(options.solver.solver, surface, waves, options.phase_shift,
-                                   weights, coupling.part(0.5, 1));
+                                   weights, stages.begin("levels"));
   result.milliseconds.topology = watch.lap();
   const SolvePhases solve = options.solve ? options.solve : solve_phases;
   result.solution = solve(graph, options.solver, stages.begin("solve"), data);
   set_fixed_phases(graph, options.fixed_phases, result.solution);
 }
 
-/// From waves to phases. The multilevel solver needs no phase graph between them.
+/// From waves to phases. The multilevel solver couples waves in the order of its sweeps
+/// (couple_waves), all others read a PhaseGraph.
 void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
            const Progress& progress, StripePattern& result) {
   progress.report(0);
@@ -119,10 +118,13 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
   const double weigh_milliseconds = watch.lap();
   if (!options.solve && !is_anchored(options) && options.solver.solver == Solver::multilevel &&
       options.phase_shift != PhaseShiftKind::common_source) {
-    WaveSolution solved = solve_multilevel_waves(*surface.neighborhood, waves, options.phase_shift,
-                                                 weights, options.solver, progress);
-    result.solution = std::move(solved.solution);
-    result.milliseconds.couple = solved.couple_milliseconds;
+    const auto couple = [&](Level& finest) {
+      watch.lap();
+      couple_waves(finest.layout(), *surface.neighborhood, waves, options.phase_shift, weights,
+                   finest.couplings);
+      result.milliseconds.couple = watch.lap();
+    };
+    result.solution = solve_multilevel(*surface.neighborhood, couple, options.solver, {}, progress);
   } else {
     solve_as_graph(surface, waves, options, weights, progress, result);
   }
@@ -151,10 +153,11 @@ void check_sizes(const Surface& surface, const WaveSet& waves) {
               std::to_string(vertices) + " vertices");
 }
 
-void let_yield(const Surface& surface, WaveSet& waves, const StripeOptions& options,
-               const Progress& progress, StripePattern& result) {
+/// Changes frequencies within the tolerance of spacing.
+void relax_frequencies(const Surface& surface, WaveSet& waves, const StripeOptions& options,
+                       const Progress& progress, StripePattern& result) {
   Stopwatch watch;
-  // Of a mesh there is little to find before the solve, of points their triangles.
+  // Points need triangles first.
   const double begins = surface.mesh.triangles.empty() ? 0.3 : 0.02;
   YieldingFrequency yielding(surface, options.slack, progress.part(0, begins));
   const std::span<const float> frequencies = yielding.solve(
@@ -195,16 +198,16 @@ std::vector<JobStage> stages_of(const StripeOptions& options) {
   return stages;
 }
 
-/// Where there is no wave the phase is that of a peak, whatever the solver began with.
+/// Vertices without a wave get the phase of a peak, whatever the start of the solver.
 void clear_without_wave(const WaveSet& waves, std::span<Complex> z) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (waves.directions[i].isZero(0)) z[i] = kPeak;
   }
 }
 
-/// From waves whose frequencies are chosen to a measured pattern.
-void lay(const Surface& surface, WaveSet waves, const StripeOptions& options, JobStages& stages,
-         StripePattern& result) {
+/// From waves with their final frequencies to a measured pattern.
+void solve_and_measure(const Surface& surface, WaveSet waves, const StripeOptions& options,
+                       JobStages& stages, StripePattern& result) {
   solve(surface, waves, options, stages.begin("solve"), result);
   clear_without_wave(waves, result.solution.z);
 
@@ -231,9 +234,9 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   check_slack(options.slack, surface.mesh.vertex_count());
   JobStages stages(progress, stages_of(options));
   if (options.slack.yields()) {
-    let_yield(surface, waves, options, stages.begin("frequency"), result);
+    relax_frequencies(surface, waves, options, stages.begin("frequency"), result);
   }
-  lay(surface, std::move(waves), options, stages, result);
+  solve_and_measure(surface, std::move(waves), options, stages, result);
   return result;
 }
 
@@ -246,7 +249,7 @@ StripePattern stripes_of_yielded(const Surface& surface, WaveSet waves, const St
   result.frequency_change = before.frequency_change;
   result.milliseconds.frequency = before.milliseconds.frequency;
   JobStages stages(progress, {{"solve", 10}, {"pattern", 3}});
-  lay(surface, std::move(waves), options, stages, result);
+  solve_and_measure(surface, std::move(waves), options, stages, result);
   return result;
 }
 

@@ -17,7 +17,7 @@
 namespace brindle {
 namespace {
 
-/// A number per row: itself, or the length of a vector, whatever its size.
+/// A number per row, or the length of a vector, also of extreme ones.
 std::vector<double> lengths_of_rows(const DataArray& array) {
   std::vector<double> numbers = doubles_of(array.view());
   if (array.components == 1) return numbers;
@@ -30,7 +30,8 @@ std::vector<double> lengths_of_rows(const DataArray& array) {
   return lengths;
 }
 
-/// Between 0 and 1; halves, because the difference of two doubles need not be one.
+/// The place of a number in the range, from 0 to 1. Halves, because the difference of two doubles
+/// may overflow.
 double share_of(const NumberExtent& extent, double number) {
   return (number / 2 - extent.lowest / 2) / (extent.highest / 2 - extent.lowest / 2);
 }
@@ -123,7 +124,7 @@ FrequencyField frequencies_by(const DataArray& array, const NumberExtent& extent
       frequencies[v] = static_cast<float>(frequency * reciprocal_factor(range, numbers[v]));
       continue;
     }
-    // Vertices without neighbours may be outside; they carry no wave.
+    // Vertices without neighbours, which have no wave, may be out of range.
     const double share = std::clamp(share_of(extent, numbers[v]), 0.0, 1.0);
     const double factor =
         extent.lowest == extent.highest ? std::sqrt(low * high) : std::lerp(low, high, share);

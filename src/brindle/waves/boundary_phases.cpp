@@ -13,7 +13,7 @@ namespace {
 constexpr float kInside = 1e-3f;
 constexpr float kAcross = 0.7f;  // cosine of 45 degrees
 
-/// From every boundary vertex, where the surface lies; zero at others.
+/// Unit vectors from boundary vertices into the surface; zero at others.
 std::vector<Vec3> ways_inwards(const Surface& surface) {
   const Mesh& mesh = surface.mesh;
   const MeshEdges edges = mesh_edges(mesh, *surface.neighborhood);

@@ -13,13 +13,13 @@
 namespace brindle {
 namespace {
 
-constexpr std::size_t kBlockGrain = 4;  ///< blocks that are not worth waking another thread
+constexpr std::size_t kBlockGrain = 4;  ///< the least blocks for a task of its own
 constexpr std::size_t kCopyGrain = 65536;
-constexpr int kCoarseVisits = 2;  ///< of a coarser level from each but the finest: a W cycle
+constexpr int kCoarseVisits = 2;  ///< of a level from the finer one, but for the finest: a W cycle
 constexpr int kCoarsestSweeps = 8;
 /// Corrections that are constant on aggregates are too short.
 constexpr double kLongestStep = 2;
-constexpr double kMostChanged = 64;  ///< one node in so many, before levels are summed anew
+constexpr double kMostChanged = 64;  ///< levels are summed again when one node in 64 has changed
 
 struct MeasureSums {
   double energy = 0, square = 0, changed = 0;
@@ -30,7 +30,7 @@ struct MeasureSums {
   static MeasureSums of(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
 };
 
-/// What the energy does along the correction s and the way m that the last cycle went.
+/// Products for the energy along the correction s and the last cycle's step m.
 struct StepSums {
   double rs = 0, rm = 0, ss = 0, sm = 0, mm = 0;
   StepSums operator+(const StepSums& o) const {
@@ -44,7 +44,7 @@ struct StepLengths {
   double correction = 0, momentum = 0;
 };
 
-/// Where the energy is least.
+/// The lengths with the least energy.
 StepLengths best_lengths(const StepSums& sums, double longest) {
   const double determinant = sums.ss * sums.mm - sums.sm * sums.sm;
   if (determinant > 1e-6 * sums.ss * sums.mm) {
@@ -65,7 +65,7 @@ void for_rows(const RowLevel& rows, const Body& body) {
       kBlockGrain);
 }
 
-/// The same for others' nodes, too.
+/// The same, including others' nodes.
 template <class Body>
 void for_places(const RowLevel& rows, const Body& body) {
   for_rows(rows, body);
@@ -86,7 +86,7 @@ Sum sum_over_rows(const RowLevel& rows, const Add& add) {
       kBlockGrain);
 }
 
-/// What row i has of the product with `x`, but for the diagonal.
+/// Row i of the product with `x`, without the diagonal.
 float row_product(const RowLevel& rows, const std::vector<float>& values,
                   const std::vector<float>& x, Index i) {
   float sum = 0;
@@ -138,7 +138,7 @@ void BoundedMultigrid::solve_without_bounds(int visits) {
   for (int n = 0; n < visits; ++n) descend(0);
 }
 
-/// What a residual is divided by: the diagonal, and what the row shares with other blocks.
+/// The divisor of a residual: the diagonal plus the magnitudes of entries of other blocks.
 void BoundedMultigrid::weigh(std::size_t l) {
   const RowLevel& rows = rows_->levels[l];
   Level& level = levels_[l];
@@ -149,7 +149,7 @@ void BoundedMultigrid::weigh(std::size_t l) {
   });
 }
 
-/// The coarser level's matrix: sums over the nodes that are free.
+/// The coarser level's matrix: sums over free nodes.
 void BoundedMultigrid::sum(std::size_t l) {
   const RowLevel& fine = rows_->levels[l];
   const RowLevel& coarse = rows_->levels[l + 1];
@@ -177,7 +177,7 @@ void BoundedMultigrid::sum(std::size_t l) {
 
 void BoundedMultigrid::sum_all(const Progress& progress) {
   for (std::size_t l = 0; !is_coarsest(l); ++l) {
-    progress.report(1 - std::pow(0.25, l));
+    progress.tick();
     sum(l);
   }
   if (peers_ != nullptr && levels_.size() > 1) {
@@ -221,7 +221,7 @@ void BoundedMultigrid::relax_blocks(std::size_t l, std::span<const Index> blocks
       kBlockGrain);
 }
 
-/// Blocks at borders go first: what has become of them is on its way while the others' turn is.
+/// Border blocks go first, so that their values travel while the others are relaxed.
 template <bool kBounded>
 void BoundedMultigrid::sweep(std::size_t l, bool forward) {
   Level& level = levels_[l];
@@ -256,7 +256,7 @@ void BoundedMultigrid::exchange(std::size_t level, std::span<float> by_place) {
   peers_->finish();
 }
 
-/// What level l leaves undone becomes the right side of the next.
+/// Residuals of level l become the right side of the next.
 template <class Residual>
 void BoundedMultigrid::restrict_sums(std::size_t l, const Residual& residual) {
   const RowLevel& fine = rows_->levels[l];
@@ -281,7 +281,7 @@ void BoundedMultigrid::restrict_residual(std::size_t l) {
   });
 }
 
-/// The right side, and the bounds that all children keep.
+/// The right side, and the bounds that are common to all children.
 void BoundedMultigrid::restrict_bounds(std::size_t l) {
   const RowLevel& fine = rows_->levels[l];
   const Level& from = levels_[l];
@@ -303,8 +303,7 @@ void BoundedMultigrid::start(const Progress& progress) { start_with(0, progress)
 
 void BoundedMultigrid::start_with(int finest_sweeps, const Progress& progress) {
   ranges::fill(free_, 1.0f);
-  sum_all(progress.part(0, 0.4));
-  progress.report(0.4);
+  sum_all(progress);
   for (std::size_t l = 0; !is_coarsest(l); ++l) restrict_bounds(l);
   ranges::fill(levels_.back().x, 1.0f);
   const bool is_solved = peers_ != nullptr && levels_.size() > 1;
@@ -314,10 +313,7 @@ void BoundedMultigrid::start_with(int finest_sweeps, const Progress& progress) {
   }
   for (std::size_t l = levels_.size() - (is_solved ? 1 : 0); l-- > 0;) {
     Level& level = levels_[l];
-    // A level takes four times as long as the next coarser one.
-    const Progress of_level =
-        progress.part(0.4 + 0.6 * std::pow(0.25, l + 1), 0.4 + 0.6 * std::pow(0.25, l));
-    of_level.report(0);
+    progress.tick();
     if (!is_coarsest(l)) {
       const RowLevel& rows = rows_->levels[l];
       for_rows(rows, [&](Index i) {
@@ -327,7 +323,7 @@ void BoundedMultigrid::start_with(int finest_sweeps, const Progress& progress) {
     }
     const int sweeps = l == 0 ? finest_sweeps : kCoarsestSweeps;
     for (int s = 0; s < sweeps; ++s) {
-      of_level.report(static_cast<double>(s) / sweeps);
+      progress.tick();
       sweep<true>(l, s % 2 == 0);
     }
   }
@@ -368,7 +364,7 @@ BoundedMultigrid::Measure BoundedMultigrid::measure() {
     const float x = level.x[i];
     const float r =
         level.right[i] - level.diagonal[i] * x - row_product(rows, level.values, level.x, i);
-    // What nothing is asked of stays, too.
+    // Rows without a diagonal do not change either.
     const bool held = (x <= level.lower[i] && r <= 0) || (x >= level.upper[i] && r >= 0) ||
                       !(level.diagonal[i] > 0);
     const float free = held ? 0.0f : 1.0f;
@@ -383,8 +379,8 @@ BoundedMultigrid::Measure BoundedMultigrid::measure() {
   return {sums.energy, std::sqrt(sums.square)};
 }
 
-/// The coarser levels' correction and some of the way that the last cycle went, projected. How far
-/// that way changes the residual is known: it has.
+/// Adds the coarser levels' correction and a share of the last cycle's step, projected. The product
+/// of that step with the matrix is known from the residuals before and after it.
 void BoundedMultigrid::step() {
   const RowLevel& rows = rows_->levels[0];
   Level& level = levels_[0];
@@ -420,34 +416,34 @@ void BoundedMultigrid::step() {
   has_momentum_ = true;
 }
 
-/// By the coarser levels. Which nodes are free is on its way while residuals are summed.
+/// Corrects by the coarser levels. `free_` travels while residuals are summed.
 void BoundedMultigrid::correct_finest(const Progress& progress) {
   if (peers_ != nullptr) peers_->start(0, free_);
   restrict_free_residual();
   if (peers_ != nullptr) peers_->finish();
   if (!summed_ || changed_ * kMostChanged > nodes_of_all_) {
-    sum_all(progress.part(0, 0.3));
+    sum_all(progress);
     summed_ = true;
     changed_ = 0;
   }
-  progress.report(0.3);
+  progress.tick();
   visit(1, 1);
-  progress.report(0.8);
+  progress.tick();
   step();
 }
 
 BoundedMultigrid::Measure BoundedMultigrid::cycle(const Progress& progress) {
   sweep<true>(0, true);
-  progress.report(0.2);
+  progress.tick();
   const Measure now = measure();
-  // Long steps leave the bounds and are cut there: that may raise the energy.
+  // Long steps are cut at the bounds, which may raise the energy.
   if (now.energy > last_energy_) {
     longest_step_ = 1;
     has_momentum_ = false;
   }
   last_energy_ = now.energy;
-  if (levels_.size() > 1) correct_finest(progress.part(0.3, 0.8));
-  progress.report(0.8);
+  if (levels_.size() > 1) correct_finest(progress);
+  progress.tick();
   sweep<true>(0, false);
   return now;
 }

@@ -1,4 +1,4 @@
-/// Least squares between bounds, by multigrid.
+/// Least squares with bounds, by multigrid.
 #pragma once
 
 #include <memory>
@@ -11,23 +11,23 @@
 
 namespace brindle {
 
-/// Minimises x'Ax - 2 b'x over lower <= x <= upper, A symmetric and positive semidefinite with the
-/// pattern of `RowLevels`. A cycle is a sweep of projected Gauss-Seidel, a correction by the
-/// coarser levels of the nodes that no bound holds, projected back and as long as the energy asks
-/// for, and a sweep the other way round (truncated multigrid: Kornhuber 1994, Gräser and Kornhuber
-/// 2009). Blocks of rows are relaxed at the same time, each with the others' last values and the
-/// diagonal larger by what they share (Baker et al. 2011), so that sweeps never raise the energy
-/// and the result is the same for every number of threads. Nothing is allocated after construction.
-/// Where `progress` throws, `x` is somewhere on its way.
+/// Minimises x'Ax - 2 b'x over lower <= x <= upper, for A symmetric and positive semidefinite with
+/// the pattern of `RowLevels`. A cycle is a sweep of projected Gauss-Seidel; a correction by the
+/// coarser levels of all nodes that are not at a bound, of the length with the least energy, then
+/// projected; and a sweep in reverse order (truncated multigrid: Kornhuber 1994, Gräser and
+/// Kornhuber 2009). Blocks of rows are relaxed in parallel, each with the others' last values and a
+/// diagonal enlarged by their common entries (Baker et al. 2011), so that sweeps never raise the
+/// energy and results do not depend on the number of threads. Nothing is allocated after
+/// construction. If `progress` throws, `x` is an intermediate value.
 ///
-/// With peers, who must live as long, it is one multigrid over all processes: others' nodes have
-/// values beside the own ones, come after them, and are what the others say at the end of a sweep.
+/// With peers, which must outlive it, it is one multigrid over all processes: others' nodes come
+/// after the own ones and have the values that their owners send at the end of a sweep.
 class BoundedMultigrid {
  public:
   explicit BoundedMultigrid(std::shared_ptr<const RowLevels> levels, RowPeers* peers = nullptr);
 
-  // The problem, by place (`RowLevels::place_of`). Lower bounds are not above 1, upper ones not
-  // below. `x` and bounds have others' nodes, too.
+  // The problem, by place (`RowLevels::place_of`). Lower bounds are at most 1, upper ones at
+  // least 1. `x` and bounds include others' nodes.
   std::span<float> values() { return levels_[0].values; }  ///< of the matrix, by entry
   std::span<float> diagonal() { return levels_[0].diagonal; }
   std::span<float> right() { return levels_[0].right; }  ///< b
@@ -35,33 +35,33 @@ class BoundedMultigrid {
   std::span<float> upper() { return levels_[0].upper; }
   std::span<float> x() { return levels_[0].x; }  ///< start and result
 
-  /// After the problem has changed.
+  /// Must be called after the problem has changed.
   void prepare();
 
-  /// A start for `x`: from the coarsest level down, each between the bounds that its nodes share.
+  /// Sets `x` to a start: from the coarsest level down, each within the common bounds of its nodes.
   void start(const Progress& progress = {});
 
   struct Measure {
     double energy = 0;              ///< x'Ax - 2 b'x
-    double projected_gradient = 0;  ///< length of b - Ax, less what points out of the bounds
+    double projected_gradient = 0;  ///< length of b - Ax without parts that point out of the bounds
   };
 
-  /// One cycle. Says how far things were after its first sweep.
+  /// One cycle. Returns the measure after its first sweep.
   Measure cycle(const Progress& progress = {});
 
-  /// How far things are.
+  /// The measure of `x`.
   Measure measure();
 
-  // For the coarser levels of another one.
+  // As the coarser levels of another multigrid.
   void start_as_coarser();                ///< `start`, with sweeps at the end
   void prepare_without_bounds();          ///< after the matrix has changed
-  void solve_without_bounds(int visits);  ///< so many cycles from zero
+  void solve_without_bounds(int visits);  ///< `visits` cycles from zero
 
  private:
   struct Level {
     std::vector<float> values, diagonal, right, x;
-    std::vector<float> inverse;  ///< what a residual is multiplied by
-    std::vector<float> last;     ///< x before a sweep, where there are several blocks
+    std::vector<float> inverse;  ///< factors of residuals
+    std::vector<float> last;     ///< x before a sweep, if there are several blocks
     std::vector<float> lower, upper;
   };
   void weigh(std::size_t level);
@@ -92,9 +92,9 @@ class BoundedMultigrid {
   std::vector<Level> levels_;
   std::vector<float> residual_, step_;
   std::vector<float> last_x_, last_residual_;  ///< of the cycle before, after its first sweep
-  std::vector<float> free_;                    ///< 0 where a bound holds a node, otherwise 1
+  std::vector<float> free_;                    ///< 0 for nodes held by a bound, otherwise 1
   double nodes_of_all_ = 0;
-  double changed_ = 0;  ///< nodes held or let go since the coarser levels were summed
+  double changed_ = 0;  ///< changes of `free_` since the coarser levels were summed
   bool summed_ = false;
   double last_energy_ = 0;
   double longest_step_ = 0;

@@ -22,7 +22,7 @@ Lanes sign_of(const Lanes& x) {
   return sign;
 }
 
-/// How long a unit vector's projection into the plane is, at least a little.
+/// The length of a unit vector's projection into the plane, at least 0.1.
 Lanes length_in_plane(const LaneVectors& direction, const LaneVectors& normal) {
   const Lanes out = dot(direction, normal);
   return square_root((1 - out * out).max(0.01f));
@@ -71,7 +71,7 @@ std::array<Lanes, 3> circulation_coefficients(const TriangleShapes& shapes,
   const std::array<Lanes, 3> sign = {orientable, orientable * sign_1, orientable * sign_2};
   std::array<Lanes, 3> coefficients;
   for (int m = 0; m < 3; ++m) {
-    // The two edges at a corner are together the third one, backwards, which lies in the plane.
+    // The two edges at a corner add up to the third one reversed.
     coefficients[m] = -0.5f * sign[m] * dot(shapes.edge[m], directions[m]) /
                       length_in_plane(directions[m], shapes.normal);
   }

@@ -28,13 +28,12 @@ void check_crosses(const Adjacency& neighborhood, const WaveSet& crosses) {
 }
 
 /// Rows keep their order, so that neighbours ascend as they do on the surface.
-Adjacency cover_neighborhood(const Adjacency& neighborhood, const WaveSet& crosses,
-                             const Progress& progress) {
+Adjacency cover_neighborhood(const Adjacency& neighborhood, const WaveSet& crosses) {
   const std::size_t vertices = neighborhood.node_count();
   Adjacency cover;
   cover.offsets.resize(2 * vertices + 1);
   cover.neighbors.resize(2 * neighborhood.directed_edge_count());
-  parallel_for(vertices, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       const auto row = neighborhood.of(i);
       const Index first = 2 * neighborhood.offsets[i];
@@ -84,8 +83,8 @@ Index matching_wave(const WaveSet& crosses, Index i, Index j) {
   const float d10 = alignment(1, 0), d11 = alignment(1, 1);
   const float of_normals = d00 * d11 - d01 * d10;
   const float sense = of_normals < kOppositeSides ? -1.0f : 1.0f;
-  // Moved in parallel from i to j, the cross is turned by an angle t against that of j; these are
-  // cos t and sin t, both times 1 + |of_normals|.
+  // After parallel transport from i to j the cross is turned by an angle t against that of j; these
+  // are cos t and sin t, both times 1 + |of_normals|.
   return std::abs(d01 - sense * d10) > std::abs(d00 + sense * d11) ? 1 : 0;
 }
 
@@ -100,7 +99,7 @@ bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
       const auto row = neighborhood.of(i);
       const auto matched = cover.neighborhood->of(2 * i);
       for (std::size_t k = 0; k < row.size(); ++k) {
-        // Either end of an edge says the same.
+        // Both ends of an edge have the same matching.
         if (row[k] > i) count += matched[k] != 2 * row[k] + matching_wave(crosses, i, row[k]);
       }
     }
@@ -113,10 +112,9 @@ CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> 
                        WaveSet crosses, const Progress& progress) {
   check_crosses(neighborhood, crosses);
   CrossCover cover;
-  cover.neighborhood = std::make_shared<const Adjacency>(
-      cover_neighborhood(neighborhood, crosses, progress.part(0, 0.6)));
-  reported_for(triangles.size(), progress.part(0.6, 0.9), [&](std::size_t number) {
-    const auto t = static_cast<Index>(number);
+  cover.neighborhood = std::make_shared<const Adjacency>(cover_neighborhood(neighborhood, crosses));
+  for (Index t = 0; t < triangles.size(); ++t) {
+    if (t % kReportSlice == 0) progress.tick();
     const auto& [a, b, c] = triangles[t];
     const Index to_b = matching_wave(crosses, a, b);
     const Index to_c = matching_wave(crosses, a, c);
@@ -126,8 +124,7 @@ CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> 
       cover.base.push_back(t);
       cover.triangles.push_back({2 * a, 2 * b + to_b, 2 * c + to_c});
     }
-  });
-  progress.report(0.9);
+  }
   cover.triangles.reserve(2 * cover.base.size());
   for (std::size_t s = 0; s < cover.base.size(); ++s) {
     const auto& [a, b, c] = cover.triangles[s];

@@ -21,7 +21,7 @@ constexpr float kParallelToNormal = 1e-4f;
 
 Vec3 tangent_direction(const Vec3& vector, const Vec3& normal) {
   float length = vector.norm();
-  // Squares may leave the range of float where the vector does not.
+  // Squares may be out of the range of float although the vector is not.
   if (!(length > 0) || !std::isfinite(length)) length = vector.stableNorm();
   if (!(length > 0) || !std::isfinite(length) || normal.isZero(0)) return Vec3::Zero();
   const Vec3 unit = vector / length;

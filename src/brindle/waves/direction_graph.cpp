@@ -18,8 +18,8 @@ float angle_of(const Vec3& direction, const TangentBasis& basis) {
 }
 
 struct Transport {
-  float radians;    ///< the angle at i of what has angle 0 at j
-  bool reflecting;  ///< angles at i count against those at j
+  float radians;    ///< the angle at i of a direction with angle 0 at j
+  bool reflecting;  ///< angles at i are counted in the opposite sense
 };
 
 Transport transport(const Vec3& n_j, const Vec3& n_i) {
@@ -116,7 +116,7 @@ Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) 
 
 namespace {
 
-/// Of a unit number the root whose real part is not below 0.
+/// The square root of a unit number whose real part is not below 0.
 Complex principal_root(const Complex& u) {
   if (u.real() >= 0) {
     const float real = std::sqrt((1 + u.real()) / 2);

@@ -1,4 +1,4 @@
-/// What energies are told from.
+/// Sums from which energies follow.
 #pragma once
 
 namespace brindle {
@@ -15,7 +15,7 @@ struct EnergySums {
   double relative() const {
     if (weight == 0) return 0;
     const double relative = energy / weight;
-    // Rounding may take a perfect pattern below zero. What is no number stays none.
+    // Rounding may make a perfect pattern negative. NaN stays NaN.
     return relative < 0 ? 0 : relative;
   }
 };

@@ -37,7 +37,7 @@ int field_index(const Vec3& normal, const std::array<Vec3, 3>& directions, int s
   const Vec3 n = normal.stableNormalized();
   std::array<Vec3, 3> flat;
   for (int m = 0; m < 3; ++m) flat[m] = directions[m] - directions[m].dot(n) * n;
-  // Three angles make a whole turn only if one of them is a third of it.
+  // Three angles add up to a whole turn only if one is at least a third of it.
   const auto is_small = [&](int m) {
     return cosine_of_multiple(flat[m], flat[(m + 1) % 3], symmetry) > 0;
   };

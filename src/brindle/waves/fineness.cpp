@@ -13,7 +13,7 @@
 namespace brindle {
 namespace {
 
-/// Magnitudes of floats are ordered as their bits are, of which compilers make vectors.
+/// Magnitudes of floats are ordered like their bits, whose maximum compilers vectorise.
 struct LargestMagnitude {
   std::uint32_t bits = 0;
   LargestMagnitude operator+(const LargestMagnitude& other) const {
@@ -79,7 +79,7 @@ FinenessTally tally_fineness(const Adjacency& neighborhood, std::span<const Vec3
 }
 
 void check_fineness(const FinenessTally& tally) {
-  // The same waves whose `edges_per_period_median` is no more.
+  // These are the waves whose `edges_per_period_median` is kFewestEdgesAtHalf or less.
   const bool half = tally.too_fine > tally.measured / 2;
   if (!half && tally.fewest > kFewestEdgesAnywhere) return;
   const std::string where = " at vertex " + std::to_string(tally.vertex) +

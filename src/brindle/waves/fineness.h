@@ -1,4 +1,4 @@
-/// Waves so fine that nothing can be told of them.
+/// Waves that are too fine to be solved for.
 #pragma once
 
 #include <cstddef>
@@ -11,39 +11,40 @@
 
 namespace brindle {
 
-/// How many edges a wave must pass within a period at half of the vertices, and at each: phases,
-/// which are floats, would be rounding errors otherwise.
+/// The least edges per period at half of the vertices, and at each; with fewer, phases, which are
+/// floats, would be rounding errors.
 inline constexpr double kFewestEdgesAtHalf = 1e-4;
 inline constexpr double kFewestEdgesAnywhere = 1e-6;
 
-/// How far the edges of a vertex run along its wave, on average.
+/// The mean length of a vertex's edges along its wave.
 double mean_length_along(std::span<const Vec3> positions, Index vertex,
                          std::span<const Index> neighbors, const Vec3& direction);
 
-/// Vertices whose waves pass few edges a period.
+/// Vertices with few edges per period.
 struct FinenessTally {
   std::size_t measured = 0;  ///< vertices with a wave and an edge along it
-  std::size_t too_fine = 0;  ///< of these, those that pass kFewestEdgesAtHalf or fewer
-  double fewest = std::numeric_limits<double>::infinity();  ///< edges a period
+  std::size_t too_fine = 0;  ///< of these, those with kFewestEdgesAtHalf or fewer
+  double fewest = std::numeric_limits<double>::infinity();  ///< edges per period
   Index vertex = 0;                                         ///< where
   float frequency = 0;                                      ///< there
 
   FinenessTally operator+(const FinenessTally& other) const;
 };
 
-/// Whether any wave can be too fine; costs next to nothing, and is false of nearly all.
+/// Whether any wave can be too fine: a fast test that rarely says yes.
 bool may_be_too_fine(std::span<const Vec3> positions, std::span<const float> frequencies);
 
 /// Spans have one entry per vertex, with values that `check_waves` takes.
 FinenessTally tally_fineness(const Adjacency& neighborhood, std::span<const Vec3> positions,
                              std::span<const Vec3> directions, std::span<const float> frequencies);
 
-/// Throws Error if half of the vertices or one of them have waves that are too fine. The message
-/// names the finest one's vertex and frequency and says `fewer`, the remedy.
+/// Throws Error if the waves of half of the vertices, or of one, are too fine. The message names
+/// the vertex and frequency of the finest, and the remedy.
 void check_fineness(const FinenessTally& tally);
 void check_fineness(const Adjacency& neighborhood, std::span<const Vec3> positions,
                     std::span<const Vec3> directions, std::span<const float> frequencies);
 
+/// Throws the Error: where the waves are too fine, and `fewer`, the remedy.
 [[noreturn]] void refuse_noise(double edges_per_period, const std::string& where,
                                const std::string& fewer);
 

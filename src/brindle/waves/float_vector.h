@@ -1,4 +1,4 @@
-/// Vectors whose direction counts, from double precision to float.
+/// Directions from double precision to float.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace brindle {
 
-/// A vector of floats in the same direction, whatever its length.
+/// A vector of floats in the same direction; extreme lengths are scaled.
 inline Vec3 float_vector(const Eigen::Vector3d& vector) {
   const double size = vector.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   const bool extreme = std::isfinite(size) && size > 0 && (size < 1e-18 || size > 1e18);

@@ -1,4 +1,4 @@
-/// Frequencies of a surface in parts: what a vertex's frequency depends on beside its own number.
+/// Frequencies of a surface in parts: the sums that the frequency of a vertex depends on.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace brindle {
 
-/// Over the parts of a surface the least of `lowest` and the greatest of `highest`.
+/// The range of an array's numbers; that of a surface in parts is the union of its parts' ranges.
 struct NumberExtent {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -std::numeric_limits<double>::infinity();
 };
 
-/// Of the finite numbers of an array, or the lengths of its vectors, in the rows that are
-/// `counted`.
+/// The range of the finite numbers of an array, or the lengths of its vectors, in rows that are
+/// `counted` (1).
 NumberExtent extent_of(const DataArray& array, std::span<const std::uint8_t> counted);
 
-/// As `frequencies_by` of array_field.h, with the extent of the whole surface's numbers.
+/// As `frequencies_by` of array_field.h, for the range of the whole surface.
 FrequencyField frequencies_by(const DataArray& array, const NumberExtent& extent, float frequency,
                               const FrequencyRange& range);
 
-/// What parts of a surface add up for the mean frequency.
+/// The sum from which the mean frequency follows; parts of a surface add theirs.
 struct FrequencySum {
   double sum = 0;
   std::size_t count = 0;
@@ -34,10 +34,10 @@ struct FrequencySum {
   }
 };
 
-/// Of those that are `counted` and no NaN.
+/// Of frequencies that are `counted` (1) and not NaN.
 FrequencySum sum_of(std::span<const float> frequencies, std::span<const std::uint8_t> counted);
 
-/// As `drop_waves_without_frequency` of array_field.h, with the mean of the whole surface.
+/// As `drop_waves_without_frequency` of array_field.h, for the mean of the whole surface.
 std::size_t drop_waves_without_frequency(DirectionField& directions, FrequencyField& frequencies,
                                          float mean);
 

@@ -11,11 +11,11 @@ namespace brindle {
 namespace {
 
 constexpr float kSmoothness = 0.03f;  ///< eta
-/// mu times the square of the radius of gyration. That radius is about 0.29 of the diagonal for
-/// spheres and squares, and the same however a surface is turned.
+/// mu times the square of the radius of gyration, which is about 0.29 of the diagonal for spheres
+/// and squares and does not depend on rotations.
 constexpr double kFaithfulness = 0.25;
 
-/// Areas and their moments, and the squares of circulations.
+/// Area, its moments, and squares of circulations.
 struct Moments {
   double area = 0, square = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -37,10 +37,10 @@ struct Moments {
   }
 };
 
-/// What all frequencies are measured with.
+/// The scale of frequencies and positions.
 struct Scale {
   double squares = 0, count = 0;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of one process, 0 of all others
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< from one process; 0 in all others
 
   std::array<double, 5> numbers() const {
     return {squares, count, origin[0], origin[1], origin[2]};
@@ -51,7 +51,7 @@ struct Scale {
   }
 };
 
-/// `own` vertices have their rows here.
+/// `own` is the number of vertices with rows here.
 Scale scale_of(const FrequencyInput& input, std::size_t own, RowPeers* peers) {
   Scale scale;
   scale.count = static_cast<double>(own);
@@ -67,7 +67,7 @@ Scale scale_of(const FrequencyInput& input, std::size_t own, RowPeers* peers) {
   return over_all(peers, scale);
 }
 
-/// Triangles side by side, and which of them count.
+/// Triangles, one a lane.
 struct TriangleLanes {
   std::array<LaneVectors, 3> corners, directions;
   std::array<Lanes, 3> f;
@@ -75,7 +75,7 @@ struct TriangleLanes {
   std::array<bool, kTriangleLanes> has_waves{};
 };
 
-/// Of `count` triangles from `first`; the lanes behind them repeat the last.
+/// `count` triangles from `first` on; further lanes repeat the last.
 TriangleLanes gathered(const FrequencyTriangles& triangles, std::size_t first, std::size_t count,
                        const FrequencyInput& input, float unit, const Vec3& origin) {
   const float scale = 1 / unit;  // lengths in periods: their squares stay in the range of floats
@@ -99,7 +99,7 @@ TriangleLanes gathered(const FrequencyTriangles& triangles, std::size_t first, s
   return lanes;
 }
 
-/// What triangles add, side by side.
+/// Terms of triangles, one a lane.
 struct TermLanes {
   std::array<Lanes, 3> beside, pull;
   Lanes area, weight, circulation;  ///< its square
@@ -113,7 +113,7 @@ struct TermLanes {
 };
 
 /// The circulation of g d over the triangle's mean g, to first order in the logarithms of g / f:
-/// what it is where g is f, and how it grows where they differ.
+/// its value for g = f and its derivatives.
 TermLanes terms_of(const TriangleLanes& lanes) {
   const TriangleShapes shapes = triangle_shapes(lanes.corners);
   const std::array<Lanes, 3> coefficient = circulation_coefficients(shapes, lanes.directions);
@@ -144,11 +144,10 @@ Vec3 middle_of(const std::array<LaneVectors, 3>& corners, int l) {
 
 bool has_three_vertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
-/// Frequencies are joined along stripes, and hardly across them.
-std::vector<float> stripe_strengths(const Adjacency& adjacency, const FrequencyInput& input,
-                                    const Progress& progress) {
+/// Strong along stripes, weak across them.
+std::vector<float> stripe_strengths(const Adjacency& adjacency, const FrequencyInput& input) {
   std::vector<float> strengths(adjacency.directed_edge_count());
-  parallel_for(adjacency.node_count(), progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(adjacency.node_count(), [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<Index>(begin); i < end; ++i) {
       for (Index e = adjacency.offsets[i]; e < adjacency.offsets[i + 1]; ++e) {
         const Index j = adjacency.neighbors[e];
@@ -169,8 +168,8 @@ Index entry_of(const RowLevel& rows, Index row, Index column) {
 
 RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, RowPeers* peers,
                      const Progress& progress) {
-  const std::vector<float> strengths = stripe_strengths(adjacency, input, progress.part(0, 0.1));
-  return peers == nullptr ? row_levels(adjacency, strengths, progress.part(0.1, 1))
+  const std::vector<float> strengths = stripe_strengths(adjacency, input);
+  return peers == nullptr ? row_levels(adjacency, strengths, progress)
                           : peers->make_levels(adjacency, strengths);
 }
 
@@ -178,10 +177,9 @@ RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, Ro
 
 FrequencyRows::FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
                              const FrequencyInput& input, RowPeers* peers, const Progress& progress)
-    : levels_(std::make_shared<const RowLevels>(
-          levels_for(adjacency, input, peers, progress.part(0, 0.7)))) {
-  set_triangles(triangles, progress.part(0.7, 0.8));
-  set_corners(progress.part(0.8, 1));
+    : levels_(std::make_shared<const RowLevels>(levels_for(adjacency, input, peers, progress))) {
+  set_triangles(triangles, progress);
+  set_corners(progress);
 }
 
 void FrequencyRows::set_triangles(const FrequencyTriangles& triangles, const Progress& progress) {
@@ -190,38 +188,40 @@ void FrequencyRows::set_triangles(const FrequencyTriangles& triangles, const Pro
   const auto first_place = [&](const Triangle& t) {
     return std::min({place_of[t[0]], place_of[t[1]], place_of[t[2]]});
   };
-  reported_for(triangles.corners.size(), progress.part(0, 0.4), [&](std::size_t t) {
+  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
+    if (t % kReportSlice == 0) progress.tick();
     const Triangle& triangle = triangles.corners[t];
     if (has_three_vertices(triangle)) ++offsets[first_place(triangle) + 1];
-  });
+  }
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
   const Index count = offsets.back();
   triangles_.corners.resize(count);
   triangles_.weights.resize(triangles.weights.empty() ? 0 : count);
   triangles_.counted.resize(triangles.counted.empty() ? 0 : count);
-  reported_for(triangles.corners.size(), progress.part(0.4, 1), [&](std::size_t t) {
-    if (!has_three_vertices(triangles.corners[t])) return;
+  for (std::size_t t = 0; t < triangles.corners.size(); ++t) {
+    if (t % kReportSlice == 0) progress.tick();
+    if (!has_three_vertices(triangles.corners[t])) continue;
     const Index place = offsets[first_place(triangles.corners[t])]++;
     triangles_.corners[place] = triangles.corners[t];
     if (!triangles.weights.empty()) triangles_.weights[place] = triangles.weights[t];
     if (!triangles.counted.empty()) triangles_.counted[place] = triangles.counted[t];
-  });
+  }
 }
 
 void FrequencyRows::set_corners(const Progress& progress) {
   const RowLevel& rows = levels_->levels[0];
   const std::vector<Index>& place_of = levels_->place_of;
   const auto& triangles = triangles_.corners;
-  const auto add_all = [&](const Progress& part, const auto& add) {
-    reported_for(triangles.size(), part, [&](std::size_t t) {
+  corners_ = compressed_rows<Corner>(rows.size(), [&](const auto& add) {
+    for (Index t = 0; t < triangles.size(); ++t) {
+      if (t % kReportSlice == 0) progress.tick();
       for (Index m = 0; m < 3; ++m) {
         const Index vertex = triangles[t][m];
-        if (vertex < own()) add(place_of[vertex], {4 * static_cast<Index>(t) + m, 0, 0});
+        if (vertex < own()) add(place_of[vertex], {4 * t + m, 0, 0});
       }
-    });
-  };
-  corners_ = compressed_rows<Corner>(rows.size(), progress.part(0, 0.5), add_all);
-  parallel_for(rows.size(), progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
+    }
+  });
+  parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
     for (auto row = static_cast<Index>(begin); row < end; ++row) {
       for (Corner& at : corners_.of(row)) {
         const Triangle& triangle = triangles[at.corner / 4];
@@ -233,8 +233,8 @@ void FrequencyRows::set_corners(const Progress& progress) {
   });
 }
 
-void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms,
-                              const Progress& progress) const {
+void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers,
+                              FrequencyTerms& terms) const {
   const Scale scale = scale_of(input, own(), peers);
   const float unit = scale.unit();
   const Vec3 origin = scale.origin.cast<float>();
@@ -255,7 +255,7 @@ void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers, Freq
     }
     return moments;
   };
-  const auto own_moments = parallel_sum<Moments>(triangles_.corners.size(), progress, moments_of);
+  const auto own_moments = parallel_sum<Moments>(triangles_.corners.size(), moments_of);
   const double square = over_all(peers, own_moments).square_of_gyration();
   terms.unit = unit;
   terms.faithfulness = static_cast<float>(square > 0 ? kFaithfulness / square : 0);

@@ -1,4 +1,4 @@
-/// The least squares of a frequency that yields, as rows of a sparse matrix.
+/// The least squares of `YieldingFrequency` as rows of a sparse matrix.
 #pragma once
 
 #include <array>
@@ -16,73 +16,72 @@
 
 namespace brindle {
 
-/// What the frequencies of one frame have to fit.
+/// The waves of one frame, one entry per vertex.
 struct FrequencyInput {
   std::span<const Vec3> positions;
   std::span<const Vec3> directions;
   std::span<const float> wanted;
 };
 
-/// What one triangle adds, in logarithms of relative frequencies, x_i = 1 + log(g_i / f_i). Its
-/// rows sum to zero. All zero where a corner has no wave.
+/// The terms of one triangle in x_i = 1 + log(g_i / f_i). Its rows sum to zero. All zero if a
+/// corner has no wave.
 struct alignas(32) TriangleTerms {
-  std::array<float, 3> beside{};  ///< between the two other corners
-  std::array<float, 3> pull{};    ///< on the right side of each corner
+  std::array<float, 3> beside{};  ///< entries between the two other corners
+  std::array<float, 3> pull{};    ///< right sides of corners
   float mass = 0;                 ///< a third of the area
-  float faith = 0;                ///< the same times w_T: what holds frequencies to those asked for
+  float faith = 0;                ///< the same times w_T: the weight of the wanted frequencies
 };
 
-/// What one row stands for.
+/// Area and weight of one row.
 struct RowMass {
   float area = 0;
-  float pull = 0;  ///< to the frequency asked for: mu times area and the square of the frequency
+  float pull = 0;  ///< to the wanted frequency: mu times area and the square of the frequency
 };
 
-/// The terms of all triangles, and what makes them comparable.
+/// The terms of all triangles, and their common scale.
 struct FrequencyTerms {
   std::vector<TriangleTerms> triangles;
-  float unit = 1;          ///< 1 / root mean square of the frequencies: they count in it
+  float unit = 1;          ///< of frequencies: 1 / their root mean square
   float faithfulness = 0;  ///< mu
-  double constant = 0;  ///< what the triangles' squares are at x = 1, counted ones of this process
+  double constant = 0;     ///< sum of squares at x = 1 over this process's counted triangles
 };
 
 /// Triangles of a process, in any order.
 struct FrequencyTriangles {
   std::vector<Triangle> corners;
   std::vector<float> weights;  ///< w_T; empty: 1
-  /// 1 for those that this process counts; empty: all. A triangle with vertices of several
-  /// processes is known to each of them, and counted by one.
+  /// 1 for those that this process counts; empty: all. Each process of a triangle's vertices has
+  /// it, and one of them counts it.
   std::vector<std::uint8_t> counted;
 };
 
-/// Where terms are added up. Which nodes are merged follows the directions that it is made with.
-/// With peers vertices of others come after the own ones, which have all their triangles here.
+/// The matrix in which terms are summed. Nodes are merged along stripes of the directions at
+/// construction. With peers, others' vertices come last; own vertices have all their triangles
+/// here.
 class FrequencyRows {
  public:
-  /// Edges of triangles are edges of `adjacency`.
+  /// Edges of triangles must be edges of `adjacency`.
   FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
                 const FrequencyInput& input, RowPeers* peers = nullptr,
                 const Progress& progress = {});
 
   const std::shared_ptr<const RowLevels>& levels() const { return levels_; }
 
-  /// Those of three vertices, in the order of the rows that they add to.
+  /// Triangles with three different vertices, in the order of their rows.
   const FrequencyTriangles& triangles() const { return triangles_; }
 
-  /// How many vertices have rows here.
+  /// The number of vertices with rows here.
   Index own() const { return levels_->levels[0].size(); }
 
   /// Overwrites `terms`, which has one entry per triangle.
-  void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms,
-                 const Progress& progress = {}) const;
+  void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms) const;
 
-  /// Sets the matrix and the right side for logarithms drawn to 0, but no bounds; and what rows
-  /// stand for, into `masses`.
+  /// Sets the matrix and the right side, with logarithms drawn to 0, and `masses`, but no bounds.
   void set(const FrequencyTerms& terms, std::span<const float> wanted, BoundedMultigrid& multigrid,
            std::span<RowMass> masses) const;
 
  private:
-  /// A triangle's corner at the row of its vertex.
+  /// A triangle's corner in the row of its vertex.
   struct Corner {
     Index corner;          ///< 4 t + m: corner m of triangle t
     Index next, previous;  ///< the row's entries of the triangle's other vertices

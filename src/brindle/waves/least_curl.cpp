@@ -14,8 +14,7 @@
 namespace brindle {
 namespace {
 
-/// Of a triangle's corners, as many triangles as there are lanes from `first` on; the last of all
-/// is repeated.
+/// The corners of the triangles from `first` on, one a lane; the last of all triangles is repeated.
 template <class At>
 std::array<LaneVectors, 3> corners_of(const Mesh& mesh, std::size_t first, const At& at) {
   std::array<LaneVectors, 3> corners;
@@ -73,7 +72,7 @@ bool turns_freely(const PhaseGraph& graph, int symmetry) {
 }
 
 bool is_much_curled(const CurlSums& sums) {
-  // Of a surface of any size; rounding is far below, and so is what bends no stripe.
+  // The sums do not depend on scale. Far above rounding and above what bends no stripe.
   constexpr double kShown = 0.1;
   const double mean = (sums.curl + sums.divergence) / 2, half = (sums.curl - sums.divergence) / 2;
   const double least = mean - std::sqrt(half * half + sums.mixed * sums.mixed);

@@ -1,4 +1,4 @@
-/// By how much a field that may turn as a whole turns, so that stripes along it branch least.
+/// The angle by which a freely turning field is turned so that stripes along it branch least.
 #pragma once
 
 #include <span>
@@ -9,9 +9,8 @@
 
 namespace brindle {
 
-/// Integrals over triangles: of the squared curl of a field of unit directions, meant up to sign,
-/// of its squared divergence, which is the curl of the field turned by 90 degrees, and of their
-/// product.
+/// Integrals over triangles of the squared curl of a field of unit directions (up to sign), of its
+/// squared divergence, which is the curl of the field turned by 90 degrees, and of their product.
 struct CurlSums {
   double curl = 0, divergence = 0, mixed = 0;
 
@@ -20,17 +19,17 @@ struct CurlSums {
   }
 };
 
-/// `directions` and `normals` have an entry for every corner. Triangles whose corners cannot be
-/// oriented alike count nothing.
+/// `directions` and `normals` have one entry per vertex. Triangles whose corners cannot be oriented
+/// alike do not count.
 CurlSums curl_sums(const Mesh& mesh, std::span<const Vec3> directions,
                    std::span<const Vec3> normals);
 
-/// Whether all normals of a direction graph point to one side, so that all directions can turn the
-/// same way.
+/// Whether all normals of a direction graph point to one side, so that a common angle can turn all
+/// directions.
 bool is_one_sided(const PhaseGraph& graph);
 
-/// Whether an N-direction field with this graph may turn as a whole and be as smooth, and curl
-/// differs then: it is one-sided, nothing pulls it, and N is 1 or 2.
+/// Whether all directions of an N-direction field can turn by one angle at the same energy with
+/// another curl: if it is one-sided and without anchors, and N is 1 or 2.
 bool turns_freely(const PhaseGraph& graph, int symmetry);
 
 /// The angle, from -pi/2 to pi/2, by which all directions are to be turned counter-clockwise
@@ -38,12 +37,12 @@ bool turns_freely(const PhaseGraph& graph, int symmetry);
 /// curl cos^2 b + divergence sin^2 b + 2 mixed cos b sin b.
 float least_curl_angle(const CurlSums& sums);
 
-/// Whether turning by that angle more than halves a curl that stripes would show. What gains less
-/// stays as it is, so that surfaces that hardly differ have the same field.
+/// Whether turning by that angle more than halves a curl that stripes would show. Fields that gain
+/// less are not turned, so that nearly equal surfaces have the same field.
 bool is_much_curled(const CurlSums& sums);
 
-/// Turns a smooth field with these sums to the least curl: one that is `new_found`, by another
-/// start than that of a plain descent, or much curled.
+/// Turns a smooth field with these sums to the least curl if it is much curled or `new_found`: from
+/// another start than that of a plain descent.
 void turn_to_least_curl(const CurlSums& sums, bool new_found, std::span<const Vec3> normals,
                         DirectionField& directions);
 

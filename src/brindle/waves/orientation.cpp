@@ -10,7 +10,7 @@ namespace {
 
 enum class Visit : std::uint8_t { not_yet, queued, done };
 
-/// The sum of signed agreements with the neighbours that are done decides.
+/// By the sum of signed agreements with the neighbours that are done.
 bool runs_against_neighbors(const Adjacency& neighborhood, std::span<const Vec3> directions,
                             const std::vector<Visit>& visits, Index vertex) {
   float agreement = 0;
@@ -42,16 +42,14 @@ class OrientationWalk {
 
   void enter_neighbors(Index vertex) {
     for (const Index neighbor : neighborhood_.of(vertex)) {
-      // What has no wave carries no sign on.
+      // Vertices without a wave pass no sign on.
       if (!directions_[neighbor].isZero(0)) enter(neighbor);
     }
   }
 
-  void go_on() {
+  void run() {
     for (; next_ < queue_.size(); ++next_) {
-      if (next_ % kReportSlice == 0) {
-        progress_.report(static_cast<double>(next_) / static_cast<double>(visits_.size()));
-      }
+      if (next_ % kReportSlice == 0) progress_.tick();
       const Index vertex = queue_[next_];
       if (runs_against_neighbors(neighborhood_, directions_, visits_, vertex)) {
         directions_[vertex] = -directions_[vertex];
@@ -70,11 +68,11 @@ class OrientationWalk {
   std::size_t next_ = 0;
 };
 
-/// From the first of every component that nothing has reached yet.
+/// From the first vertex of every component that has not been reached.
 void walk_all(OrientationWalk& walk, std::size_t count) {
   for (Index start = 0; start < count; ++start) {
     walk.enter(start);
-    walk.go_on();
+    walk.run();
   }
 }
 
@@ -96,7 +94,7 @@ void orient_alike(const Adjacency& neighborhood, std::span<const std::uint8_t> s
   for (Index vertex = 0; vertex < settled.size(); ++vertex) {
     if (settled[vertex] != 0 && !directions[vertex].isZero(0)) walk.enter_neighbors(vertex);
   }
-  walk.go_on();
+  walk.run();
   walk_all(walk, directions.size());
 }
 

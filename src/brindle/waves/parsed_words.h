@@ -1,4 +1,4 @@
-/// Words of phase shifts, as command lines and scripts have them.
+/// Names of phase shifts on command lines and in scripts.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace brindle {
 
-/// Reads "aligned", "common_source" or "trapezoid".
+/// "aligned", "common_source" or "trapezoid"; empty for other names.
 std::optional<PhaseShiftKind> parse_phase_shift_kind(std::string_view name);
 
 }  // namespace brindle

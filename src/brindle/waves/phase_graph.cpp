@@ -11,6 +11,7 @@
 #include "brindle/waves/weight_check.h"
 
 namespace brindle {
+
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind, std::span<const float> edge_weights,
                              const Progress& progress) {
@@ -27,7 +28,7 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
         const Wave w_j = waves.wave(adjacency->neighbors[edge]);
         float weight = std::abs(w_i.direction.dot(w_j.direction));
         if (!edge_weights.empty()) weight *= edge_weights[edge];
-        const PhaseShift shift = phase_shift(kind, w_j, w_i);
+        const PhaseShift shift = phase_shift(kind, w_j, w_i);  // Eq. 1, 2, 7
         graph.reflecting[edge] = shift.reflecting;
         graph.coupling[edge] = shift.reflecting ? -elementary::polar(weight, -shift.radians)
                                                 : elementary::polar(weight, shift.radians);

@@ -1,7 +1,6 @@
 #include "brindle/waves/row_levels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -15,7 +14,7 @@ namespace {
 constexpr Index kMembers = 4;
 constexpr Index kFree = ~Index{0};
 
-/// The free neighbour that the members are joined to most strongly, or kFree. `sums` is all zero
+/// The free neighbour to which the members are joined most strongly, or kFree. `sums` is all zero
 /// before and after.
 Index strongest_free(const StrengthGraph& graph, std::span<const Index> members,
                      const Grouping& grouping, std::vector<float>& sums) {
@@ -34,7 +33,7 @@ Index strongest_free(const StrengthGraph& graph, std::span<const Index> members,
   return best;
 }
 
-/// The neighbour's group that a node left alone is joined to most strongly, or kFree.
+/// The neighbouring group to which a single node is joined most strongly, or kFree.
 Index strongest_group(const StrengthGraph& graph, Index node, const Grouping& grouping) {
   Index best = kFree;
   float most = -1;
@@ -49,17 +48,15 @@ Index strongest_group(const StrengthGraph& graph, Index node, const Grouping& gr
 
 }  // namespace
 
-/// Nodes left alone join a neighbour's group; only those without neighbours of their own process
-/// stay alone.
+/// Single nodes join a neighbour's group; only those without neighbours in their process stay
+/// alone.
 Grouping RowLevelMaker::grouped(const Progress& progress) const {
   const StrengthGraph& graph = coarsest();
   Grouping grouping{std::vector<Index>(graph.size() + graph.others, kFree), 0, 0};
   std::vector<float> sums(graph.size() + graph.others);
   std::vector<Index> members;
   for (Index start = 0; start < graph.size(); ++start) {
-    if (start % kReportSlice == 0) {
-      progress.report(static_cast<double>(start) / static_cast<double>(graph.size()));
-    }
+    if (start % kReportSlice == 0) progress.tick();
     if (grouping.parent[start] != kFree) continue;
     members.assign(1, start);
     grouping.parent[start] = grouping.count;
@@ -99,9 +96,7 @@ StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping,
   StrengthGraph coarse{{0}, {}, {}, grouping.others};
   std::vector<Index> entry_of(grouping.count + grouping.others, kFree);
   for (Index group = 0; group < grouping.count; ++group) {
-    if (group % kReportSlice == 0) {
-      progress.report(static_cast<double>(group) / static_cast<double>(grouping.count));
-    }
+    if (group % kReportSlice == 0) progress.tick();
     const std::size_t first = coarse.neighbors.size();
     for (const Index node : nodes.of(group)) {
       for (Index e = fine.offsets[node]; e < fine.offsets[node + 1]; ++e) {
@@ -120,7 +115,7 @@ StrengthGraph merged(const StrengthGraph& fine, const Grouping& grouping,
   return coarse;
 }
 
-/// Where the nodes of each level lie: those of one parent side by side.
+/// The places of the nodes of a level: those of one parent are adjacent.
 struct Places {
   std::vector<Index> node_at, place_of;
 };
@@ -132,7 +127,7 @@ Places natural_places(Index count) {
   return places;
 }
 
-/// Sets which nodes of `level` are children of which node of the coarser one.
+/// Sets parents and children of `level` from the places of the coarser one.
 Places placed_by_parents(const Grouping& grouping, const Places& coarse, RowLevel& level) {
   std::vector<Index> parent_place(grouping.parent.size());
   for (std::size_t i = 0; i < parent_place.size(); ++i) {
@@ -155,8 +150,7 @@ Places placed_by_parents(const Grouping& grouping, const Places& coarse, RowLeve
   return places;
 }
 
-void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level,
-              const Progress& progress) {
+void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level) {
   level.offsets.resize(graph.offsets.size());
   for (Index place = 0; place < graph.size(); ++place) {
     const Index node = places.node_at[place];
@@ -164,7 +158,7 @@ void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level,
   }
   level.outside.resize(graph.size());
   level.columns.resize(graph.neighbors.size());
-  parallel_for(graph.size(), progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(graph.size(), [&](std::size_t begin, std::size_t end) {
     for (auto place = static_cast<Index>(begin); place < end; ++place) {
       const Index node = places.node_at[place], block = place / kRowBlock;
       const auto row = level.columns.begin() + level.offsets[place];
@@ -186,7 +180,7 @@ void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level,
 
 void set_targets(RowLevel& fine, const RowLevel& coarse) {
   fine.target.resize(fine.columns.size());
-  // A list as long as the level for each piece.
+  // Each task has a list as long as the level.
   const std::size_t grain = std::max<std::size_t>(kParallelGrain, coarse.size() / 8);
   const auto set = [&](std::size_t begin, std::size_t end) {
     std::vector<Index> entry_of(coarse.size_with_others());
@@ -218,16 +212,14 @@ RowLevels RowLevelMaker::made(const Progress& progress) {
   places_of_.resize(graphs_.size());
   Places places = natural_places(coarsest().size() + coarsest().others);
   for (std::size_t l = graphs_.size(); l-- > 0;) {
-    // A level takes four times as long as the next coarser one.
-    const Progress of_level = progress.part(std::pow(0.25, l + 1), std::pow(0.25, l));
-    of_level.report(0);
+    progress.tick();
     RowLevel& level = result.levels[l];
     level.others = graphs_[l].others;
     if (l < groupings_.size()) places = placed_by_parents(groupings_[l], places, level);
     places_of_[l] = places.place_of;
-    of_level.report(0.3);
-    set_rows(graphs_[l], places, level, of_level.part(0.3, 0.8));
-    of_level.report(0.8);
+    progress.tick();
+    set_rows(graphs_[l], places, level);
+    progress.tick();
     if (l < groupings_.size()) set_targets(level, result.levels[l + 1]);
   }
   result.node_at = std::move(places.node_at);
@@ -239,15 +231,12 @@ RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strength
                      const Progress& progress) {
   RowLevelMaker maker(
       {adjacency.offsets, adjacency.neighbors, {strengths.begin(), strengths.end()}});
-  // A level takes a quarter of the time of the finer one, and all of them as long as `made`.
-  for (int level = 0; maker.coarsest().size() > kFewestNodes; ++level) {
-    const Progress of_level =
-        progress.part(0.5 - 0.5 * std::pow(0.25, level), 0.5 - 0.5 * std::pow(0.25, level + 1));
-    Grouping grouping = maker.grouped(of_level.part(0, 0.5));
+  while (maker.coarsest().size() > kFewestNodes) {
+    Grouping grouping = maker.grouped(progress);
     if (grouping.count > maker.coarsest().size() / 10 * 9) break;
-    maker.merge(std::move(grouping), of_level.part(0.5, 1));
+    maker.merge(std::move(grouping), progress);
   }
-  return maker.made(progress.part(0.5, 1));
+  return maker.made(progress);
 }
 
 }  // namespace brindle

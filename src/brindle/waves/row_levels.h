@@ -1,5 +1,5 @@
-/// Nodes merged level by level: where the entries of a sparse symmetric matrix lie, and which are
-/// summed into which.
+/// Levels of merged nodes: the entries of a sparse symmetric matrix on each level, and the coarser
+/// entries to which they add.
 #pragma once
 
 #include <span>
@@ -10,23 +10,21 @@
 
 namespace brindle {
 
-/// An entry that no coarser one takes: both its ends have one parent.
+/// The target of an entry whose ends have the same parent.
 inline constexpr Index kInsideParent = ~Index{0};
 
-/// Rows of nodes of a block are relaxed one after the other, blocks at the same time.
+/// Nodes of a block. Its rows are relaxed one after the other, blocks in parallel.
 inline constexpr Index kRowBlock = 1024;
 
-/// Nodes of other processes, where there are any (`RowPeers`), have no rows, and come after all
-/// that have: columns of theirs are those from `size()` on.
+/// Nodes of other processes (`RowPeers`) have no rows here. They come last: their columns are those
+/// from `size()` on.
 struct RowLevel {
   std::vector<Index> offsets{0};  ///< nodes + 1
-  std::vector<Index> columns;     ///< an entry beside the diagonal each, those of the row's own
-                                  ///< block first
-  std::vector<Index> outside;     ///< per row the first entry of another block, or process
+  std::vector<Index> columns;     ///< of entries off the diagonal; the row's own block first
+  std::vector<Index> outside;     ///< per row the first entry of another block or process
   std::vector<Index> target;      ///< entry -> entry of the coarser level, or kInsideParent
   std::vector<Index> parent;      ///< node -> node of the coarser level
-  std::vector<Index> children;    ///< those of node I of the coarser level: children[I] ..
-                                  ///< children[I + 1] - 1
+  std::vector<Index> children;    ///< node I of the coarser level has children[I] .. [I + 1] - 1
   // The coarsest level has neither targets nor parents nor children.
   Index others = 0;  ///< nodes of other processes
 
@@ -41,16 +39,16 @@ struct RowLevels {
   std::vector<Index> place_of;   ///< node -> place
 };
 
-/// Aggregates of up to four nodes that are joined strongly become one node of the next level; the
-/// children of a node lie side by side, level by level, so that what is close together lies close
-/// together. `strengths` has a number of 0 or above per directed edge.
+/// Up to four strongly joined nodes become one node of the next level. The children of a node are
+/// adjacent in memory on every level. `strengths` has a number of 0 or above per directed edge.
+/// Throws Cancelled if `progress` asks for it.
 RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths,
                      const Progress& progress = {});
 
-/// Fewer nodes are not worth another level.
+/// Levels of fewer nodes are not merged again.
 inline constexpr Index kFewestNodes = 32;
 
-/// The rows of a graph's nodes. Those of `others` come after them as neighbours.
+/// A graph with strengths of edges. Nodes of other processes come last and have no rows.
 struct StrengthGraph {
   std::vector<Index> offsets{0};
   std::vector<Index> neighbors;
@@ -60,14 +58,14 @@ struct StrengthGraph {
   Index size() const { return static_cast<Index>(offsets.size() - 1); }
 };
 
-/// Which nodes are merged into which. Groups of others come after the own ones, too.
+/// The group of each node. Groups of other processes come last, too.
 struct Grouping {
   std::vector<Index> parent;  ///< by node, others last
   Index count = 0;            ///< of own groups
-  Index others = 0;           ///< of groups that others have
+  Index others = 0;           ///< of others' groups
 };
 
-/// What `row_levels` does, level by level, for those who have something to say in between.
+/// `row_levels` step by step, so that ranks can exchange groups.
 class RowLevelMaker {
  public:
   explicit RowLevelMaker(StrengthGraph finest);
@@ -75,13 +73,13 @@ class RowLevelMaker {
   /// The coarsest graph so far.
   const StrengthGraph& coarsest() const { return graphs_.back(); }
 
-  /// How its own nodes are best merged; the parents of others mean nothing yet.
+  /// The groups of its own nodes; parents of others are not yet set.
   Grouping grouped(const Progress& progress = {}) const;
 
   /// Makes the groups the nodes of another level.
   void merge(Grouping grouping, const Progress& progress = {});
 
-  /// All levels. Nodes of others have their numbers as places.
+  /// All levels. The places of others' nodes are their numbers.
   RowLevels made(const Progress& progress = {});
 
   /// Node -> place in a level, after `made`.

@@ -1,4 +1,4 @@
-/// The other processes that have rows of a matrix, for a solver that knows nothing of messages.
+/// The interface of a multigrid solver to other processes that have rows of the same matrix.
 #pragma once
 
 #include <cstddef>
@@ -8,55 +8,56 @@
 
 namespace brindle {
 
-/// What a matrix has at some nodes, or all.
+/// Entries of a matrix.
 struct RowMatrix {
   std::span<const float> values;  ///< by entry
   std::span<const float> diagonal;
 };
 
-/// What x is wanted for: A x = b, between bounds where there are any.
+/// A x = b, with bounds on x unless they are empty.
 struct RowProblem {
   std::span<const float> right, lower, upper;
 };
 
-/// All functions must be called by all processes, in the same order, with their own parts. The
-/// coarsest level is not theirs: one process has all of it, and coarser ones.
+/// All functions must be called by all processes, in the same order, with their own parts. One
+/// process has the whole of the coarsest level, and coarser ones.
 class RowPeers {
  public:
   virtual ~RowPeers() = default;
 
-  /// Levels of the graph that all processes hold together. Called first, and again for others.
+  /// The levels of the distributed graph. Called first, and again for another graph.
   virtual RowLevels make_levels(const Adjacency& adjacency, std::span<const float> strengths) = 0;
 
-  /// Whether no process before this one has nodes, and this one has.
+  /// Whether this is the first process with nodes.
   virtual bool has_first_node() const = 0;
 
-  /// Blocks of rows of which others need values, and the rest.
+  /// Blocks of rows whose values others need, and all other blocks.
   virtual std::span<const Index> border_blocks(std::size_t level) const = 0;
   virtual std::span<const Index> inner_blocks(std::size_t level) const = 0;
 
-  /// Sends values of own nodes to those who need them; after `finish` others' nodes have theirs. In
-  /// between, what is at the border stays, and others' nodes are not read.
+  /// Sends values of own nodes to processes that need them; after `finish` others' nodes have
+  /// theirs. In between, border blocks must not change and others' nodes must not be read.
   virtual void start(std::size_t level, std::span<float> by_place) = 0;
   virtual void finish() = 0;
 
-  /// Replaces values by their sums over all processes, in the same order in every run.
+  /// Replaces values by their sums over all processes, added in the same order in every run.
   virtual void sum(std::span<double> values) = 0;
 
   /// The least over all processes.
   virtual double least(double value) = 0;
 
-  /// The coarsest level has a new matrix.
+  /// Replaces the matrix of the coarsest level.
   virtual void set_coarsest(const RowMatrix& matrix) = 0;
 
-  /// Its solution by so many cycles from zero, without bounds, others' nodes included.
+  /// The solution on the coarsest level after `visits` cycles from zero, without bounds. `x`
+  /// includes others' nodes.
   virtual void solve_coarsest(std::span<const float> right, int visits, std::span<float> x) = 0;
 
-  /// The same between bounds, from 1 on the coarsest level of all.
+  /// The same with bounds, from 1 on the coarsest level of that process.
   virtual void start_coarsest(const RowProblem& problem, std::span<float> x) = 0;
 };
 
-/// The sum over all processes, if there are others.
+/// The sum over all processes; `sums` itself without peers.
 template <class Sums>
 Sums over_all(RowPeers* peers, Sums sums) {
   if (peers == nullptr) return sums;

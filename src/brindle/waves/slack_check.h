@@ -1,4 +1,4 @@
-/// How far no frequency can yield.
+/// Validates `Slack`.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace brindle {
 
-/// Throws Error for a slack that is negative or not finite and for calm beyond 0 to 1, naming the
-/// vertex, and unless lists are empty or have one entry for each of so many vertices.
+/// Throws Error for a slack that is negative or not finite and for calm out of 0 to 1, naming the
+/// vertex, and unless lists are empty or have one entry per vertex.
 void check_slack(const Slack& slack, std::size_t vertices);
 
 }  // namespace brindle

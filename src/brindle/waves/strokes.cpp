@@ -25,7 +25,7 @@ using Vec3d = Eigen::Vector3d;
 
 constexpr double kStepsPerRadius = 8;
 constexpr double kMostSteps = 20'000;  // of one stroke
-constexpr double kNearEnough = 0.01;   // of the diagonal: how far two meshes of one thing differ
+constexpr double kNearEnough = 0.01;   // of the diagonal: two meshes of one object may differ by it
 
 std::string name_of(std::size_t stroke) { return "strokes[" + std::to_string(stroke) + "]"; }
 
@@ -54,7 +54,8 @@ void check_stroke(const FieldStroke& stroke, const std::string& name) {
   }
 }
 
-/// The same for a stroke and its reverse, so that both give the same bits.
+/// The points of a stroke in the same order as those of its reverse, so that both give the same
+/// bits.
 std::vector<Vec3d> points_one_way(const FieldStroke& stroke) {
   std::vector<Vec3d> points = stroke.points;
   const auto less = [](const Vec3d& a, const Vec3d& b) {
@@ -67,7 +68,7 @@ std::vector<Vec3d> points_one_way(const FieldStroke& stroke) {
   return points;
 }
 
-/// The middle of one of the equal steps that a stroke is divided into.
+/// The middle of one of the equal steps of a stroke.
 struct StrokeStep {
   Vec3d position;
   Vec3 along;
@@ -95,14 +96,14 @@ std::vector<StrokeStep> steps_along(const FieldStroke& stroke) {
   return steps;
 }
 
-/// Where a step is on the surface, and from which vertices on its neighbourhood is searched.
+/// The place of a step on the surface, and the vertices from which its neighbourhood is searched.
 struct StepPlace {
   Vec3 position = Vec3::Zero();
   std::array<Index, 3> corners{};
   double distance = 0;
 };
 
-/// The surface that strokes are near to, with triangles or without.
+/// Nearest places on a surface with or without triangles.
 class NearSurface {
  public:
   NearSurface(const Surface& surface, const Progress& progress) : mesh_(surface.mesh) {
@@ -132,7 +133,7 @@ class NearSurface {
   std::optional<NearestVertex> vertices_;
 };
 
-/// What the steps of one stroke say of each vertex in their reach.
+/// Sums over the steps of one stroke at the vertices in their reach.
 class StrokeReach {
  public:
   explicit StrokeReach(const Surface& surface)
@@ -140,13 +141,13 @@ class StrokeReach {
         sums_(surface.mesh.vertex_count()),
         visit_of_(surface.mesh.vertex_count(), 0) {}
 
-  /// Spreads over the neighbourhood, so that what is near in space but far along the surface, as
-  /// the other side of a sheet, is not reached.
+  /// Spreads over the neighbourhood, so that places that are near in space but far along the
+  /// surface, like the other side of a sheet, are not reached.
   void add(const StrokeStep& step, const StepPlace& place, float radius) {
     ++visit_;
     queue_.clear();
     for (const Index corner : place.corners) {
-      // A mesh may be too coarse for the radius: then the nearest vertices must do.
+      // If the mesh is too coarse for the radius, the nearest vertices are used.
       visit(corner, step, std::min(distance(corner, place), radius / 2), radius);
     }
     for (std::size_t next = 0; next < queue_.size(); ++next) {
@@ -157,7 +158,7 @@ class StrokeReach {
     }
   }
 
-  /// Hands out what was gathered, and is empty then.
+  /// Appends the anchors and clears the sums.
   void take(float strength, std::vector<FieldAnchor>& anchors) {
     ranges::sort(touched_.begin(), touched_.end());
     for (const Index v : touched_) {
@@ -216,7 +217,7 @@ class StrokeReach {
               "); " + remedy);
 }
 
-/// Points first: a line that leaves the surface between points that do not is another mistake.
+/// Points first: a line that leaves the surface between points on it is another mistake.
 void check_near(const FieldStroke& stroke, const std::string& name, const NearSurface& surface,
                 double allowed) {
   for (std::size_t i = 0; i < stroke.points.size(); ++i) {
@@ -280,34 +281,36 @@ std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
 
 namespace {
 
-/// Lines of edges, each from corner to corner: from where other than two edges meet, or two at more
-/// than 45 degrees.
+/// Lines of edges, each from corner to corner: vertices where other than two edges meet, or two at
+/// more than 45 degrees.
 class EdgeChains {
  public:
   EdgeChains(const Mesh& mesh, const std::vector<std::array<Index, 2>>& edges,
              const Progress& progress)
       : mesh_(mesh), edges_(edges), edges_at_(mesh.vertex_count()), used_(edges.size()) {
-    reported_for(edges.size(), progress, [&](std::size_t e) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (e % kReportSlice == 0) progress.tick();
       for (const Index v : edges[e]) edges_at_[v].push_back(e);
-    });
+    }
   }
 
   std::vector<std::vector<Index>> chains(const Progress& progress) {
     std::vector<std::vector<Index>> all;
-    Reporter reporter(progress, 2 * edges_at_.size() + edges_.size());
+    const auto count = static_cast<Index>(edges_at_.size());
+    const auto report = [&](Index v, double before) {
+      if (v % kReportSlice == 0) progress.report(before + 0.5 * v / count);
+    };
     const auto start_at = [&](Index v) {
       for (const std::size_t e : edges_at_[v]) {
-        if (used_[e]) continue;
-        all.push_back(chain(v, e));
-        reporter.done(all.back().size() - 1);
+        if (!used_[e]) all.push_back(chain(v, e));
       }
     };
-    for (Index v = 0; v < edges_at_.size(); ++v) {
-      reporter.done(1);
+    for (Index v = 0; v < count; ++v) {
+      report(v, 0);
       if (is_corner(v)) start_at(v);
     }
-    for (Index v = 0; v < edges_at_.size(); ++v) {
-      reporter.done(1);
+    for (Index v = 0; v < count; ++v) {
+      report(v, 0.5);
       start_at(v);
     }
     return all;
@@ -363,11 +366,8 @@ std::vector<FieldStroke> strokes_along(const Mesh& mesh,
                                        const std::vector<std::array<Index, 2>>& edges,
                                        double radius, double strength, const Progress& progress) {
   std::vector<FieldStroke> strokes;
-  EdgeChains edge_chains(mesh, edges, progress.part(0, 0.2));
-  const auto chains = edge_chains.chains(progress.part(0.2, 0.7));
-  Reporter reporter(progress.part(0.7, 1), edges.size());
-  for (const std::vector<Index>& chain : chains) {
-    reporter.done(chain.size());
+  EdgeChains edge_chains(mesh, edges, progress);
+  for (const std::vector<Index>& chain : edge_chains.chains(progress)) {
     FieldStroke stroke{{}, radius, strength};
     for (const Index v : chain) {
       stroke.points.push_back(mesh.positions[v].cast<double>() + mesh.origin);

@@ -26,7 +26,7 @@ Eigen::Matrix3d matrix_of(const double* row, int components) {
   return matrix;
 }
 
-/// What there is to say of one vertex.
+/// Vertices without a wave, by reason, and asymmetric matrices.
 struct TensorCounts {
   std::size_t near_normal = 0, isotropic = 0, not_symmetric = 0;
 
@@ -56,7 +56,7 @@ Vec3 tensor_direction(Eigen::Matrix3d matrix, const Vec3& normal, TensorAxis axi
                       TensorCounts& counts) {
   const double size = matrix.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   if (!std::isfinite(size)) return Vec3::Zero();
-  if (size > 0) matrix /= size;  // squares of extreme numbers are no doubles
+  if (size > 0) matrix /= size;  // squares of extreme numbers would overflow
   counts.not_symmetric += (matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kSame;
   if (normal.isZero(0)) return Vec3::Zero();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((matrix + matrix.transpose()) / 2);

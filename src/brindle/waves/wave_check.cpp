@@ -29,14 +29,14 @@ bool is_wave(const Vec3& position, const Vec3& direction, float frequency) {
          frequency <= kLargest;
 }
 
-/// The smaller of two numbers, in the guise of a sum.
+/// A minimum, as a sum for `parallel_sum`.
 struct First {
   std::size_t number = std::numeric_limits<std::size_t>::max();
   First operator+(const First& other) const { return {std::min(number, other.number)}; }
 };
 
-/// The first of `count` items for which `holds` does not hold, or `count`. `all_hold(begin, end)`
-/// is the quick question for a whole range; it may say no too often.
+/// The first of `count` items for which `holds` is false, or `count`. `all_hold(begin, end)` is a
+/// fast test of a range, which may be false although all items hold.
 template <class AllHold, class Holds>
 std::size_t first_without(std::size_t count, const AllHold& all_hold, const Holds& holds) {
   const First first = parallel_sum<First>(count, [&](std::size_t begin, std::size_t end) {
@@ -49,7 +49,7 @@ std::size_t first_without(std::size_t count, const AllHold& all_hold, const Hold
   return std::min(first.number, count);
 }
 
-// Loops without a way out early: compilers make vectors of them.
+// Loops without an early exit, which compilers vectorise.
 
 bool all_finite(std::span<const Vec3> vectors) {
   const float* const components = vectors.front().data();

@@ -1,4 +1,4 @@
-/// Values that no wave can have, refused before they spoil a pattern.
+/// Rejects invalid waves, phases and weights.
 #pragma once
 
 #include <cstddef>
@@ -11,35 +11,33 @@ namespace brindle {
 
 /// Throws Error unless every position is finite, every direction a unit vector (to half a percent)
 /// or zero, and every frequency finite and above zero, also where there is no wave. The message
-/// names the first vertex that is not so, what is wrong with it and the remedy. All spans have one
-/// entry per vertex.
+/// names the first vertex that is invalid, the reason and the remedy. All spans have one entry per
+/// vertex.
 void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directions,
                  std::span<const float> frequencies);
 
-/// How far directions stick out of their tangent planes, counted where there are a direction and a
-/// normal.
+/// Angles between directions and their tangent planes, of vertices with a direction and a normal.
 struct TangentTally {
   std::size_t counted = 0;
   std::size_t slanted = 0;  ///< by more than 10 degrees
-  float largest_sine = 0;   ///< of the angle by which one sticks out
-  std::size_t vertex = 0;   ///< the first where that is so
+  float largest_sine = 0;   ///< of these angles
+  std::size_t vertex = 0;   ///< the first with that angle
 };
 
 TangentTally tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
 
-/// Throws Error unless directions are meant as tangent ones: none sticks out of the tangent plane
-/// by more than 60 degrees, and no more than a tenth of them by more than 10. Directions that were
-/// projected along normals weighted otherwise are within that; what lies along normals, or in a
-/// plane of its own, is not. A wave that sticks out by 10 degrees is spaced 1.5 % too wide. The
-/// message names the vertex, the angle and the remedy.
+/// Throws Error unless directions are tangent: none is more than 60 degrees out of the tangent
+/// plane, and at most a tenth are more than 10 degrees out. Directions projected along normals of
+/// another weighting pass; directions along normals, or in one plane, do not. A wave that is 10
+/// degrees out is spaced 1.5 % too wide. The message names the vertex, the angle and the remedy.
 void check_tangent(const TangentTally& tally);
 void check_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
 
-/// Throws Error if a direction sticks out by more than 4 degrees.
+/// Throws Error if a direction is more than 4 degrees out of its tangent plane.
 void check_turnable(std::span<const Vec3> normals, std::span<const Vec3> directions);
 
 /// Throws Error unless there is one phase for each of `count` vertices, a number of length 1 (to
-/// half a percent) or 0, naming the first that is neither.
+/// half a percent) or 0, naming the first that is not.
 void check_last_phases(std::span<const Complex> z, std::size_t count);
 
 /// Throws Error unless each of the edge weights is finite and not negative, naming the first that

@@ -1,12 +1,12 @@
-/// Weights of anchors.
+/// The range of anchor weights.
 #pragma once
 
 namespace brindle {
 
-/// Beyond, couplings are but rounding, and sums of squares would overflow.
+/// With larger ones couplings would be lost in rounding, and sums of squares would overflow.
 inline constexpr float kLargestWeight = 1e6f;
 
-/// False for what is no number, too.
+/// False for NaN.
 inline bool is_weight(float weight) { return weight >= 0 && weight <= kLargestWeight; }
 
 }  // namespace brindle

@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
+
+#include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/waves/neighbor_triangles.h"
 #include "brindle/waves/slack_check.h"
 #include "brindle/waves/yielding_solver.h"
 
@@ -37,6 +43,56 @@ void check_numbers(const std::vector<float>& list, float most, const char* what,
                remedy);
 }
 
+// ---- Triangles of points -----------------------------------------------------------------------
+
+constexpr float kLargestAngle = 2 * std::numbers::pi_v<float> / 3;
+constexpr float kSmallestAngle = 0.02f;
+
+/// The neighbours of `i` sorted by their angle about its normal, counter-clockwise.
+std::vector<std::pair<float, Index>> around(std::span<const Vec3> positions, const Vec3& normal,
+                                            const Adjacency& neighborhood, Index i) {
+  const Vec3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  std::vector<std::pair<float, Index>> result;
+  for (const Index j : neighborhood.of(i)) {
+    const Vec3 edge = positions[j] - positions[i];
+    result.emplace_back(elementary::atan2(edge.dot(y), edge.dot(x)), j);
+  }
+  ranges::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The same three numbers from whichever corner.
+Triangle from_smallest(Index a, Index b, Index c) {
+  Triangle triangle = {a, b, c};
+  ranges::sort(triangle.begin(), triangle.end());
+  return triangle;
+}
+
+/// The triangles of every point with a normal and each two consecutive neighbours, seen along the
+/// normal, at an angle below 120 degrees; each once. They overlap, and edges between neighbours
+/// need not be edges of the neighbourhood.
+std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
+                                         std::span<const Vec3> normals,
+                                         const Adjacency& neighborhood, const Progress& progress) {
+  std::vector<Triangle> triangles;
+  for (Index i = 0; i < neighborhood.node_count(); ++i) {
+    if (i % kReportSlice == 0) progress.tick();
+    if (normals[i].isZero(0)) continue;
+    const auto ring = around(positions, normals[i], neighborhood, i);
+    for (std::size_t k = 0; k < ring.size() && ring.size() > 1; ++k) {
+      const bool last = k + 1 == ring.size();
+      const auto& [next_angle, next] = ring[last ? 0 : k + 1];
+      const float angle =
+          next_angle - ring[k].first + (last ? 2 * std::numbers::pi_v<float> : 0.0f);
+      if (angle < kSmallestAngle || angle > kLargestAngle) continue;
+      triangles.push_back(from_smallest(i, ring[k].second, next));
+    }
+  }
+  reported_sort(triangles.begin(), triangles.end(), progress, std::less<>());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
 }  // namespace
 
 void check_slack(const Slack& slack, std::size_t vertices) {
@@ -61,16 +117,15 @@ std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, 
   if (mesh.triangles.empty()) {
     Mesh joined;
     joined.positions = mesh.positions;
-    joined.triangles = neighbor_triangles(mesh.positions, surface.normals, *surface.neighborhood,
-                                          progress.part(0, 0.6));
-    setting->adjacency =
-        std::make_shared<const Adjacency>(vertex_neighborhood(joined, progress.part(0.6, 0.9)));
+    joined.triangles =
+        neighbor_triangles(mesh.positions, surface.normals, *surface.neighborhood, progress);
+    setting->adjacency = std::make_shared<const Adjacency>(vertex_neighborhood(joined));
     triangles.corners = std::move(joined.triangles);
   } else {
     setting->adjacency = surface.neighborhood;
     triangles.corners = mesh.triangles;
   }
-  progress.report(0.9);
+  progress.tick();
   setting->calm = slack.calm;
   triangles.weights = calm_weights(triangles.corners, slack.calm);
   return setting;

@@ -18,16 +18,16 @@ namespace {
 constexpr int kMostCycles = 40;
 constexpr int kMostFrameCycles = 3;
 constexpr double kSmallestGain = 5e-4;  ///< of a cycle, over the energy
-constexpr float kCalmSlack = 2;         ///< slack that full calm adds, over S
+constexpr float kCalmSlack = 2;         ///< slack that full calm adds, in multiples of S
 constexpr float kCalmWeight = 9;        ///< weight that it adds
 
-/// Whether a cycle gained so little that no other is worth its time.
+/// Whether the gain of a cycle is too small for another one.
 bool is_small(double gain, double energy) { return gain <= kSmallestGain * std::abs(energy); }
 
-/// Logarithms beyond it are bounds to no one, and the exponentials of all others are floats.
+/// Larger bounds have no effect, and exponentials of smaller ones are floats.
 constexpr float kMostLogarithm = 80;
 
-/// How far the mean of ratios may be from 1.
+/// Tolerance for the mean of ratios, which becomes 1.
 constexpr double kMeanTolerance = 1e-5;
 
 struct ChangeSums {
@@ -48,7 +48,7 @@ ChangeSums over_all(RowPeers* peers, const ChangeSums& own) {
   return {sums[0], sums[1], sums[2], sums[3], static_cast<float>(low), static_cast<float>(high)};
 }
 
-/// How far logarithms follow what they are drawn to, if nothing is known of it, and at least.
+/// Change of the logarithms over that of their target: first estimate, and the least.
 constexpr float kUsualGain = 0.2f, kLeastGain = 0.02f;
 
 }  // namespace
@@ -76,11 +76,12 @@ YieldingSolver::YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
 
 void YieldingSolver::build(const FrequencyInput& input, const Progress& progress) {
   auto built = std::make_unique<FrequencyRows>(setting_->triangles, *setting_->adjacency, input,
-                                               peers_.get(), progress.part(0, 0.8));
-  progress.report(0.8);
+                                               peers_.get(), progress);
+  progress.tick();
   auto multigrid = std::make_unique<BoundedMultigrid>(built->levels(), peers_.get());
   const std::size_t vertices = setting_->slack.size();
-  ticking_resize(terms_.triangles, built->triangles().corners.size(), progress.part(0.9, 1));
+  progress.tick();
+  terms_.triangles.resize(built->triangles().corners.size());
   masses_.resize(built->own());
   next_.resize(vertices);
   frequencies_.resize(vertices);
@@ -132,7 +133,7 @@ void YieldingSolver::set_start(const Progress& progress) {
   }
 }
 
-/// Until cycles hardly lower the energy.
+/// Cycles until they hardly lower the energy.
 void YieldingSolver::relax(const Progress& progress) {
   auto constant = parallel_sum<double>(masses_.size(), [&](std::size_t begin, std::size_t end) {
     double part = 0;
@@ -146,24 +147,22 @@ void YieldingSolver::relax(const Progress& progress) {
   if (peers_) peers_->sum({&constant, 1});
   const bool goes_far = starts_ || other_bounds_;
   const int most = goes_far ? kMostCycles : kMostFrameCycles;
-  // A cycle may make little of it and the next one much, above all at the beginning.
+  // The gain of a cycle may be small and that of the next large, mainly at the beginning.
   const int enough = goes_far ? 2 : 1;
   int small_gains = 0;
   double first_gradient = 0;
   double last = std::numeric_limits<double>::max();
   std::optional<BoundedMultigrid::Measure> end;
   for (int cycle = 0; cycle < most; ++cycle) {
-    const Progress of_cycle =
-        progress.part(static_cast<double>(cycle) / most, static_cast<double>(cycle + 1) / most);
-    if (starts_) of_cycle.report(0);
-    const BoundedMultigrid::Measure measure = multigrid_->cycle(inner(of_cycle));
+    if (starts_) progress.report(static_cast<double>(cycle) / most);
+    const BoundedMultigrid::Measure measure = multigrid_->cycle(inner(progress));
     const double energy = measure.energy + constant;
     if (cycle == 0) first_gradient = measure.projected_gradient;
     change_.sweeps += 2;
     small_gains = is_small(last - energy, energy) ? small_gains + 1 : 0;
     if (small_gains == enough) break;
     last = energy;
-    // From frame to frame little changes: one cycle may be enough.
+    // From frame to frame little changes, so one cycle may be enough.
     if (goes_far || cycle > 0) continue;
     end = multigrid_->measure();
     if (is_small(measure.energy - end->energy, energy)) break;
@@ -178,7 +177,7 @@ float YieldingSolver::calm_at(std::size_t place) const {
   return setting_->calm.empty() ? 0 : setting_->calm[rows_->levels()->node_at[place]];
 }
 
-/// Ratios of frequencies, if all logarithms are less by `shift` and stay between their bounds.
+/// Sums of ratios if all logarithms were less by `shift`, within their bounds.
 RatioSums YieldingSolver::ratios(float shift) const {
   BoundedMultigrid& m = *multigrid_;
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
@@ -199,9 +198,9 @@ RatioSums YieldingSolver::ratios(float shift) const {
   return over_all(peers_.get(), parallel_sum<RatioSums>(rows_->own(), sums_of));
 }
 
-/// Makes all logarithms less by what gives their ratios a mean of 1: curl does not know how large
-/// frequencies are. Newton's steps, or halves of what is left where they lead out of it; there is
-/// an end, because all may keep what was asked for. What no triangle joins to others stays.
+/// Shifts all logarithms so that the mean of ratios is 1, since curl does not depend on the scale
+/// of frequencies. Newton's method, with bisection where it leaves the bracket; a solution exists,
+/// because all bounds include the wanted frequencies. Vertices without triangles are not shifted.
 RatioSums YieldingSolver::shift_to_mean() {
   constexpr int kMostShiftSteps = 40;
   float shift = 0, low = -2 * kMostLogarithm, high = 2 * kMostLogarithm;
@@ -241,9 +240,9 @@ void YieldingSolver::draw_calm_to(float target) {
   });
 }
 
-/// Until the mean of all ratios is 1, and about 1 where it is calm: slack and weight are others
-/// there, and so what frequencies come to. What they are drawn to moves, the farther the less they
-/// follow; from frame to frame by one such step.
+/// Until the mean of all ratios is 1, and about 1 where it is calm: another slack and weight there
+/// would lead to other frequencies. The target of logarithms moves, the farther the less they
+/// follow it; from frame to frame by one such step.
 void YieldingSolver::relax_to_means(const Progress& progress) {
   constexpr int kMostRounds = 5;
   constexpr float kSmallExcess = 0.02f;
@@ -265,7 +264,7 @@ void YieldingSolver::relax_to_means(const Progress& progress) {
   }
 }
 
-/// Frequencies by vertex, and what has become of them.
+/// Sets frequencies by vertex and `change_`.
 void YieldingSolver::take(std::span<const float> wanted) {
   BoundedMultigrid& m = *multigrid_;
   const std::vector<Index>& node_at = rows_->levels()->node_at;
@@ -309,14 +308,13 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   };
   has_next_ = false;
   report(0);
-  if (!settled_) build(input, inner(progress.part(0, 0.2)));
+  if (!settled_) build(input, inner(progress));
   report(0.2);
-  rows_->set_terms(input, peers_.get(), terms_, inner(progress.part(0.2, 0.22)));
-  report(0.22);
+  rows_->set_terms(input, peers_.get(), terms_);
   rows_->set(terms_, input.wanted, *multigrid_, masses_);
-  report(0.24);
+  report(0.25);
   multigrid_->prepare();
-  set_start(inner(progress.part(0.24, 0.3)));
+  set_start(inner(progress));
   target_ = 0;
   draw_calm_to(starts_ ? 0 : kept_target_);
   relax_to_means(progress.part(0.3, 0.95));

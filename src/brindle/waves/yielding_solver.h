@@ -1,4 +1,4 @@
-/// Frequencies that yield, for a surface in one process or the part that one of many has.
+/// The solver of `YieldingFrequency`, for a whole surface or for the parts of several processes.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@
 
 namespace brindle {
 
-/// S by vertex, larger where it is calm.
+/// S by vertex, enlarged by calm.
 std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices);
 
-/// w_T: calm at the calmest corner counts. Empty without calm.
+/// w_T, by the calmest corner of each triangle. Empty without calm.
 std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<const float> calm);
 
-/// What never changes. Vertices of other processes come after the own ones.
+/// The constant input. Vertices of other processes come last.
 struct YieldingSetting {
   std::vector<float> slack;  ///< by vertex
   std::vector<float> calm;   ///< by vertex, from 0 to 1; empty: 0
@@ -29,11 +29,11 @@ struct YieldingSetting {
   std::shared_ptr<const Adjacency> adjacency;
 };
 
-/// Of a whole surface. Throws Error as `check` does, and Cancelled if `progress` asks for it.
+/// For a whole surface. Throws Error as `check_slack` does; Cancelled if `progress` asks for it.
 std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
                                                         const Progress& progress = {});
 
-/// Areas times ratios: of all rows, of those that no bound holds, and of calm ones.
+/// Sums of areas times ratios g / f: over all rows, those not at a bound, and weighted by calm.
 struct RatioSums {
   double ratio = 0, free = 0, area = 0, calm_ratio = 0, calm_area = 0;
   RatioSums operator+(const RatioSums& o) const {
@@ -46,26 +46,26 @@ struct RatioSums {
   double calm_mean() const { return calm_area > 0 ? calm_ratio / calm_area : 1; }
 };
 
-/// What YieldingFrequency is in one process. With peers all functions but `keep`, `frequencies` and
-/// `change` must be called by all of them, and `progress` has to throw for all or none.
+/// YieldingFrequency, also over several processes. With peers all of them must call all functions
+/// but `keep`, `frequencies` and `change`, and `progress` has to throw for all or none.
 class YieldingSolver {
  public:
   explicit YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
                           std::shared_ptr<RowPeers> peers = nullptr);
 
-  /// For the same setting, with nothing kept; only without peers.
+  /// Another one for the same setting without a kept result; only without peers.
   YieldingSolver sibling() const { return YieldingSolver(setting_); }
 
-  /// Another slack from the next `solve` on, which starts from what was kept, unless weights of
-  /// triangles change with calm. Throws Error as `check` does; only without peers.
+  /// Another slack from the next `solve` on, which starts from the kept result unless calm changes
+  /// weights of triangles. Throws Error as `check_slack` does; only without peers.
   void set_slack(const Slack& slack);
 
-  /// The same by a setting of the same adjacency; with peers, all must call it. `weighs_as_before`
-  /// says whether all triangles, also those of peers, have the weights that they had.
+  /// The same by a setting with the same adjacency; with peers, all must call it.
+  /// `weighs_as_before`: whether all triangles, also those of peers, keep their weights.
   void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
   const YieldingSetting& setting() const { return *setting_; }
 
-  /// As those of YieldingFrequency; frequencies are of others' vertices, too.
+  /// As in YieldingFrequency; frequencies include others' vertices.
   std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
   void keep();
   void restart() { starts_ = true; }
@@ -76,7 +76,7 @@ class YieldingSolver {
   void build(const FrequencyInput& input, const Progress& progress);
   void set_bounds();
   void set_start(const Progress& progress);
-  /// What is heard within a step: with peers nothing, whose steps need not be alike.
+  /// Progress within a step: none with peers, whose steps may differ.
   Progress inner(const Progress& progress) const { return peers_ ? Progress() : progress; }
   void relax(const Progress& progress);
   float calm_at(std::size_t place) const;
@@ -93,13 +93,13 @@ class YieldingSolver {
   FrequencyTerms terms_;
   std::vector<RowMass> masses_;
   std::vector<float> relaxed_, kept_;      ///< x by place, before its shift to the mean
-  float target_ = 0, kept_target_ = 0;     ///< what logarithms are drawn to where it is calm
-  std::vector<float> next_, frequencies_;  ///< by vertex, of the last `solve` and of what was kept
+  float target_ = 0, kept_target_ = 0;     ///< of logarithms where it is calm
+  std::vector<float> next_, frequencies_;  ///< by vertex: of the last `solve`, and kept
   FrequencyChange change_;
-  bool has_next_ = false;      ///< whether there is a result that `keep` has not taken
-  bool settled_ = false;       ///< whether anything was kept since rows were built
-  bool starts_ = true;         ///< whether nothing is kept to start from
-  bool other_bounds_ = false;  ///< whether what is kept was found between others
+  bool has_next_ = false;      ///< whether there is a result that is not kept
+  bool settled_ = false;       ///< whether a result was kept since rows were built
+  bool starts_ = true;         ///< whether there is no kept result to start from
+  bool other_bounds_ = false;  ///< whether the kept result belongs to other bounds
 };
 
 }  // namespace brindle

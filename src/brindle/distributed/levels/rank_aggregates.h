@@ -3,7 +3,7 @@
 
 #include "brindle/distributed/levels/level_plan.h"
 #include "brindle/distributed/levels/rank_graph.h"
-#include "brindle/phases/aggregates.h"
+#include "brindle/phases/aggregation.h"
 #include "brindle/phases/hierarchy.h"
 
 namespace brindle {
