@@ -17,7 +17,7 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_extension.h"
 #include "brindle/base/printable.h"
-#include "brindle/distributed/surface/shared_places.h"
+#include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"
 #include "brindle/files/vtk/vtk_xml_file.h"
