@@ -601,6 +601,7 @@ TEST(DistributedSamples, AndCurvesMindNoGhosts) {
   piece.mesh = u.whole.mesh;
   for (std::size_t n = 0; n < u.z.size(); ++n) piece.vertex_ids.push_back(n);
   for (const int r : ranks) piece.ghost_triangles.push_back(r == rank() ? 0 : 1);
+  for (std::size_t t = 0; t < ranks.size(); ++t) piece.triangle_ids.push_back(t);
   const DistributedSurface surface(piece, MPI_COMM_WORLD);
   const PiecePattern pattern_u{surface, u.whole.waves, u.z}, pattern_v{surface, v.whole.waves, v.z};
   const PieceCurves curves = piece_curves(pattern_u);
