@@ -16,12 +16,12 @@ constexpr const char* kForOneProcess =
 
 }  // namespace
 
-void add_bounds_options(CLI::App& command, HierarchyBounds& bounds) {
+void add_bounds_options(CLI::App& command, std::size_t& plan_below) {
   command
       .add_option(
-          "--plan-below", bounds.plan_below,
-          "of a surface with fewer vertices rank 0 plans all levels, so that the pattern is "
-          "that of one process; it needs the room of the whole for that")
+          "--plan-below", plan_below,
+          "of a surface with fewer vertices rank 0 solves alone, so that the pattern is that of "
+          "one process; it needs the room of the whole for that")
       ->type_name("N")
       ->capture_default_str();
 }
@@ -30,7 +30,7 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
   add_solving_options(command, arguments.solving);
-  add_bounds_options(command, arguments.bounds);
+  add_bounds_options(command, arguments.plan_below);
   command
       .add_option("-o,--output", arguments.output,
                   "the mesh with its phases: one .vtp a rank, and a .pvtp that names them")

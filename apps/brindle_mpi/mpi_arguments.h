@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/communicator.h"
-#include "brindle/distributed/levels/distributed_hierarchy.h"
+#include "brindle/distributed_stripes.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/used_files.h"
@@ -20,7 +20,7 @@ struct MpiArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
-  HierarchyBounds bounds;
+  std::size_t plan_below = DistributedOptions().plan_below;
   std::string output;  ///< .pvtp; empty: none
   std::string report;  ///< .json; empty: none
   int frames = 0;      ///< that are measured after the pattern is made
@@ -28,7 +28,7 @@ struct MpiArguments {
 };
 
 /// --plan-below.
-void add_bounds_options(CLI::App& command, HierarchyBounds& bounds);
+void add_bounds_options(CLI::App& command, std::size_t& plan_below);
 
 void add_mpi_options(CLI::App& command, MpiArguments& arguments);
 

@@ -15,10 +15,7 @@
 #include "brindle/base/text.h"
 #include "brindle/corner_phases.h"
 #include "brindle/curve_measures.h"
-#include "brindle/distributed/curves/joined_measures.h"
-#include "brindle/distributed/curves/whole_curves.h"
-#include "brindle/distributed/shifted_phases.h"
-#include "brindle/distributed/surface/whole_on_first.h"
+#include "brindle/distributed/gathered_pattern.h"
 #include "brindle/files.h"
 #include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/points.h"
@@ -43,10 +40,10 @@ constexpr const char* kMpiCurvesExamples = R"(Examples:
   mpirun -n 8 brindle-mpi curves scan.ply --min-length 2% --output long.csv --report long.json
   mpirun -n 4 brindle-mpi curves scan.ply --offset 0.5 --tube-radius 0.3% --output gaps.glb
 
-Each rank follows the stripes' centre lines in its own triangles; rank 0 joins what ends at borders
-and writes one file by its extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. A .pvtp has the
-lines of every rank as they are, cut at borders: where one is, border_edge has the numbers of the
-edge's vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
+Rank 0 follows the stripes' centre lines over the whole surface and writes one file by its
+extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. In a .pvtp every rank has the parts of
+lines in its own triangles, cut at borders: where one is, border_edge has the numbers of the edge's
+vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
 
 struct MpiCurvesArguments : PatternArguments, TracingOptions {};
 
@@ -127,26 +124,21 @@ nlohmann::ordered_json to_json(Communicator& ranks, const CutFamily& family,
           {"length", ranks.sum(lengths.closed_length + lengths.open_length)}};
 }
 
-/// Collective. Whole curves on rank 0. Fair ones it makes alone, of the whole surface; all others
-/// the ranks trace together.
-StripeCurves curves_of_all(const WholeOnFirst& whole, const PiecePattern& pattern,
-                           const CurveOptions& options) {
-  if (options.fair > 0) return whole_curves(whole, pattern, options).curves;
-  return joined_curves(pattern.surface, piece_curves(pattern, options));
-}
-
-/// Collective. `curves` are those of `curves_of_all`.
-JoinedFamily make_family(const char* name, StripeCurves curves, const PiecePatterns& patterns,
-                         const SolvedPattern& solved, const MpiCurvesArguments& arguments) {
-  JoinedFamily family{name, std::move(curves)};
+/// Collective.
+JoinedFamily make_family(const char* name, const GatheredSurface& whole,
+                         const PiecePatterns& patterns, const SolvedPattern& solved,
+                         const MpiCurvesArguments& arguments) {
+  Communicator& ranks = *whole.piece().ranks;
+  const PiecePattern pattern = patterns.piece(solved, arguments);
+  JoinedFamily family{name, whole_curves(whole, pattern, arguments.curves).curves};
   family.ends = family.curves.end_counts();
   family.energy = solved.energy;
   family.branches = solved.quality.branches;
   family.field_singularities = solved.quality.field_singularities;
   family.yields = solved.frequency_change.has_value();
   if (has_point_trees()) {
-    const CurveSpacing spacing = measure_joined_spacing(patterns.piece(solved, arguments),
-                                                        family.curves, solved.frequencies_wanted);
+    const CurveSpacing spacing =
+        measure_spacing(whole, pattern, family.curves, solved.frequencies_wanted);
     if (spacing.measured > 0) family.spacing = spacing;
   }
   const auto diagonal = static_cast<float>(patterns.surface->diagonal());
@@ -157,8 +149,11 @@ JoinedFamily make_family(const char* name, StripeCurves curves, const PiecePatte
     family.short_curves = all - family.curves.lines.count();
   }
   if (arguments.line_width) {
-    family.coverage = measure_joined_coverage(*patterns.surface, family.curves.lines,
-                                              arguments.line_width->on(diagonal));
+    ranks.together([&] {
+      if (!whole.is_first()) return;
+      family.coverage = measure_coverage(whole.surface().mesh, family.curves.lines,
+                                         arguments.line_width->on(diagonal));
+    });
   }
   reshape(family.curves.lines, arguments, diagonal);
   family.lengths = curve_lengths(family.curves.lines);
@@ -269,17 +264,16 @@ void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
 }
 
 /// Collective. The loops of the whole and the windings of a pattern, on rank 0.
-MakingFigures loops_of(Communicator& ranks, const WholeOnFirst& whole,
-                       const PiecePattern& of_piece) {
-  RankWaves waves = whole_waves(whole, of_piece);
+MakingFigures loops_of(const GatheredSurface& whole, const PiecePattern& of_piece) {
+  GatheredPattern gathered = gathered_pattern(whole, of_piece);
   MakingFigures figures;
-  ranks.together([&] {
+  whole.piece().ranks->together([&] {
     if (!whole.is_first()) return;
     const Mesh& mesh = whole.surface().mesh;
     StripePattern pattern;
     pattern.phase_shift = of_piece.phase_shift;
-    pattern.waves = std::move(waves.waves);
-    pattern.solution.z = std::move(waves.z);
+    pattern.waves = std::move(gathered.waves);
+    pattern.solution.z = std::move(gathered.z);
     pattern.corners =
         corner_phases(mesh.triangles, pattern.waves, pattern.solution.z, pattern.phase_shift);
     measure_windings(whole.surface(), pattern, figures);
@@ -297,26 +291,23 @@ MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,
                        const MpiCurvesArguments& arguments, ProgressDisplay& display) {
   MadeCurves made;
   std::vector<CutFamily> families;
-  std::optional<WholeOnFirst> whole;
-  if (!writes_pieces(arguments)) whole.emplace(patterns.surface->rank_surface());
+  const GatheredSurface whole(patterns.surface->rank_surface());
   for (const auto& [name, solved] : {std::pair("u", &patterns.u), std::pair("v", &patterns.v)}) {
     if (!*solved) continue;
     const PiecePattern pattern = patterns.piece(**solved, arguments);
     MakingFigures loops;
-    if (whole) loops = loops_of(ranks, *whole, pattern);
-    const std::size_t jogs =
-        arguments.offset == 0
-            ? 0
-            : shift_phases(*patterns.surface, arguments.offset, (*solved)->waves, (*solved)->z);
-    if (!whole) {
+    if (!writes_pieces(arguments)) loops = loops_of(whole, pattern);
+    const std::size_t jogs = arguments.offset == 0 ? 0
+                                                   : shift_phases(whole, arguments.offset,
+                                                                  (*solved)->waves, (*solved)->z);
+    if (writes_pieces(arguments)) {
       families.push_back({name, piece_curves(pattern, arguments.curves)});
       made.report[name] = to_json(ranks, families.back(), **solved);
       made.report[name]["edges_with_jogs"] = jogs;
       add_frequency_change(**solved, "frequency_change", made.report[name]);
       continue;
     }
-    made.joined.push_back(make_family(name, curves_of_all(*whole, pattern, arguments.curves),
-                                      patterns, **solved, arguments));
+    made.joined.push_back(make_family(name, whole, patterns, **solved, arguments));
     made.joined.back().jogs = jogs;
     made.joined.back().loops = std::move(loops);
     made.report[name] = to_json(made.joined.back());

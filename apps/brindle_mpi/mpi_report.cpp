@@ -29,10 +29,11 @@ RankFigures rank_figures(Communicator& ranks, const DistributedSurface& surface,
   const auto memory = resident_memory();
   RankFigures figures;
   figures.ranks = ranks.size();
-  figures.distributed_levels = animator.distributed_levels();
+  const DistributedFigures of_animator = animator.figures();
+  figures.distributed_levels = of_animator.distributed_levels;
   figures.vertices_most = ranks.greatest(own);
   figures.vertices_mean = static_cast<double>(surface.vertex_count()) / count;
-  figures.ghosts = ranks.sum(animator.ghost_count());
+  figures.ghosts = ranks.sum(of_animator.ghosts);
   figures.bytes_sent = ranks.sum(traffic.bytes);
   figures.messages_sent = ranks.sum(traffic.messages);
   figures.waiting_milliseconds_mean = ranks.sum(traffic.waiting_milliseconds) / count;
@@ -47,7 +48,7 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
   WaveSet turned = waves;
   const Traffic before = surface.traffic();
   double total = 0;
-  FrequencyTraffic frequency;
+  std::uint64_t frequency_bytes = 0, frequency_halo_bytes = 0;
   bool yields = false;
   for (int n = 1; n <= count; ++n) {
     const float radians = static_cast<float>(n) * std::numbers::pi_v<float> / 180;
@@ -58,8 +59,8 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
         animator.frame({turned.positions, turned.directions, turned.frequencies});
     const double own = watch.lap();
     yields = frame.frequency_change.sweeps > 0;
-    frequency.bytes += animator.frequency_traffic().bytes;
-    frequency.halo_bytes += animator.frequency_traffic().halo_bytes;
+    frequency_bytes += animator.figures().frequency_bytes;
+    frequency_halo_bytes += animator.figures().frequency_halo_bytes;
     total += own;
     milliseconds.push_back(ranks.greatest(own));
   }
@@ -71,11 +72,11 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
   figures.count = count;
   figures.milliseconds = median(milliseconds);
   figures.bytes_sent = static_cast<double>(ranks.sum(sent.bytes)) / count;
-  figures.halo_bytes = ranks.sum(std::uint64_t{animator.halo_bytes()});
+  figures.halo_bytes = ranks.sum(std::uint64_t{animator.figures().halo_bytes});
   if (yields) {
     const auto frames = static_cast<std::uint64_t>(count);
-    figures.frequency = FrequencyTraffic{ranks.sum(frequency.bytes) / frames,
-                                         ranks.sum(frequency.halo_bytes) / frames};
+    figures.frequency = FrequencyTraffic{ranks.sum(frequency_bytes) / frames,
+                                         ranks.sum(frequency_halo_bytes) / frames};
   }
   figures.waiting_milliseconds = ranks.sum(sent.waiting_milliseconds) / of_ranks / count;
   figures.imbalance = mean_busy > 0 ? ranks.greatest(busy) / mean_busy : 1;

@@ -23,6 +23,10 @@ struct RankFigures {
   std::size_t memory_peak_most = 0;  ///< bytes; 0 where the system does not tell
 };
 
+struct FrequencyTraffic {
+  std::uint64_t bytes = 0, halo_bytes = 0;
+};
+
 /// Of frames that were measured one after the other. Means are over ranks.
 struct FrameFigures {
   int count = 0;

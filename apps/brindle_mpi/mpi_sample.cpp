@@ -33,10 +33,9 @@ constexpr const char* kMpiSampleExamples = R"(Examples:
   mpirun -n 2 brindle-mpi sample pieces.pvtp --stripes 60 --stripes-v 30 --output samples.csv
   mpirun -n 8 brindle-mpi sample scan.ply --report samples.json
 
-Each rank finds the samples in its own triangles, every one once; rank 0 leaves out those too near
-to others and writes one file by its extension: .csv .ply .vtp. Of several ranks each sample has the
-rank whose triangle it lies in, numbered as in that rank's piece. Of a .pvtp every rank writes its
-own samples.)";
+Rank 0 finds the samples of the whole surface, leaves out those too near to others and writes one
+file by its extension: .csv .ply .vtp. Of several ranks each sample has the rank whose triangle it
+lies in, numbered as in that rank's piece. Of a .pvtp every rank writes its own samples.)";
 
 struct MpiSampleArguments : PatternArguments {
   float min_distance = kDoubleShare;

@@ -59,7 +59,7 @@ Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& wave
   report.triangles = surface.triangle_count();
   report.edges = surface.edge_count();
   report.threads = ThreadLimit::current();
-  report.iterations = animator.sweeps();
+  report.iterations = animator.figures().sweeps;
   report.energy = energy;
   report.quality = quality;
   report.field_milliseconds = waves.milliseconds;
@@ -151,11 +151,10 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
     const double topology_milliseconds = watch.lap();
     stage("direction field");
-    PieceWaves waves =
-        make_piece_waves(ranks, surface, read, {arguments.waves, arguments.bounds}, display);
+    PieceWaves waves = make_piece_waves(ranks, surface, read, arguments.waves, display);
     stage("stripes");
     DistributedStripeAnimator animator(
-        surface, animator_options(ranks, arguments.solving, arguments.bounds, read, surface));
+        surface, animator_options(ranks, arguments.solving, arguments.plan_below, read, surface));
     const WaveSet& w = waves.waves;
     const FrameResult frame =
         animator.frame({w.positions, w.directions, w.frequencies}, display.progress());
@@ -165,7 +164,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     report = make_mpi_report(surface, waves, animator, frame, measures.quality, animator.energy());
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
-    report.milliseconds.topology = topology_milliseconds + animator.topology_milliseconds();
+    report.milliseconds.topology = topology_milliseconds + animator.figures().topology_milliseconds;
     report.milliseconds.frequency = frame.milliseconds.frequency;
     report.milliseconds.couple = frame.milliseconds.couple;
     report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;

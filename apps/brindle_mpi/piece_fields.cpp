@@ -13,7 +13,6 @@
 #include "brindle/array_field.h"
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
-#include "brindle/distributed/distributed_field.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -220,8 +219,7 @@ std::vector<FieldAnchor> read_anchors(Communicator& ranks, const DistributedSurf
 }  // namespace
 
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const PieceWaveOptions& wanted) {
-  const WaveOptions& options = wanted.waves;
+                            const ReadPiece& read, const WaveOptions& options) {
   const auto arrays = std::make_shared<const PieceArrays>(ranks, surface, read, options.arrays);
   PieceField field;
   if (options.direction) {
@@ -236,7 +234,7 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
     if (options.feature_radius) smooth.feature_radius = options.feature_radius->on(diagonal);
     if (options.normal_radius) smooth.normal_radius = options.normal_radius->on(diagonal);
     if (!options.strokes.empty()) smooth.anchors = read_anchors(ranks, surface, options.strokes);
-    field.directions = smooth_direction_field(surface, smooth, wanted.bounds);
+    field.directions = smooth_direction_field(surface, smooth);
   } else if (options.field == "raw-curvature") {
     field.directions = curvature_direction_field(surface, options.curvature_direction);
   } else if (is_array(options.field)) {

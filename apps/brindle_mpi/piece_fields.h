@@ -7,7 +7,6 @@
 #include <string>
 
 #include "brindle/communicator.h"
-#include "brindle/distributed/levels/distributed_hierarchy.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/frequency_field.h"
 #include "brindle/recipe/wave_report.h"
@@ -25,14 +24,8 @@ struct PieceField : FoundField {
   FieldData data = {};  ///< what it was made of, if it was measured: rows of the piece
 };
 
-/// What waves are wanted, and how smooth fields are found.
-struct PieceWaveOptions {
-  const WaveOptions& waves;
-  HierarchyBounds bounds;
-};
-
 /// Collective. What `make_base_field` makes of the whole.
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const PieceWaveOptions& wanted);
+                            const ReadPiece& read, const WaveOptions& options);
 
 }  // namespace brindle::tool

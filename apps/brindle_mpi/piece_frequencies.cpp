@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "brindle/array_field.h"
-#include "brindle/distributed/surface/piece_curvatures.h"
 #include "brindle/waves/frequency_parts.h"
 #include "first_rank.h"
 #include "input/vertex_values.h"

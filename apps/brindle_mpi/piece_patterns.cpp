@@ -39,13 +39,13 @@ WaveSet waves_of_v(const WaveSet& u, const DistributedSurface& surface,
 SolvedPattern solve(Communicator& ranks, PiecePatterns& patterns, WaveSet waves,
                     const PatternArguments& arguments, const Progress& progress) {
   DistributedStripeAnimator animator(
-      *patterns.surface, animator_options(ranks, arguments.solving, arguments.bounds, patterns.read,
-                                          *patterns.surface));
+      *patterns.surface, animator_options(ranks, arguments.solving, arguments.plan_below,
+                                          patterns.read, *patterns.surface));
   SolvedPattern solved;
   const FrameResult frame =
       animator.frame({waves.positions, waves.directions, waves.frequencies}, progress);
   solved.z.assign(frame.z.begin(), frame.z.end());
-  patterns.topology += animator.topology_milliseconds();
+  patterns.topology += animator.figures().topology_milliseconds;
   patterns.frequency += frame.milliseconds.frequency;
   patterns.couple += frame.milliseconds.couple;
   patterns.solve += frame.milliseconds.sum + frame.milliseconds.solve;
@@ -77,7 +77,7 @@ void add_pattern_options(CLI::App& command, PatternArguments& arguments, const s
       ->type_name("F")
       ->excludes(stripes);
   add_solving_options(command, arguments.solving);
-  add_bounds_options(command, arguments.bounds);
+  add_bounds_options(command, arguments.plan_below);
   command.add_option("-o,--output", arguments.output, what)->type_name(files);
   command.add_option("--report", arguments.report, "write the report here")->type_name("FILE.json");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
@@ -119,8 +119,8 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   patterns.surface.emplace(patterns.read.piece, MPI_COMM_WORLD);
   patterns.topology = watch.lap();
   stage("direction field");
-  PieceWaves waves = make_piece_waves(ranks, *patterns.surface, patterns.read,
-                                      {arguments.waves, arguments.bounds}, display);
+  PieceWaves waves =
+      make_piece_waves(ranks, *patterns.surface, patterns.read, arguments.waves, display);
   patterns.figures = waves.figures;
   patterns.field_rows_nonfinite = waves.field_rows_nonfinite;
   patterns.field = waves.milliseconds;

@@ -21,7 +21,7 @@ struct PatternArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
-  HierarchyBounds bounds;
+  std::size_t plan_below = DistributedOptions().plan_below;
   std::optional<float> stripes_v;    ///< along the diagonal; U's frequency if neither is given
   std::optional<float> frequency_v;  ///< stripes per unit length
   std::string output;                ///< empty: none

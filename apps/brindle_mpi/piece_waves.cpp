@@ -30,13 +30,12 @@ WantedArrays wanted_arrays(const WaveOptions& options) {
 }
 
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const PieceWaveOptions& wanted,
+                            const ReadPiece& read, const WaveOptions& options,
                             JobListener& listener) {
-  const WaveOptions& options = wanted.waves;
   Stopwatch watch;
   listener.stage("direction field");
   PieceWaves made;
-  PieceField field = make_piece_field(ranks, surface, read, wanted);
+  PieceField field = make_piece_field(ranks, surface, read, options);
   field.missing.too_far = field.arrays->drop_too_far(field.directions);
   MeasuredField measured = piece_measured(ranks, surface, read, options, field);
   choose_piece_frequencies(ranks, surface, read, options, field);
@@ -62,12 +61,11 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
 }
 
 DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
-                                    HierarchyBounds bounds, const ReadPiece& read,
+                                    std::size_t plan_below, const ReadPiece& read,
                                     const DistributedSurface& surface) {
   DistributedOptions options;
   options.solver = FrameSolver::multilevel;
-  options.gather_below = bounds.gather_below;
-  options.plan_below = bounds.plan_below;
+  options.plan_below = plan_below;
   options.phase_shift = solving.stripes.phase_shift;
   options.weights = solving.stripes.weights;
   options.sweeps = solving.stripes.solver.sweeps;

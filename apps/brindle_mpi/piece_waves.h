@@ -29,12 +29,12 @@ WantedArrays wanted_arrays(const WaveOptions& options);
 
 /// Collective. As the options ask for; notes what is wrong with them.
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
-                            const ReadPiece& read, const PieceWaveOptions& wanted,
+                            const ReadPiece& read, const WaveOptions& options,
                             JobListener& listener);
 
 /// Collective. How phases are found, slack and all; throws what `piece_slack` throws.
 DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
-                                    HierarchyBounds bounds, const ReadPiece& read,
+                                    std::size_t plan_below, const ReadPiece& read,
                                     const DistributedSurface& surface);
 
 }  // namespace brindle::tool

@@ -17,7 +17,7 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_names.h"
 #include "brindle/base/text.h"
-#include "brindle/distributed/surface/shared_places.h"
+#include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/error.h"
 #include "brindle/files/vtk/pvtp_file.h"
 #include "brindle/files/vtk/vtk_file.h"

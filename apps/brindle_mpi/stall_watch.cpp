@@ -10,7 +10,6 @@
 #include <mpi.h>
 
 #include "brindle/base/text.h"
-#include "brindle/distributed/waiting.h"
 #include "cli/option_values.h"
 
 namespace brindle::tool {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -13,8 +15,18 @@
 
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
+#include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
+
+/// What this process waits for at other ranks, for whoever watches it.
+struct Waiting {
+  const char* what;  ///< "for messages of other ranks"
+  std::chrono::steady_clock::duration time;
+};
+
+/// What the process waits for now, and for how long; nothing if it works. From any thread.
+std::optional<Waiting> waiting_now();
 
 /// Bytes that go to a rank, or for which there is room when they come from there.
 struct Outgoing {
@@ -69,6 +81,10 @@ class Communicator {
   /// Runs `work`. If it throws on any rank, all ranks throw: Cancelled if the lowest of those was
   /// cancelled, otherwise an Error with its message, which names the rank if there are several.
   void together(const std::function<void()>& work);
+
+  /// Runs `work` on rank 0, while the others wait, and throws what `together` throws. What it
+  /// reports, all ranks' `progress` hears: each can cancel it.
+  void on_first(const Progress& progress, const std::function<void(const Progress&)>& work);
 
   /// What every rank has for this one: `to` has one list per rank.
   template <class T>

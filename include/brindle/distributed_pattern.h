@@ -38,44 +38,24 @@ struct PiecePattern {
 /// Where a curve crosses the border of a piece.
 struct BorderCrossing {
   std::array<std::uint64_t, 2> edge;  ///< the numbers of its ends in the whole, the lower one first
-  std::uint32_t number;               ///< along the edge, from that end
+  std::uint32_t number;               ///< of the crossings of this edge, from that end
 
   auto operator<=>(const BorderCrossing&) const = default;
 };
 
-/// The curves of one rank's triangles, cut at the borders of its piece.
+/// The parts of curves that run in one rank's triangles.
 struct PieceCurves {
-  /// All points, also those that a whole curve passes over as too near to others. Of a curve that
-  /// comes from a triangle without a wave on this side of a border, the point there alone. Places
-  /// are in the triangles of the piece, by their numbers there.
-  Polylines lines;
+  Polylines lines;  ///< places are in the triangles of the piece, by their numbers there
   /// Why ends are ends, as of StripeCurves. Where `borders` has a crossing it is none: exactly one
   /// end on another rank has the same crossing, and its point has the same bits.
   std::vector<std::array<CurveEnd, 2>> ends;
   std::vector<std::array<std::optional<BorderCrossing>, 2>> borders;
-  std::vector<Vec3> forward;       ///< per point where the wave runs; zero where that is not known
-  std::vector<float> sizes;        ///< per point the length of the edge that it lies on
-  std::vector<float> frequencies;  ///< chosen, per point
-  float trim = 0;               ///< CurveOptions::trim: whole curves are trimmed, cut ones are not
-  std::size_t joined_ends = 0;  ///< as of StripeCurves, in this rank's triangles
-  std::size_t ends_at_neighbors = 0;  ///< of this rank's ends
 };
 
-/// Collective. The stripes' centre lines in this rank's triangles. With `join`, where a curve runs
-/// on over a border, its way beyond is a curve of the other rank. Throws Error on all ranks for
-/// patterns whose parts do not match the piece, for options that contradict each other, and for
-/// `fair`, which `whole_curves` has.
+/// Collective. The curves that `whole_curves` has, each rank's parts of them. Throws Error on all
+/// ranks for patterns whose parts do not match the piece, for options that contradict each other,
+/// and for `fair`, whose points do not lie on edges.
 PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options = {});
-
-/// Collective. All ranks' curves, whole, on rank 0; nothing elsewhere. Lines are sent, and no
-/// triangles. They are those of `brindle::stripe_curves` with the same phases: the same ends, and
-/// but for which of several points at one place are passed over, the same points; trimmed if
-/// `piece_curves` was asked for that. Of one rank they
-/// have its bits. Curves of more ranks than one may run the other way, and closed ones start
-/// elsewhere. Places on the mesh are not known; `sources` becomes of every point its number among
-/// the points of all ranks' `curves`, rank by rank.
-StripeCurves joined_curves(const DistributedSurface& surface, const PieceCurves& curves,
-                           std::vector<Index>* sources = nullptr);
 
 /// Curves of a whole surface, on rank 0.
 struct WholeCurves {
@@ -84,17 +64,15 @@ struct WholeCurves {
 };
 
 /// Collective. The curves of `brindle::stripe_curves` with the same phases, on rank 0; nothing
-/// elsewhere. Rank 0 gets the whole surface and makes them of that: the pieces do not matter, and
-/// what needs the surface around whole curves, as `fair` does, is there. They have the bits of one
-/// process where triangles have numbers; without, curves come in another order. Throws Error on all
-/// ranks where `piece_curves` and `stripe_curves` do, and Cancelled if rank 0's `progress` asks for
-/// it.
+/// elsewhere. Rank 0 gets the whole surface and makes them of that, so the pieces do not matter.
+/// They have the bits of one process where triangles have numbers; without, curves come in another
+/// order. Throws Error on all ranks where `piece_curves` and `stripe_curves` do, and Cancelled if
+/// the `progress` of a rank asks for it.
 WholeCurves whole_curves(const PiecePattern& pattern, const CurveOptions& options = {},
                          const Progress& progress = {});
 
 /// Collective. Samples where the peaks of two patterns cross, in this rank's triangles, whose
-/// numbers are those of the piece. Every sample of the whole surface is one rank's: what lies on
-/// edges and vertices is found once.
+/// numbers are those of the piece. Rank 0 finds them on the whole surface; each is one rank's.
 std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v);
 
 /// Collective. As `drop_doubles` of all ranks' samples, in the order of ranks. Returns how many are

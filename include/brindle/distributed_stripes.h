@@ -21,8 +21,8 @@ namespace BRINDLE_EXPORT brindle {
 struct DistributedOptions : AnimatorOptions {
   /// Levels with fewer nodes on all ranks together are solved by rank 0 alone.
   std::size_t gather_below = 16384;
-  /// Of a surface with fewer vertices rank 0 plans all levels, as one process would have them; then
-  /// phases are one process's, but for rounding. It needs the room of the whole for that.
+  /// A surface with fewer vertices is solved by rank 0 alone, as one process would solve it. It
+  /// needs the room of the whole for that.
   std::size_t plan_below = 262144;
   EdgeWeights weights = EdgeWeights::paper;  ///< of the pieces' shape; in place of `edge_weights`
 };
@@ -33,18 +33,25 @@ struct DistributedMeasures {
   PatternQuality quality;             ///< of the whole surface, on every rank
 };
 
-/// What frequencies that yield have sent, on this rank.
-struct FrequencyTraffic {
-  std::uint64_t bytes = 0;
-  /// What halos brought to this rank: 4 bytes for each ghost, sweep and distributed level, and for
-  /// each ghost of the finest level once a cycle.
-  std::uint64_t halo_bytes = 0;
+/// What frames took, on this rank. All but `ghosts` are 0 before the first frame.
+struct DistributedFigures {
+  double topology_milliseconds = 0;    ///< of the first frame, that later ones do not need
+  std::size_t distributed_levels = 0;  ///< that all ranks have parts of; rank 0 has coarser ones
+  int sweeps = 0;          ///< over the finest level in the last descent, cycles included
+  std::size_t ghosts = 0;  ///< of the finest level
+  /// What the sweeps of a frame without cycles have to bring to this rank at least: 8 for each
+  /// ghost, sweep and distributed level.
+  std::size_t halo_bytes = 0;
+  /// What the frequencies of the last frame have sent, where ranks solve for them together.
+  std::uint64_t frequency_bytes = 0;
+  /// What halos brought for them: 4 bytes for each ghost, sweep and distributed level, and for each
+  /// ghost of the finest level once a cycle.
+  std::uint64_t frequency_halo_bytes = 0;
 };
 
-/// A StripeAnimator over all ranks. With one rank its phases, energies and measures are those of a
-/// StripeAnimator, bit for bit; with more, the same bits in every run with the same pieces, and
-/// below `plan_below` vertices those of one rank, the first frame's to the bit and later ones' to
-/// rounding. All members are collective.
+/// A StripeAnimator over all ranks. With one rank, and below `plan_below` vertices with any number,
+/// its phases and energies are those of a StripeAnimator, bit for bit, where triangles have
+/// numbers; else the same bits in every run with the same pieces. All members are collective.
 class DistributedStripeAnimator {
  public:
   /// Throws Error for options out of range and weights by edge.
@@ -75,33 +82,10 @@ class DistributedStripeAnimator {
   /// owner says.
   void set_slack(const Slack& slack);
 
-  /// Milliseconds of the first frame that later ones do not need.
-  double topology_milliseconds() const;
-
-  /// How many levels all ranks have parts of; coarser ones are on rank 0. 0 before the first frame.
-  std::size_t distributed_levels() const;
-
-  /// Sweeps of the last frame over the finest level, cycles included; 0 before the first frame and
-  /// of relaxation.
-  int sweeps() const;
-
-  /// Ghosts of the finest level on this rank.
-  std::size_t ghost_count() const;
-
-  /// Bytes that the sweeps of a frame without cycles have to bring to this rank at least: 8 for
-  /// each ghost, sweep and distributed level. 0 before the first frame.
-  std::size_t halo_bytes() const;
-
-  /// What the last frame's frequencies took; nothing without slack.
-  FrequencyTraffic frequency_traffic() const;
+  DistributedFigures figures() const;
 
  private:
   struct State;
-  FrameMilliseconds solve_next(const Progress& progress);
-  void couple_next();
-  void iterate();
-  void keep();
-  void take_back();
   Pimpl<State> state_;
 };
 

@@ -104,23 +104,22 @@ class DistributedSurface {
   std::shared_ptr<const RankSurface> surface_;
 };
 
-/// Collective. Does on all ranks what `smooth_direction_field` does; one direction per vertex of
-/// the piece. Below 262,144 vertices directions are those of one process, where the pieces have
-/// numbers of triangles, and normals are averaged by rank 0, which needs room for the whole; above,
-/// they run like their neighbours within a rank. Anchors are those of vertices of the piece; what
-/// counts is what a vertex's owner has. Throws Error for options out of range.
+// Fields of a surface in pieces are found by rank 0, which gets the whole surface and needs room
+// for it. They have the bits of one process where triangles have numbers.
+
+/// Collective. What `smooth_direction_field` finds for the whole, at the vertices of the piece.
+/// Anchors and the last field are those of vertices of the piece; what counts is what a vertex's
+/// owner has. Throws Error on all ranks, as that does.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
 
-/// Collective. What `stroke_anchors` of strokes.h asks of the whole surface's field, at the
-/// vertices of the piece; all ranks have the same strokes. Rank 0 gets the triangles near them.
-/// Where triangles have numbers, anchors have the bits of the whole's. Throws Error on all ranks,
-/// as that does.
+/// Collective. The anchors that `stroke_anchors` of strokes.h makes for the whole surface, at the
+/// vertices of the piece; all ranks have the same strokes. Throws Error on all ranks, as that does.
 std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
                                         std::span<const FieldStroke> strokes);
 
 /// Collective. The strokes that `feature_strokes` of strokes.h makes of the whole surface, on all
-/// ranks. Rank 0 gets the feature edges.
+/// ranks.
 std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, float angle_deg,
                                          double radius, double strength);
 
@@ -132,10 +131,9 @@ struct DistributedDetail {
 
 /// Collective. What a FieldDetail makes of the whole's field. `measured` has a datum per vertex of
 /// the piece, where what counts is what the owner has, or per triangle, ghosts among them, which do
-/// not count; `frequencies` and `last`, on all ranks or none, one per vertex. Rank 0 gets the whole
-/// surface, and needs room for it; bits are those of one process where triangles have numbers.
-/// Throws on all ranks what FieldDetail throws, and Error for other numbers of entries; Cancelled
-/// if the `progress` of rank 0 asks for it.
+/// not count; `frequencies` and `last`, on all ranks or none, one per vertex. Throws on all ranks
+/// what FieldDetail throws, and Error for other numbers of entries; Cancelled if the `progress` of
+/// a rank asks for it.
 DistributedDetail detailed_field(const DistributedSurface& surface, const MeasuredField& measured,
                                  std::span<const float> frequencies,
                                  const FieldDetailOptions& options = {},
@@ -151,5 +149,9 @@ DetailedFrequencies detailed_frequencies(const DistributedSurface& surface,
 /// Collective. The principal curvature directions of the piece's vertices.
 DirectionField curvature_direction_field(const DistributedSurface& surface,
                                          CurvatureDirection direction);
+
+/// Collective. The greater principal curvature at the piece's vertices, as `principal_curvatures`
+/// has it of the whole; NaN where there is none.
+std::vector<float> greatest_curvatures(const DistributedSurface& surface);
 
 }  // namespace brindle

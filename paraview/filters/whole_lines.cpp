@@ -48,18 +48,6 @@ std::vector<Index> rows_of_longer(const Polylines& lines, const std::vector<Inde
   return left;
 }
 
-/// The lines of all ranks' triangles, joined.
-StripeCurves joined_lines(const InputSurface& input, const PiecePattern& pattern,
-                          const CurveOptions& options, WholeLines& whole) {
-  const Ranks& ranks = input.piece->ranks();
-  const PieceCurves cut = piece_curves(pattern, options);
-  StripeCurves curves = joined_curves(pattern.surface, cut, &whole.rows);
-  vtkSmartPointer<vtkPolyData> own;
-  ranks.together([&] { own = points_with_arrays(input, cut.lines); });
-  whole.points = gathered(*own, ranks);
-  return curves;
-}
-
 /// A point of a line as the rank hears of it that has its triangle.
 struct PointOfRank {
   std::array<float, 3> position;
@@ -111,9 +99,7 @@ WholeLines whole_lines(const InputSurface& input, const StripePattern& pattern,
                        const LineOptions& options) {
   const PiecePattern of_piece = input.piece->part_of(pattern);
   WholeLines whole;
-  const StripeCurves curves = options.curves.fair > 0
-                                  ? lines_of_first(input, of_piece, options.curves, whole)
-                                  : joined_lines(input, of_piece, options.curves, whole);
+  const StripeCurves curves = lines_of_first(input, of_piece, options.curves, whole);
   whole.rows = rows_of_longer(curves.lines, whole.rows, options.minimum_length);
   whole.lines = longer_than(curves, options.minimum_length).lines;
   return whole;

@@ -126,8 +126,7 @@ class Alone {
   }
 
   StripeCurves curves(const StripePattern& pattern, const CurveOptions& options = {}) const {
-    if (options.fair > 0) return whole_curves(part(pattern), options).curves;
-    return joined_curves(*surface_, piece_curves(part(pattern), options));
+    return whole_curves(part(pattern), options).curves;
   }
 
   /// Where lines of the whole end, and how often.

@@ -47,15 +47,18 @@ TEST(DistributedWeights, AreThoseOfTheWholeHoweverItIsCut) {
       SCOPED_TRACE(cut.name);
       const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
       const DistributedSurface surface = parts.surface();
-      DistributedOptions options = by_cotangents();
-      options.gather_below = 300;
-      DistributedStripeAnimator animator(surface, options);
-      const FrameResult frame = animator.frame(frame_of(parts.of_piece(whole.waves)));
-      const std::vector<Complex> all = parts.gathered(frame.z, surface.is_own());
-      const PhaseGraph graph =
-          build_phase_graph(whole.neighborhood, whole.waves, PhaseShiftKind::aligned, weights);
-      const double measured = energy(graph, all);
-      EXPECT_NEAR(animator.energy(), measured, 1e-5 * measured + 1e-9);
+      for (const std::size_t plan_below : {std::size_t{0}, DistributedOptions().plan_below}) {
+        DistributedOptions options = by_cotangents();
+        options.gather_below = 300;
+        options.plan_below = plan_below;
+        DistributedStripeAnimator animator(surface, options);
+        const FrameResult frame = animator.frame(frame_of(parts.of_piece(whole.waves)));
+        const std::vector<Complex> all = parts.gathered(frame.z, surface.is_own());
+        const PhaseGraph graph =
+            build_phase_graph(whole.neighborhood, whole.waves, PhaseShiftKind::aligned, weights);
+        const double measured = energy(graph, all);
+        EXPECT_NEAR(animator.energy(), measured, 1e-5 * measured + 1e-9);
+      }
     }
   }
 }

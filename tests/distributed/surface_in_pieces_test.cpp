@@ -5,7 +5,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/distributed/surface/piece_data.h"
-#include "brindle/distributed/surface/shared_places.h"
+#include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/distributed/surface/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/mesh_data.h"

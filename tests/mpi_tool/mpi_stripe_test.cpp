@@ -145,12 +145,12 @@ TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
 }
 
 TEST_F(MpiTool, WritesFrequenciesThatYield) {
-  const std::size_t count = make_shape("torus,resolution=40").vertex_count();
+  const std::size_t count = make_shape("torus,resolution=200").vertex_count();
   write_calm(folder / "calm.csv", count);
   const ToolResult result =
-      on(3, {"shape:torus,resolution=40", "--direction", "0.3,0.9,0.2", "--stripes", "30",
-             "--slack", "0.2", "--calm", "calm.csv", "--frames", "2", "--output", "out.pvtp",
-             "--report", "out.json"});
+      on(3, {"shape:torus,resolution=200", "--direction", "0.3,0.9,0.2", "--stripes", "30",
+             "--slack", "0.2", "--calm", "calm.csv", "--frames", "2", "--plan-below", "0",
+             "--output", "out.pvtp", "--report", "out.json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(content(folder / "out.json"));
   EXPECT_TRUE(report["frequency_change"].contains("branches_in_calm"));

@@ -1,20 +1,39 @@
 #include "brindle/communicator.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <exception>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/waiting.h"
 #include "brindle/error.h"
-#include "brindle/progress.h"
 
 namespace brindle {
 namespace {
 
 constexpr int kTag = 1;
+
+using Clock = std::chrono::steady_clock;
+
+// A watcher that reads between the two stores sees a wait that has just begun or just ended.
+std::atomic<const char*> waited_for{nullptr};
+std::atomic<Clock::rep> waiting_since{0};
+
+/// The process waits while this lives. One at a time: MPI is called from one thread.
+class WaitMark {
+ public:
+  explicit WaitMark(const char* what) {
+    waiting_since.store(Clock::now().time_since_epoch().count(), std::memory_order_relaxed);
+    waited_for.store(what, std::memory_order_release);
+  }
+  ~WaitMark() { waited_for.store(nullptr, std::memory_order_release); }
+  WaitMark(const WaitMark&) = delete;
+  WaitMark& operator=(const WaitMark&) = delete;
+};
 
 constexpr const char* kForAll = "for all other ranks";
 constexpr const char* kForMessages = "for messages of other ranks";
@@ -42,6 +61,21 @@ Failure outcome_of(const std::function<void()>& work) {
   }
 }
 
+/// A ProgressReport that can be sent.
+struct SentReport {
+  bool is_last = true;  ///< there is none: the work has come to its end
+  double fraction = 0, step_fraction = 0;
+  std::array<char, 48> step = {};
+
+  ProgressReport report() const { return {fraction, step.data(), step_fraction, {}, 0}; }
+};
+
+SentReport sent(const ProgressReport& report) {
+  SentReport result{false, report.fraction, report.step_fraction, {}};
+  report.step.copy(result.step.data(), result.step.size() - 1);
+  return result;
+}
+
 /// Calls `visit(first, count)` for the messages that so many bytes go in.
 template <class Visit>
 void for_each_message(std::size_t bytes, const Visit& visit) {
@@ -51,6 +85,13 @@ void for_each_message(std::size_t bytes, const Visit& visit) {
 }
 
 }  // namespace
+
+std::optional<Waiting> waiting_now() {
+  const char* what = waited_for.load(std::memory_order_acquire);
+  if (what == nullptr) return std::nullopt;
+  const Clock::duration since(waiting_since.load(std::memory_order_relaxed));
+  return Waiting{what, Clock::now().time_since_epoch() - since};
+}
 
 Communicator::Communicator(MPI_Comm comm) {
   const WaitMark mark(kForAll);
@@ -99,6 +140,37 @@ void Communicator::together(const std::function<void()>& work) {
   MPI_Bcast(message.data(), static_cast<int>(length), MPI_CHAR, failed, comm_);
   if (*first == Outcome::cancelled) throw Cancelled(message);
   throw Error("rank " + std::to_string(failed) + ": " + message);
+}
+
+void Communicator::on_first(const Progress& progress,
+                            const std::function<void(const Progress&)>& work) {
+  if (size_ == 1) return work(progress);
+  const bool is_heard = any(progress.is_heard());
+  const auto hear = [&](const SentReport& report) {
+    together([&] { progress.report(report.report()); });
+  };
+  if (rank_ > 0) {
+    for (SentReport report; !(report = all(SentReport())[0]).is_last;) hear(report);
+    return together([] {});
+  }
+  bool all_have_thrown = false;
+  const Progress told(Progress::JobCallback([&](const ProgressReport& report) {
+    all_have_thrown = true;
+    hear(all(sent(report))[0]);
+    all_have_thrown = false;
+    return true;
+  }));
+  std::exception_ptr failure;
+  try {
+    work(is_heard ? told : Progress());
+  } catch (...) {
+    if (all_have_thrown) throw;
+    failure = std::current_exception();
+  }
+  all(SentReport());
+  together([&] {
+    if (failure) std::rethrow_exception(failure);
+  });
 }
 
 std::vector<std::uint64_t> Communicator::numbers_of(std::size_t count) {

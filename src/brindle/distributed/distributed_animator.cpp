@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
-#include "brindle/distributed/levels/distributed_hierarchy.h"
+#include "brindle/distributed/levels/rank_hierarchy.h"
 #include "brindle/distributed/rank_yielding.h"
 #include "brindle/distributed/surface/rank_surface.h"
+#include "brindle/distributed/whole_frames.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
@@ -22,13 +23,6 @@
 
 namespace brindle {
 namespace {
-
-/// A wave as owners tell others of it.
-struct SentWave {
-  Vec3 position;
-  Vec3 direction;
-  float frequency = 1;
-};
 
 void check_distributed(const DistributedOptions& options) {
   check_animator_options(options);
@@ -53,32 +47,34 @@ Progress on_all(Communicator& ranks, const Progress& progress) {
 struct DistributedStripeAnimator::State {
   std::shared_ptr<const RankSurface> surface;
   DistributedOptions options;
-  double topology_milliseconds = 0;
+  bool yields = false;  ///< on any rank
+  bool has_calm = false;
+  std::vector<float> calm;  ///< by vertex
 
-  std::optional<DistributedHierarchy> hierarchy;  ///< empty before the first frame
+  // The last frame, and the one that is solved.
   bool has_frame = false;
-  int sweeps = 0;         ///< of the last frame, over the finest level
-  bool has_last = false;  ///< whether the next frame follows one; a rank may have no vertices
-  std::vector<SentWave> sent_waves;  ///< by vertex; of own ones and ghosts
-  WaveSet input;                     ///< the same as arrays
-  bool has_given = false;            ///< whether the next frame follows phases that were given
-  std::vector<Complex> given_z;      ///< these, by own vertex and ghost
+  std::vector<SentWave> sent_waves, last_waves;  ///< by vertex; of own ones, and often ghosts
+  std::vector<Complex> z_by_vertex, z_of_piece;
+  std::vector<float> chosen;  ///< frequencies by vertex, where they yield
+  std::vector<float> frequencies_of_piece;
+
+  std::optional<WholeFrames>
+      whole;  ///< of a surface that rank 0 solves alone; else all that follows
+
+  std::optional<RankHierarchy> hierarchy;  ///< empty before the first frame
+  bool has_last = false;   ///< whether the next frame follows one; a rank may have no vertices
+  bool has_given = false;  ///< whether it follows phases that were given
+  std::vector<Complex> given_z;                      ///< these, by own vertex and ghost
+  WaveSet input;                                     ///< of own vertices and ghosts
   std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
   std::vector<float> weights;                        ///< by entry; empty: 1
   std::vector<float> degree;
   std::vector<Complex> last_z;  ///< by slot
   std::vector<Complex> z_by_node;
-  std::vector<Complex> z_by_vertex;  ///< `z_by_node`, and those of the rest
-  std::vector<Complex> z_of_piece;
   Momentum momentum;
-
   std::shared_ptr<const RankRows> rows;  ///< of frequencies that yield over several ranks
   YieldingFrames yielding;               ///< of own vertices and ghosts
-  bool has_calm = false;
-  std::vector<float> calm;    ///< by vertex
-  std::vector<float> wanted;  ///< of the last frame, by own vertex and ghost
-  std::vector<float> frequencies_of_piece;
-  FrequencyTraffic frequency_traffic;
+  DistributedFigures figures;
 
   Communicator& ranks() const { return *surface->ranks; }
   Level& finest() { return hierarchy->finest(); }
@@ -86,24 +82,40 @@ struct DistributedStripeAnimator::State {
   bool descends() const { return options.solver == FrameSolver::multilevel || !has_last; }
 
   void take_slack();
-  void take_input(const FrameInput& frame);
+  void take_own(const FrameInput& frame);
+  std::vector<Vec3> own_normals(const FrameInput& frame) const;
+  void take_ghosts();
   FrameInput input_of_nodes() const;
   void check_values(const FrameInput& frame) const;
   bool is_kept() const;
   FrameInput yielded(const Progress& progress);
   void start();
   void take_given();
-  void keep_frequencies();
-  std::vector<float> with_rest(std::span<const float> of_nodes) const;
-  FrameResult unchanged_frame() const;
-  WaveSet last_waves() const;
+  void keep(std::span<const Complex> z, std::span<const float> frequencies);
+  FrameResult kept_frame(const FrameResult& solved) const;
+  FrameResult frame_of_whole(const FrameInput& frame, const Progress& progress);
+  FrameResult frame_of_pieces(const FrameInput& frame, const Progress& progress);
+  FrameMilliseconds solve_next(const Progress& progress);
+  void couple_next();
+  void iterate();
+  void take_back();
+
+  /// Values of all vertices, of which those of own ones, or of ghosts, too, are known.
+  template <class T>
+  void share(std::span<const T> known, std::vector<T>& by_vertex) const {
+    by_vertex.resize(surface->vertex_count());
+    std::ranges::copy(known, by_vertex.begin());
+    if (whole) exchange(ranks(), surface->graph.halo, std::span(by_vertex));
+    exchange(ranks(), surface->rest, std::span(by_vertex));
+  }
 };
 
 /// Frequencies yield on all ranks or on none.
 void DistributedStripeAnimator::State::take_slack() {
+  yields = ranks().any(options.slack.yields());
   has_calm = ranks().any(!options.slack.calm.empty());
   calm = owners_values(*surface, options.slack.calm);
-  if (!ranks().any(options.slack.yields())) return;
+  if (whole || !yields) return;
   std::shared_ptr<RankRows> peers;
   if (ranks().size() > 1) {
     peers = std::make_shared<RankRows>(ranks(), surface->graph, options.gather_below);
@@ -112,8 +124,8 @@ void DistributedStripeAnimator::State::take_slack() {
   rows = std::move(peers);
 }
 
-/// Own waves from the input, ghosts' from their owners.
-void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
+/// Own waves from the input.
+void DistributedStripeAnimator::State::take_own(const FrameInput& frame) {
   sent_waves.resize(surface->vertex_count());
   for (std::size_t p = 0; p < frame.positions.size(); ++p) {
     const Index v = surface->vertex_of_piece[p];
@@ -121,6 +133,22 @@ void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
       sent_waves[v] = {frame.positions[p], frame.directions[p], frame.frequencies[p]};
     }
   }
+}
+
+/// What the frame has of normals, at own vertices.
+std::vector<Vec3> DistributedStripeAnimator::State::own_normals(const FrameInput& frame) const {
+  std::vector<Vec3> normals;
+  if (!ranks().any(!frame.normals.empty())) return normals;
+  normals.resize(surface->graph.own, Vec3::Zero());
+  for (std::size_t p = 0; p < frame.normals.size(); ++p) {
+    const Index v = surface->vertex_of_piece[p];
+    if (v < normals.size()) normals[v] = frame.normals[p];
+  }
+  return normals;
+}
+
+/// Ghosts' waves from their owners, and all as arrays.
+void DistributedStripeAnimator::State::take_ghosts() {
   exchange(ranks(), surface->graph.halo, std::span(sent_waves));
   input.positions.resize(sent_waves.size());
   input.directions.resize(sent_waves.size());
@@ -134,30 +162,24 @@ void DistributedStripeAnimator::State::take_input(const FrameInput& frame) {
 
 /// What `check_values` of frame_input.h refuses of the whole, by what owners say.
 void DistributedStripeAnimator::State::check_values(const FrameInput& frame) const {
-  const std::size_t own = surface->graph.own;
-  std::vector<Vec3> normals(own, Vec3::Zero());
-  bool is_in_place = true;
-  for (std::size_t v = 0; v < own; ++v) {
-    is_in_place = is_in_place && input.positions[v] == surface->mesh.positions[v];
+  const auto own = static_cast<std::ptrdiff_t>(surface->graph.own);
+  std::vector<Vec3> normals = own_normals(frame);
+  const std::vector<Vec3>& at_rest = surface->mesh.positions;
+  if (frame.normals.empty() &&
+      std::equal(at_rest.begin(), at_rest.begin() + own, input.positions.begin())) {
+    normals.assign(surface->normals.begin(), surface->normals.begin() + own);
   }
-  // Normals that a frame brings are those of the piece's vertices.
-  for (std::size_t p = 0; p < surface->vertex_of_piece.size(); ++p) {
-    const Index v = surface->vertex_of_piece[p];
-    if (v >= own) continue;
-    if (!frame.normals.empty()) {
-      normals[v] = frame.normals[p];
-    } else if (is_in_place) {
-      normals[v] = surface->normals[v];
-    }
-  }
-  TangentTally tangent = tally_tangent(normals, std::span(input.directions).first(own));
+  normals.resize(surface->graph.own, Vec3::Zero());
+  TangentTally tangent =
+      tally_tangent(normals, std::span(input.directions).first(surface->graph.own));
   const bool own_slant = tangent.slanted > 0;  // a rank without one has no vertex to name
   tangent.counted = ranks().sum(tangent.counted);
   tangent.slanted = ranks().sum(tangent.slanted);
   FinenessTally fineness;
   if (ranks().any(may_be_too_fine(input.positions, input.frequencies))) {
-    fineness = tally_fineness(*surface->graph.adjacency, input.positions,
-                              std::span(input.directions).first(own), input.frequencies);
+    fineness =
+        tally_fineness(*surface->graph.adjacency, input.positions,
+                       std::span(input.directions).first(surface->graph.own), input.frequencies);
   }
   fineness.measured = ranks().sum(fineness.measured);
   fineness.too_fine = ranks().sum(fineness.too_fine);
@@ -185,8 +207,8 @@ FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
   const std::uint64_t halo_before = rows ? rows->halo_bytes() : 0;
   const Traffic before = ranks().traffic();
   const FrameInput result = yielding.yielded(input_of_nodes(), on_all(ranks(), progress));
-  frequency_traffic = {ranks().traffic().since(before).bytes,
-                       rows ? rows->halo_bytes() - halo_before : 0};
+  figures.frequency_bytes = ranks().traffic().since(before).bytes;
+  figures.frequency_halo_bytes = rows ? rows->halo_bytes() - halo_before : 0;
   return result;
 }
 
@@ -194,8 +216,7 @@ FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
 void DistributedStripeAnimator::State::start() {
   if (hierarchy) return;
   Stopwatch watch;
-  hierarchy.emplace(ranks(), surface->graph, own_ids(*surface),
-                    HierarchyBounds{options.gather_below, options.plan_below});
+  hierarchy.emplace(ranks(), surface->graph, options.gather_below);
   const SlicedLayout& layout = finest().layout();
   waves.reserve(layout.slot_count());
   if (options.cycles > 0) cancellable_waves.reserve(layout.slot_count());
@@ -206,7 +227,7 @@ void DistributedStripeAnimator::State::start() {
     weights = sliced_weights(layout, adjacency,
                              cotangent_weights(triangles_around_own(*surface), adjacency));
   }
-  topology_milliseconds = watch.lap();
+  figures.topology_milliseconds = watch.lap();
 }
 
 /// Makes given phases the last ones.
@@ -217,30 +238,24 @@ void DistributedStripeAnimator::State::take_given() {
   has_last = true;
 }
 
-/// Values of own vertices and ghosts, and of the rest of the vertices.
-std::vector<float> DistributedStripeAnimator::State::with_rest(
-    std::span<const float> of_nodes) const {
-  std::vector<float> result(of_nodes.begin(), of_nodes.end());
-  result.resize(surface->vertex_count());
-  exchange(ranks(), surface->rest, std::span(result));
-  return result;
+/// Makes the frame just solved the last one; it has values of own vertices, and often of ghosts.
+void DistributedStripeAnimator::State::keep(std::span<const Complex> z,
+                                            std::span<const float> frequencies) {
+  share(z, z_by_vertex);
+  z_of_piece = surface->to_piece(std::span<const Complex>(z_by_vertex));
+  if (yields) {
+    share(frequencies, chosen);
+    frequencies_of_piece = surface->to_piece(std::span<const float>(chosen));
+  }
+  std::swap(sent_waves, last_waves);
+  has_frame = true;
 }
 
-void DistributedStripeAnimator::State::keep_frequencies() {
-  const std::span<const float> asked = input_of_nodes().frequencies;
-  wanted.assign(asked.begin(), asked.end());
-  if (!yielding.yields()) return;
-  yielding.keep(input_of_nodes());
-  const std::vector<float> chosen = with_rest(yielding.frequencies());
-  frequencies_of_piece = surface->to_piece(std::span(chosen));
-}
-
-FrameResult DistributedStripeAnimator::State::unchanged_frame() const {
-  FrameResult result;
+/// The result with the values of the last frame that was kept.
+FrameResult DistributedStripeAnimator::State::kept_frame(const FrameResult& solved) const {
+  FrameResult result = solved;
   result.z = z_of_piece;
-  result.unchanged = true;
   result.frequencies = frequencies_of_piece;
-  result.frequency_change = yielding.change();
   return result;
 }
 
@@ -251,6 +266,10 @@ DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& s
   state_->ranks().together([&] { check_distributed(options); });
   check_on_all(*state_->surface, options.slack);
   state_->options = options;
+  const std::size_t alone_below = std::max(options.gather_below, options.plan_below);
+  if (state_->ranks().size() > 1 && state_->surface->vertices < alone_below) {
+    state_->whole.emplace(*state_->surface, options);
+  }
   state_->take_slack();
   state_->momentum.strength = SolverOptions().momentum;
 }
@@ -267,26 +286,50 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
     check_frame_input(input, s.surface->vertex_of_piece.size());
     check_waves(input.positions, input.directions, input.frequencies);
   });
+  return s.whole ? s.frame_of_whole(input, progress) : s.frame_of_pieces(input, progress);
+}
+
+FrameResult DistributedStripeAnimator::State::frame_of_whole(const FrameInput& frame,
+                                                             const Progress& progress) {
   Stopwatch watch;
-  s.take_input(input);
-  s.check_values(input);
+  take_own(frame);
+  FrameResult solved =
+      whole->frame(std::span(sent_waves).first(surface->graph.own), own_normals(frame), progress);
+  if (!solved.unchanged) {
+    keep(solved.z, solved.frequencies);
+    // Whatever is not rank 0's work is messages.
+    const FrameMilliseconds& known = solved.milliseconds;
+    solved.milliseconds.couple +=
+        watch.lap() - known.frequency - known.couple - known.sum - known.solve;
+  }
+  return kept_frame(solved);
+}
+
+FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& frame,
+                                                              const Progress& progress) {
+  FrameResult unchanged;
+  unchanged.unchanged = true;
+  unchanged.frequency_change = yielding.change();
+  Stopwatch watch;
+  take_own(frame);
+  take_ghosts();
+  check_values(frame);
   const double exchange_milliseconds = watch.lap();
-  if (s.is_kept()) return s.unchanged_frame();
-  const FrameInput yielded = s.yielded(progress);
+  if (is_kept()) return kept_frame(unchanged);
+  const FrameInput next = yielded(progress);
   const double yield_milliseconds = watch.lap();
-  s.start();
+  start();
   watch.lap();
   // Given phases are of this frame's directions: there is nothing to turn.
   const bool loaded_new =
-      load_waves(s.finest().layout(), yielded.positions, yielded.directions, yielded.frequencies,
-                 s.next_waves(), s.waves, s.has_given ? std::span<Complex>() : std::span(s.last_z),
-                 s.momentum.m);
+      load_waves(finest().layout(), next.positions, next.directions, next.frequencies, next_waves(),
+                 waves, has_given ? std::span<Complex>() : std::span(last_z), momentum.m);
   // To a rank without vertices nothing changes.
-  const bool changed = s.ranks().any(loaded_new && s.surface->graph.own > 0);
-  if (s.has_given) {
-    s.take_given();
-  } else if (s.has_last && !changed) {
-    return s.unchanged_frame();
+  const bool changed = ranks().any(loaded_new && surface->graph.own > 0);
+  if (has_given) {
+    take_given();
+  } else if (has_last && !changed) {
+    return kept_frame(unchanged);
   }
   const double load_milliseconds = watch.lap();
   FrameResult result;
@@ -297,40 +340,44 @@ FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Prog
     throw;
   }
   watch.lap();
-  if (s.has_last) {
-    result.phase_step = s.ranks().sum(phase_steps(s.finest().z, s.last_z, s.degree)).mean();
+  if (has_last) {
+    result.phase_step = ranks().sum(phase_steps(finest().z, last_z, degree)).mean();
   }
-  keep();
-  result.z = s.z_of_piece;
-  result.frequencies = s.frequencies_of_piece;
-  result.frequency_change = s.yielding.change();
+  const SlicedLayout& layout = finest().layout();
+  last_z.assign(finest().z.begin(), finest().z.begin() + layout.slot_count());
+  to_nodes(layout, last_z, z_by_node);
+  if (options.cycles > 0) std::swap(waves, cancellable_waves);
+  if (yields) yielding.keep(input_of_nodes());
+  keep(z_by_node, yielding.frequencies());
+  has_last = true;
+  has_given = false;
+  result.frequency_change = yielding.change();
   result.milliseconds.frequency = yield_milliseconds;
   result.milliseconds.couple += exchange_milliseconds + load_milliseconds;
   result.milliseconds.solve += watch.lap();
-  return result;
+  return kept_frame(result);
 }
 
 /// From the next waves to phases of the finest level.
-FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress) {
-  State& s = *state_;
+FrameMilliseconds DistributedStripeAnimator::State::solve_next(const Progress& progress) {
   FrameMilliseconds milliseconds;
   Stopwatch watch;
   couple_next();
   milliseconds.couple = watch.lap();
-  const bool builds = !s.hierarchy->is_coarsened();
+  const bool builds = !hierarchy->is_coarsened();
   if (builds) {
-    s.hierarchy->coarsen(progress);
-    s.topology_milliseconds += watch.lap();
+    hierarchy->coarsen(progress);
+    figures.topology_milliseconds += watch.lap();
   }
-  if (s.descends() && !builds) s.hierarchy->renew();
+  if (descends() && !builds) hierarchy->renew();
   milliseconds.sum = watch.lap();
-  if (s.descends()) {
+  if (descends()) {
     const SweepPlan plan =
-        builds ? SweepPlan::for_new_levels(s.options.sweeps, s.hierarchy->slots_of_all())
-               : s.options.sweeps;
-    s.hierarchy->descend(plan);
-    s.hierarchy->run_cycles(plan, s.options.cycles, progress);
-    s.sweeps = plan.on_level(s.hierarchy->slots_of_all()).count * (1 + s.options.cycles);
+        builds ? SweepPlan::for_new_levels(options.sweeps, hierarchy->slots_of_all())
+               : options.sweeps;
+    hierarchy->descend(plan);
+    hierarchy->run_cycles(plan, options.cycles, progress);
+    figures.sweeps = plan.on_level(hierarchy->slots_of_all()).count * (1 + options.cycles);
   } else {
     iterate();
   }
@@ -338,92 +385,62 @@ FrameMilliseconds DistributedStripeAnimator::solve_next(const Progress& progress
   return milliseconds;
 }
 
-void DistributedStripeAnimator::couple_next() {
-  State& s = *state_;
-  Level& finest = s.finest();
-  couple(finest.layout(), s.next_waves(), s.options.phase_shift, s.weights, finest.couplings,
-         s.degree);
-  const bool anchored =
-      s.has_last && s.options.lambda > 0 && s.options.solver == FrameSolver::multilevel;
+void DistributedStripeAnimator::State::couple_next() {
+  Level& level = finest();
+  couple(level.layout(), next_waves(), options.phase_shift, weights, level.couplings, degree);
+  const bool anchored = has_last && options.lambda > 0 && options.solver == FrameSolver::multilevel;
   if (anchored) {
-    set_anchors(s.degree, s.last_z, s.options.lambda, finest.couplings.anchor);
+    set_anchors(degree, last_z, options.lambda, level.couplings.anchor);
   } else {
-    finest.couplings.anchor.clear();
+    level.couplings.anchor.clear();
   }
 }
 
 /// The paper's iterations from the last phases.
-void DistributedStripeAnimator::iterate() {
-  State& s = *state_;
-  std::ranges::transform(s.last_z, s.finest().z.begin(),
+void DistributedStripeAnimator::State::iterate() {
+  std::ranges::transform(last_z, finest().z.begin(),
                          [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
-  for (int iteration = 0; iteration < s.options.iterations; ++iteration) {
-    s.hierarchy->relax(s.momentum);
+  for (int iteration = 0; iteration < options.iterations; ++iteration) {
+    hierarchy->relax(momentum);
   }
 }
 
-/// Makes the frame just solved the last one.
-void DistributedStripeAnimator::keep() {
-  State& s = *state_;
-  const SlicedLayout& layout = s.finest().layout();
-  s.last_z.assign(s.finest().z.begin(), s.finest().z.begin() + layout.slot_count());
-  to_nodes(layout, s.last_z, s.z_by_node);
-  s.z_by_vertex.resize(s.surface->vertex_count());
-  std::ranges::copy(s.z_by_node, s.z_by_vertex.begin());
-  exchange(s.ranks(), s.surface->rest, std::span(s.z_by_vertex));
-  s.z_of_piece = s.surface->to_piece(std::span<const Complex>(s.z_by_vertex));
-  if (s.options.cycles > 0) std::swap(s.waves, s.cancellable_waves);
-  s.keep_frequencies();
-  s.has_frame = s.has_last = true;
-  s.has_given = false;
-}
-
 /// Makes everything as it was before a frame that has not come to its end.
-void DistributedStripeAnimator::take_back() {
-  State& s = *state_;
-  if (s.has_frame) {
-    Level& finest = s.finest();
-    turn_phases(s.waves, s.next_waves(), s.last_z);
-    turn_phases(s.waves, s.next_waves(), s.momentum.m);
-    couple(finest.layout(), s.waves, s.options.phase_shift, s.weights, finest.couplings, s.degree);
-    to_slots(finest.layout(), s.z_by_node, finest.z);
+void DistributedStripeAnimator::State::take_back() {
+  if (has_frame) {
+    Level& level = finest();
+    turn_phases(waves, next_waves(), last_z);
+    turn_phases(waves, next_waves(), momentum.m);
+    couple(level.layout(), waves, options.phase_shift, weights, level.couplings, degree);
+    to_slots(level.layout(), z_by_node, level.z);
   } else {
     // Aggregates follow the couplings of the first frame that comes to its end.
-    s.hierarchy.reset();
-    s.waves.clear();
-    s.has_last = false;
+    hierarchy.reset();
+    waves.clear();
+    has_last = false;
   }
 }
 
 double DistributedStripeAnimator::energy() const {
   if (!state_->has_frame) throw Error("animator: there is no energy before the first frame");
-  return state_->hierarchy->energy();
-}
-
-/// The last frame's waves, by vertex.
-WaveSet DistributedStripeAnimator::State::last_waves() const {
-  const SlicedLayout& layout = hierarchy->finest().layout();
-  std::vector<SentWave> of_vertices(surface->vertex_count());
-  for (Index node = 0; node < surface->graph.node_count(); ++node) {
-    const SlicedWave& wave = waves[layout.slot_of[node]];
-    of_vertices[node] = {Vec3(wave.position), Vec3(wave.direction),
-                         yielding.yields() ? yielding.frequencies()[node] : wanted[node]};
-  }
-  exchange(ranks(), surface->rest, std::span(of_vertices));
-  WaveSet result{surface->mesh.positions, {}, {}};
-  for (std::size_t v = 0; v < of_vertices.size(); ++v) {
-    result.positions[v] = of_vertices[v].position;
-    result.directions.push_back(of_vertices[v].direction);
-    result.frequencies.push_back(of_vertices[v].frequency);
-  }
-  return result;
+  return state_->whole ? state_->whole->energy() : state_->hierarchy->energy();
 }
 
 DistributedMeasures DistributedStripeAnimator::measure() const {
   const State& s = *state_;
   if (!s.has_frame) throw Error("animator: there is nothing to measure before the first frame");
   const RankSurface& surface = *s.surface;
-  WaveSet waves = s.last_waves();
+  std::vector<SentWave> of_vertices;
+  s.share(std::span(s.last_waves).first(s.whole ? surface.graph.own : surface.graph.node_count()),
+          of_vertices);
+  WaveSet waves;
+  std::vector<float> wanted;
+  for (const SentWave& wave : of_vertices) {
+    waves.positions.push_back(wave.position);
+    waves.directions.push_back(wave.direction);
+    wanted.push_back(wave.frequency);
+  }
+  waves.frequencies = s.yields ? s.chosen : wanted;
   DistributedMeasures measures;
   const std::vector<CornerPhases> corners =
       corner_phases(surface.mesh.triangles, waves, s.z_by_vertex, s.options.phase_shift);
@@ -433,8 +450,8 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
       count_without_wave(std::span<const Vec3>(waves.directions).first(surface.graph.own));
   measures.quality = quality_of(s.ranks().sum(sums));
   measures.quality.spacing_error_wanted_mean = measures.quality.spacing_error_mean;
-  if (s.yielding.yields()) {
-    waves.frequencies = s.with_rest(s.wanted);
+  if (s.yields) {
+    waves.frequencies = wanted;
     measures.quality.spacing_error_wanted_mean =
         quality_of(s.ranks().sum(quality_sums(mesh, waves, corners))).spacing_error_mean;
   }
@@ -457,50 +474,48 @@ void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
     const Index v = s.surface->vertex_of_piece[p];
     if (v < s.surface->graph.own) s.given_z[v] = z[p];
   }
+  if (s.whole) return s.whole->set_last_phases(std::span(s.given_z).first(s.surface->graph.own));
   exchange(s.ranks(), s.surface->graph.halo, std::span(s.given_z));
   s.has_given = true;
 }
 
 void DistributedStripeAnimator::set_slack(const Slack& slack) {
   State& s = *state_;
-  s.ranks().together([&] { check_made_with_slack(s.yielding.yields()); });
+  s.ranks().together([&] { check_made_with_slack(s.yields); });
   check_on_all(*s.surface, slack);
-  auto setting = rank_yielding_setting(*s.surface, slack);
-  const bool differs = setting->triangles.weights != s.yielding.setting().triangles.weights;
-  s.yielding.set_setting(std::move(setting), !s.ranks().any(differs));
+  if (s.whole) {
+    s.whole->set_slack(slack);
+  } else {
+    auto setting = rank_yielding_setting(*s.surface, slack);
+    const bool differs = setting->triangles.weights != s.yielding.setting().triangles.weights;
+    s.yielding.set_setting(std::move(setting), !s.ranks().any(differs));
+  }
   s.options.slack = slack;
   s.has_calm = s.ranks().any(!slack.calm.empty());
   s.calm = owners_values(*s.surface, slack.calm);
 }
 
 void DistributedStripeAnimator::restart() {
-  state_->last_z.clear();
-  state_->has_last = state_->has_given = false;
-  state_->yielding.restart();
-  std::ranges::fill(state_->momentum.m, Complex(0));
+  State& s = *state_;
+  if (s.whole) return s.whole->restart();
+  s.last_z.clear();
+  s.has_last = s.has_given = false;
+  s.yielding.restart();
+  std::ranges::fill(s.momentum.m, Complex(0));
 }
 
-double DistributedStripeAnimator::topology_milliseconds() const {
-  return state_->topology_milliseconds;
-}
-
-std::size_t DistributedStripeAnimator::distributed_levels() const {
-  return state_->has_frame ? state_->hierarchy->distributed_levels() : 0;
-}
-
-int DistributedStripeAnimator::sweeps() const { return state_->sweeps; }
-
-std::size_t DistributedStripeAnimator::halo_bytes() const {
-  return state_->has_frame ? state_->hierarchy->halo_bytes(state_->options.sweeps) : 0;
-}
-
-FrequencyTraffic DistributedStripeAnimator::frequency_traffic() const {
-  return state_->frequency_traffic;
-}
-
-std::size_t DistributedStripeAnimator::ghost_count() const {
-  return state_->has_frame ? state_->hierarchy->ghost_count()
-                           : state_->surface->graph.ghost_count();
+DistributedFigures DistributedStripeAnimator::figures() const {
+  const State& s = *state_;
+  DistributedFigures figures = s.figures;
+  figures.ghosts = s.surface->graph.ghost_count();
+  if (s.whole) {
+    figures.topology_milliseconds = s.whole->topology_milliseconds();
+    figures.sweeps = s.whole->sweeps();
+  } else if (s.has_frame) {
+    figures.distributed_levels = s.hierarchy->distributed_levels();
+    figures.halo_bytes = s.hierarchy->halo_bytes(s.options.sweeps);
+  }
+  return figures;
 }
 
 }  // namespace brindle

@@ -1,12 +1,20 @@
+#include "brindle/distributed_waves.h"
+
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "brindle/communicator.h"
 #include "brindle/distributed/surface/rank_surface.h"
-#include "brindle/distributed/surface/selection.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/error.h"
+#include "brindle/waves/frequency_parts.h"
 
 namespace brindle {
 namespace {
@@ -31,6 +39,25 @@ WaveTally tally_own(const RankSurface& surface, const WaveSet& of_piece) {
     waves.frequencies[v] = of_piece.frequencies[p];
   }
   return tally_waves({surface.mesh, surface.graph.adjacency, surface.normals}, waves);
+}
+
+/// The k-th smallest, from 0, of all ranks' numbers, none of which is negative or not a number;
+/// infinity if there are not so many. Their bits are ordered as they are.
+double kth_smallest(Communicator& ranks, std::span<const double> numbers, std::size_t k) {
+  std::uint64_t low = 0;
+  auto high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    const auto bound = std::bit_cast<double>(middle);
+    const auto counted =
+        std::ranges::count_if(numbers, [&](double number) { return number <= bound; });
+    if (ranks.sum(static_cast<std::size_t>(counted)) > k) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return std::bit_cast<double>(low);
 }
 
 /// The middle one of all ranks' numbers, of which there are `count`. One rank has no messages to
@@ -69,6 +96,38 @@ WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& wave
   figures.edges_per_period_min = -ranks.greatest(-least);
   figures.edges_per_period_median = median(ranks, edges, count);
   return figures;
+}
+
+bool PieceSurface::any(bool here) const { return surface_.rank_surface().ranks->any(here); }
+
+std::size_t PieceSurface::drop_waves(DirectionField& directions,
+                                     FrequencyField& frequencies) const {
+  Communicator& ranks = *surface_.rank_surface().ranks;
+  std::size_t dropped = 0;
+  for (std::size_t v = 0; v < frequencies.size(); ++v) {
+    dropped += surface_.is_own()[v] != 0 && std::isnan(frequencies[v]) && !directions[v].isZero(0);
+  }
+  FrequencySum all;
+  for (const FrequencySum& of_rank : ranks.all(sum_of(frequencies, surface_.is_own()))) {
+    all.sum += of_rank.sum;
+    all.count += of_rank.count;
+  }
+  drop_waves_without_frequency(directions, frequencies, all.mean());
+  return ranks.sum(dropped);
+}
+
+DetailedFrequencies PieceSurface::frequencies_at_detail(std::span<const float> frequencies,
+                                                        const FrequencyDetailOptions& options,
+                                                        const Progress& progress) const {
+  return detailed_frequencies(surface_, frequencies, options, progress);
+}
+
+std::pair<DetailedField, FieldDetailFigures> PieceSurface::field_at_detail(
+    const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
+    const FieldDetailOptions& options, const Progress& progress) const {
+  DistributedDetail seen =
+      detailed_field(surface_, measured, places, options, {last, {}}, progress);
+  return {std::move(seen.field), seen.figures};
 }
 
 }  // namespace brindle

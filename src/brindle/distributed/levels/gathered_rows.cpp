@@ -7,13 +7,6 @@
 namespace brindle {
 namespace {
 
-/// Where every rank's part begins, and the end.
-std::vector<Index> firsts(Communicator& ranks, Index own) {
-  std::vector<Index> result = {0};
-  for (const Index count : ranks.all(own)) result.push_back(result.back() + count);
-  return result;
-}
-
 /// The strengths of a graph's edges in the order of the rows.
 std::vector<float> strengths_by_entry(const StrengthGraph& graph, const RowLevel& level) {
   std::vector<float> result;
@@ -32,8 +25,7 @@ std::vector<float> strengths_by_entry(const StrengthGraph& graph, const RowLevel
 
 GatheredRows::GatheredRows(Communicator& ranks, const StrengthGraph& graph, const NodeHalo& halo,
                            const RowLevel& level)
-    : first_node_(firsts(ranks, level.size())),
-      first_entry_(firsts(ranks, static_cast<Index>(level.columns.size()))) {
+    : nodes_(ranks, level.size()), entries_(ranks, level.columns.size()) {
   gather_graph(ranks, graph, halo, level);
 }
 
@@ -41,7 +33,7 @@ GatheredRows::GatheredRows(Communicator& ranks, const StrengthGraph& graph, cons
 void GatheredRows::gather_graph(Communicator& ranks, const StrengthGraph& graph,
                                 const NodeHalo& halo, const RowLevel& level) {
   std::vector<Index> number(level.size_with_others());
-  std::iota(number.begin(), number.end(), first_node_[static_cast<std::size_t>(ranks.rank())]);
+  std::iota(number.begin(), number.end(), nodes_.first(ranks.rank()));
   exchange(ranks, halo, std::span(number));
   std::vector<Index> degrees, columns;
   for (Index node = 0; node < level.size(); ++node) {
@@ -49,10 +41,12 @@ void GatheredRows::gather_graph(Communicator& ranks, const StrengthGraph& graph,
   }
   for (const Index column : level.columns) columns.push_back(number[column]);
   const std::vector<float> strengths = strengths_by_entry(graph, level);
-  const auto all_degrees = joined<Index>(ranks.gather(std::as_bytes(std::span(degrees))));
+  std::vector<Index> all_degrees;
+  std::vector<float> all_strengths;
   Adjacency adjacency;
-  adjacency.neighbors = joined<Index>(ranks.gather(std::as_bytes(std::span(columns))));
-  const auto all_strengths = joined<float>(ranks.gather(std::as_bytes(std::span(strengths))));
+  nodes_.gather(std::span<const Index>(degrees), all_degrees);
+  entries_.gather(std::span<const Index>(columns), adjacency.neighbors);
+  entries_.gather(std::span<const float>(strengths), all_strengths);
   ranks.together([&] {
     if (ranks.rank() != 0) return;
     for (const Index degree : all_degrees) {
@@ -61,7 +55,6 @@ void GatheredRows::gather_graph(Communicator& ranks, const StrengthGraph& graph,
     levels_ = std::make_shared<const RowLevels>(row_levels(adjacency, all_strengths));
     multigrid_ = std::make_unique<BoundedMultigrid>(levels_);
     find_entries(adjacency);
-    all_.resize(std::max(adjacency.neighbors.size(), adjacency.node_count()));
   });
 }
 
@@ -82,64 +75,42 @@ std::span<float> GatheredRows::on_root(std::span<float> (BoundedMultigrid::*part
   return multigrid_ ? (*multigrid_.*part)() : std::span<float>();
 }
 
-/// All ranks' numbers on rank 0, those of rank r from first[r] on; nothing elsewhere.
-std::span<const float> GatheredRows::gathered(Communicator& ranks, std::span<const float> own,
-                                              std::span<const Index> first) {
-  const Outgoing outgoing{0, std::as_bytes(own)};
-  std::vector<Incoming> incoming;
-  for (int r = 0; ranks.rank() == 0 && r < ranks.size(); ++r) {
-    const Index begin = first[static_cast<std::size_t>(r)];
-    const Index end = first[static_cast<std::size_t>(r) + 1];
-    incoming.push_back({r, std::as_writable_bytes(std::span(all_).subspan(begin, end - begin))});
-  }
-  ranks.transfer({&outgoing, 1}, incoming);
-  return std::span(all_).first(ranks.rank() == 0 ? first.back() : 0);
-}
-
 /// All ranks' numbers of nodes where they belong on rank 0.
-void GatheredRows::take_nodes(Communicator& ranks, std::span<const float> own,
-                              std::span<float> by_place) {
-  const std::span<const float> all = gathered(ranks, own, first_node_);
-  for (std::size_t node = 0; node < all.size(); ++node) {
-    by_place[levels_->place_of[node]] = all[node];
+void GatheredRows::take_nodes(std::span<const float> own, std::span<float> by_place) {
+  nodes_.gather(own, all_);
+  for (std::size_t node = 0; node < all_.size(); ++node) {
+    by_place[levels_->place_of[node]] = all_[node];
   }
 }
 
-void GatheredRows::scatter(Communicator& ranks, std::span<float> own) {
-  std::vector<Outgoing> outgoing;
-  if (ranks.rank() == 0) {
+void GatheredRows::scatter(std::span<float> own) {
+  if (multigrid_) {
     const std::span<const float> x = multigrid_->x();
+    all_.resize(x.size());
     for (std::size_t node = 0; node < x.size(); ++node) all_[node] = x[levels_->place_of[node]];
-    for (int r = 0; r < ranks.size(); ++r) {
-      const Index first = first_node_[static_cast<std::size_t>(r)];
-      const Index end = first_node_[static_cast<std::size_t>(r) + 1];
-      outgoing.push_back({r, std::as_bytes(std::span(all_).subspan(first, end - first))});
-    }
   }
-  const Incoming incoming{0, std::as_writable_bytes(own)};
-  ranks.transfer(outgoing, {&incoming, 1});
+  nodes_.scatter(std::span<const float>(all_), own);
 }
 
-void GatheredRows::set(Communicator& ranks, const RowMatrix& matrix) {
-  const std::span<const float> values = gathered(ranks, matrix.values, first_entry_);
-  for (std::size_t e = 0; e < values.size(); ++e) multigrid_->values()[entry_of_[e]] = values[e];
-  take_nodes(ranks, matrix.diagonal, on_root(&BoundedMultigrid::diagonal));
+void GatheredRows::set(const RowMatrix& matrix) {
+  entries_.gather(std::span<const float>(matrix.values), all_);
+  for (std::size_t e = 0; e < all_.size(); ++e) multigrid_->values()[entry_of_[e]] = all_[e];
+  take_nodes(matrix.diagonal, on_root(&BoundedMultigrid::diagonal));
   if (multigrid_) multigrid_->prepare_without_bounds();
 }
 
-void GatheredRows::solve(Communicator& ranks, std::span<const float> right, int visits,
-                         std::span<float> x) {
-  take_nodes(ranks, right, on_root(&BoundedMultigrid::right));
+void GatheredRows::solve(std::span<const float> right, int visits, std::span<float> x) {
+  take_nodes(right, on_root(&BoundedMultigrid::right));
   if (multigrid_) multigrid_->solve_without_bounds(visits);
-  scatter(ranks, x);
+  scatter(x);
 }
 
-void GatheredRows::start(Communicator& ranks, const RowProblem& problem, std::span<float> x) {
-  take_nodes(ranks, problem.right, on_root(&BoundedMultigrid::right));
-  take_nodes(ranks, problem.lower, on_root(&BoundedMultigrid::lower));
-  take_nodes(ranks, problem.upper, on_root(&BoundedMultigrid::upper));
+void GatheredRows::start(const RowProblem& problem, std::span<float> x) {
+  take_nodes(problem.right, on_root(&BoundedMultigrid::right));
+  take_nodes(problem.lower, on_root(&BoundedMultigrid::lower));
+  take_nodes(problem.upper, on_root(&BoundedMultigrid::upper));
   if (multigrid_) multigrid_->start_as_coarser();
-  scatter(ranks, x);
+  scatter(x);
 }
 
 }  // namespace brindle

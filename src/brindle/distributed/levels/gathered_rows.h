@@ -7,6 +7,7 @@
 
 #include "brindle/communicator.h"
 #include "brindle/distributed/halo.h"
+#include "brindle/distributed/parts_on_first.h"
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/row_levels.h"
@@ -21,23 +22,21 @@ class GatheredRows {
   GatheredRows(Communicator& ranks, const StrengthGraph& graph, const NodeHalo& halo,
                const RowLevel& level);
 
-  void set(Communicator& ranks, const RowMatrix& matrix);
+  void set(const RowMatrix& matrix);
 
   /// As the functions of the same names of RowPeers, for own nodes.
-  void solve(Communicator& ranks, std::span<const float> right, int visits, std::span<float> x);
-  void start(Communicator& ranks, const RowProblem& problem, std::span<float> x);
+  void solve(std::span<const float> right, int visits, std::span<float> x);
+  void start(const RowProblem& problem, std::span<float> x);
 
  private:
   void gather_graph(Communicator& ranks, const StrengthGraph& graph, const NodeHalo& halo,
                     const RowLevel& level);
   void find_entries(const Adjacency& adjacency);
   std::span<float> on_root(std::span<float> (BoundedMultigrid::*part)());
-  std::span<const float> gathered(Communicator& ranks, std::span<const float> own,
-                                  std::span<const Index> first);
-  void take_nodes(Communicator& ranks, std::span<const float> own, std::span<float> by_place);
-  void scatter(Communicator& ranks, std::span<float> own);
+  void take_nodes(std::span<const float> own, std::span<float> by_place);
+  void scatter(std::span<float> own);
 
-  std::vector<Index> first_node_, first_entry_;  ///< of every rank, and the end
+  PartsOnFirst nodes_, entries_;
   // On rank 0 alone.
   std::shared_ptr<const RowLevels> levels_;
   std::unique_ptr<BoundedMultigrid> multigrid_;

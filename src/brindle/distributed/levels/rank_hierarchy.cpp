@@ -6,7 +6,6 @@
 
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/node_order.h"
-#include "brindle/phases/several_starts.h"
 
 namespace brindle {
 namespace {
@@ -29,14 +28,6 @@ std::vector<Index> finest_blocks(const RankGraph& graph) {
   return ends;
 }
 
-/// The planned blocks, ghosts with the last of them.
-std::vector<Index> planned_blocks(const PlannedLevel& plan, const RankGraph& graph) {
-  std::vector<Index> ends = plan.block_end;
-  if (ends.empty()) ends.push_back(0);
-  ends.back() = graph.node_count();
-  return ends;
-}
-
 /// Slots that own nodes stand in.
 Index own_slots(const SlicedLayout& layout, Index color_count) {
   Index slices = 0;
@@ -46,64 +37,109 @@ Index own_slots(const SlicedLayout& layout, Index color_count) {
   return slices * kLanes;
 }
 
+/// Aggregates, and the graph of which they are the nodes.
+struct RankAggregates {
+  Aggregates aggregates;  ///< of own nodes, then those of ghosts, as their owners have them
+  RankGraph coarse;
+};
+
+bool has_coupling(const Level& level, Index slot) {
+  std::size_t entry = level.layout().first_entry(slot);
+  for (Index k = 0; k < level.layout().width(slot); ++k, entry += kLanes) {
+    if (level.couplings.direct_at(entry) != Complex(0)) return true;
+    if (level.couplings.reflecting_at(level.layout(), slot / kLanes, entry) != Complex(0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Appends aggregates of ghosts, which `of_ghost` numbers from the own ones on, for each ghost.
+void append_ghosts(const RankGraph& graph, const SlicedLayout& layout,
+                   std::span<const Index> of_ghost, Index count, Aggregates& aggregates) {
+  const Index own = aggregates.count();
+  std::vector<std::vector<Index>> members(count);
+  for (Index g = 0; g < of_ghost.size(); ++g) {
+    if (of_ghost[g] == kNone) continue;
+    const Index slot = layout.slot_of[graph.own + g];
+    aggregates.aggregate[slot] = of_ghost[g];
+    members[of_ghost[g] - own].push_back(slot);
+  }
+  for (const std::vector<Index>& slots : members) {
+    aggregates.member.insert(aggregates.member.end(), slots.begin(), slots.end());
+    aggregates.begin.push_back(static_cast<Index>(aggregates.member.size()));
+  }
+  aggregates.block_begin.back() = aggregates.count();
+}
+
+/// The own aggregates of a level: `grow_aggregates`, and, where there are other ranks, one more for
+/// every node all of whose neighbours are ghosts. Couplings of ghosts are not looked at.
+Aggregates own_aggregates(const Communicator& ranks, const RankGraph& graph, const Level& level) {
+  Aggregates aggregates = grow_aggregates(level.layout(), level.couplings);
+  if (ranks.size() == 1) return aggregates;
+  for (Index node = 0; node < graph.own; ++node) {
+    const Index slot = level.layout().slot_of[node];
+    if (aggregates.aggregate[slot] != kNone || !has_coupling(level, slot)) continue;
+    aggregates.aggregate[slot] = aggregates.count();
+    aggregates.member.push_back(slot);
+    aggregates.begin.push_back(static_cast<Index>(aggregates.member.size()));
+  }
+  aggregates.block_begin.back() = aggregates.count();
+  return aggregates;
+}
+
+/// Completes own aggregates by those of the ghosts. Couplings between ranks then are summed like
+/// all others.
+RankAggregates with_ghosts(Communicator& ranks, const RankGraph& graph, const Level& level,
+                           Aggregates own) {
+  const SlicedLayout& layout = level.layout();
+  std::vector<Index> aggregate(graph.node_count());
+  for (Index node = 0; node < graph.own; ++node) {
+    aggregate[node] = own.aggregate[layout.slot_of[node]];
+  }
+
+  RankAggregates result;
+  result.coarse.own = own.count();
+  result.coarse.halo = halo_of_groups(ranks, graph.halo, own.count(), aggregate);
+  const auto of_ghost = std::span<const Index>(aggregate).subspan(graph.own);
+  Index ghosts = 0;
+  for (const HaloNeighbor& neighbor : result.coarse.halo) ghosts += neighbor.count;
+  result.aggregates = std::move(own);
+  append_ghosts(graph, layout, of_ghost, ghosts, result.aggregates);
+  result.coarse.adjacency =
+      std::make_shared<const Adjacency>(coarse_adjacency(layout, result.aggregates));
+  return result;
+}
+
 }  // namespace
 
 RankHierarchy::RankHierarchy(Communicator& ranks, RankGraph graph, std::size_t gather_below)
-    : RankHierarchy(ranks, std::move(graph), {}, {}) {
-  gather_below_ = gather_below;
-}
-
-RankHierarchy::RankHierarchy(Communicator& ranks, RankGraph graph, std::vector<PlannedLevel> plan,
-                             Gathering rest)
-    : ranks_(ranks), plan_(std::move(plan)), rest_(std::move(rest)) {
-  const Coloring coloring = coloring_of(graph);
+    : ranks_(ranks), gather_below_(gather_below) {
+  const Coloring coloring = rank_coloring(ranks, graph);
   Level level = make_level(
-      {std::make_shared<SlicedLayout>(finest_layout(graph, with_sorts(graph, coloring))), nullptr});
+      {std::make_shared<SlicedLayout>(sliced_layout(*graph.adjacency, with_sorts(graph, coloring),
+                                                    own_first(graph), finest_blocks(graph))),
+       nullptr});
   add_level(std::move(graph), std::move(level), coloring);
-}
-
-/// Of the next level.
-Coloring RankHierarchy::coloring_of(const RankGraph& graph) {
-  if (plan_.empty()) return rank_coloring(ranks_, graph);
-  const PlannedLevel& planned = plan_[parts_.size()];
-  Coloring coloring{planned.color, planned.color_count};
-  coloring.color.resize(graph.node_count());
-  exchange(ranks_, graph.halo, std::span(coloring.color));
-  return coloring;
-}
-
-SlicedLayout RankHierarchy::finest_layout(const RankGraph& graph, const Coloring& sorts) const {
-  if (plan_.empty()) {
-    return sliced_layout(*graph.adjacency, sorts, own_first(graph), finest_blocks(graph));
-  }
-  return sliced_layout(*graph.adjacency, sorts, {}, planned_blocks(plan_[0], graph));
-}
-
-/// Of the level that aggregates make.
-SlicedLayout RankHierarchy::layout_of(const RankAggregates& made, const Coloring& sorts) const {
-  const Adjacency& adjacency = *made.coarse.adjacency;
-  if (plan_.empty()) return coarse_layout(made.aggregates, adjacency, sorts);
-  return sliced_layout(adjacency, sorts, {}, planned_blocks(plan_[parts_.size()], made.coarse));
 }
 
 void RankHierarchy::add_level(RankGraph graph, Level level, const Coloring& coloring) {
   Part part;
   part.color_count = coloring.color_count;
   part.halo = SlotHalo(graph.halo, level.layout(), coloring, coloring.color_count);
-  part.slots_of_all = plan_.empty() ? ranks_.sum(own_slots(level.layout(), coloring.color_count))
-                                    : plan_[parts_.size()].slots_of_all;
+  part.slots_of_all = ranks_.sum(own_slots(level.layout(), coloring.color_count));
   part.nodes_of_all = ranks_.sum(std::size_t{graph.own});
   part.graph = std::move(graph);
   parts_.push_back(std::move(part));
   hierarchy_.levels.push_back(std::move(level));
 }
 
+/// Whether a level, none of which is the finest, is for rank 0.
 bool RankHierarchy::is_small(std::size_t level) const {
-  if (ranks_.size() == 1) return false;
-  if (!plan_.empty()) return level + 1 == plan_.size();
+  if (ranks_.size() == 1 || level == 0) return false;
   const auto nodes = static_cast<double>(parts_[level].nodes_of_all);
-  if (parts_[level].nodes_of_all < gather_below_) return true;
-  return level > 0 && nodes > kPoorShare * static_cast<double>(parts_[level - 1].nodes_of_all);
+  return parts_[level].nodes_of_all < gather_below_ ||
+         nodes > kPoorShare * static_cast<double>(parts_[level - 1].nodes_of_all);
 }
 
 void RankHierarchy::coarsen(const Progress& progress) {
@@ -113,37 +149,26 @@ void RankHierarchy::coarsen(const Progress& progress) {
       progress.report("hierarchy", 1 - static_cast<double>(hierarchy_.levels.back().z.size()) /
                                            static_cast<double>(hierarchy_.levels[0].z.size()));
     });
-    if (is_small(hierarchy_.levels.size() - 1)) return gather(progress);
+    if (is_small(hierarchy_.levels.size() - 1)) {
+      gathered_.emplace(ranks_, parts_.back().graph, hierarchy_.levels.back(), progress);
+      return;
+    }
     if (!add_coarser()) return;
   }
-}
-
-void RankHierarchy::gather(const Progress& progress) {
-  const std::size_t last = hierarchy_.levels.size() - 1;
-  rest_.is_finest = last == 0;
-  gathered_.emplace(ranks_, parts_[last].graph, hierarchy_.levels[last], std::move(rest_),
-                    progress);
-}
-
-void RankHierarchy::take_gathered(GatheredLevels gathered) {
-  gathered_.emplace(std::move(gathered));
-  is_coarsened_ = true;
 }
 
 /// Returns whether there is anything coarser.
 bool RankHierarchy::add_coarser() {
   const std::size_t last = hierarchy_.levels.size() - 1;
-  Aggregates own = plan_.empty()
-                       ? own_aggregates(ranks_, parts_[last].graph, hierarchy_.levels[last])
-                       : planned_aggregates(hierarchy_.levels[last].layout(), plan_[last]);
+  Aggregates own = own_aggregates(ranks_, parts_[last].graph, hierarchy_.levels[last]);
   if (!ranks_.any(own.count() > 0)) return false;
   RankAggregates made =
       with_ghosts(ranks_, parts_[last].graph, hierarchy_.levels[last], std::move(own));
-  if (!plan_.empty()) order_rows(ranks_, plan_[last + 1], made.coarse);
-  const Coloring coloring = coloring_of(made.coarse);
-  Level coarse = make_level(
-      {std::make_shared<SlicedLayout>(layout_of(made, with_sorts(made.coarse, coloring))),
-       nullptr});
+  const Coloring coloring = rank_coloring(ranks_, made.coarse);
+  Level coarse =
+      make_level({std::make_shared<SlicedLayout>(coarse_layout(
+                      made.aggregates, *made.coarse.adjacency, with_sorts(made.coarse, coloring))),
+                  nullptr});
   Level& fine = hierarchy_.levels[last];
   fine.topology.aggregation = std::make_shared<Aggregation>(
       arrange(fine.layout(), made.aggregates, *made.coarse.adjacency, coarse.layout()));
@@ -188,8 +213,6 @@ void RankHierarchy::renew() {
   if (gathered_) gathered_->renew(ranks_, hierarchy_.levels.back());
 }
 
-void RankHierarchy::exchange_phases() { parts_[0].halo.exchange(ranks_, hierarchy_.levels[0].z); }
-
 /// Calls `update(color)` for the slots of one colour after the other, first for those at the
 /// border: what they have become is on its way while the others' turn is.
 template <class Update>
@@ -231,52 +254,9 @@ void RankHierarchy::descend_from(Complex start, SweepPlan plan) {
 
 void RankHierarchy::descend(SweepPlan plan) {
   if (gathered_) {
-    gathered_->descend(ranks_, parts_.back().graph, hierarchy_.levels.back(),
-                       [&](Hierarchy& rest) { brindle::descend(rest, plan); });
+    gathered_->descend(ranks_, plan, hierarchy_.levels.back());
   }
   descend_from(kPeak, plan);
-}
-
-EnergySums RankHierarchy::lowered() const {
-  return ranks_.sum(lowered_sums(hierarchy_.levels[0], hierarchy_.levels[0].z));
-}
-
-bool RankHierarchy::descend_from_several(int sweeps) {
-  if (!gathered_) return brindle::descend_from_several(hierarchy_, sweeps);
-  Level& last = hierarchy_.levels.back();
-  const RankGraph& graph = parts_.back().graph;
-  if (hierarchy_.levels.size() == 1) {
-    bool is_lower = false;
-    gathered_->descend(ranks_, graph, last, [&](Hierarchy& whole) {
-      is_lower = brindle::descend_from_several(whole, sweeps);
-    });
-    descend_from(kPeak, sweeps);
-    return ranks_.any(is_lower);
-  }
-  std::vector<Complex>& z = hierarchy_.levels[0].z;
-  descend(sweeps);
-  const EnergySums plain_sums = lowered();
-  std::vector<Complex> plain = z;
-  gathered_->descend(ranks_, graph, last,
-                     [&](Hierarchy& rest) { descend_from_lowest(rest, sweeps); });
-  descend_from(kPeak, sweeps);
-  const bool is_lower = is_much_lower(lowered(), plain_sums);
-  if (!is_lower) z = std::move(plain);
-  return is_lower;
-}
-
-void RankHierarchy::start_from(std::span<const Complex> z, int sweeps) {
-  Level& finest = hierarchy_.levels[0];
-  to_slots(finest.layout(), z, finest.z);
-  sweep_level(0, sweeps);
-}
-
-void RankHierarchy::begin_with(std::span<const Complex> z) {
-  Level& finest = hierarchy_.levels[0];
-  to_slots(finest.layout(), z, finest.z);
-  if (gathered_ && hierarchy_.levels.size() == 1) {
-    gathered_->take_phases(ranks_, parts_[0].graph, finest);
-  }
 }
 
 /// As `correct` of phases/multilevel.h. Ghosts have the phases and gauges of their owners already.
@@ -286,9 +266,7 @@ void RankHierarchy::correct(SweepPlan plan) {
     set_turns(hierarchy_.levels[l], l == 0);
     renew_sums(hierarchy_.levels[l], hierarchy_.levels[l + 1], hierarchy_.scratch);
   }
-  if (gathered_) {
-    gathered_->correct(ranks_, parts_.back().graph, plan, hierarchy_.levels.back());
-  }
+  if (gathered_) gathered_->correct(ranks_, plan, hierarchy_.levels.back());
   descend_from(Complex(1), plan);
 }
 

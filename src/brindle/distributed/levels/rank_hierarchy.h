@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "brindle/distributed/levels/gathered_levels.h"
-#include "brindle/distributed/levels/rank_aggregates.h"
 #include "brindle/distributed/levels/rank_graph.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
@@ -20,44 +19,22 @@ namespace brindle {
 /// long.
 class RankHierarchy {
  public:
-  /// The finest level alone. Levels that have fewer nodes than `gather_below` on all ranks together
-  /// are gathered on rank 0.
+  /// The finest level alone. Coarser ones that have fewer nodes than `gather_below` on all ranks
+  /// together are gathered on rank 0.
   RankHierarchy(Communicator& ranks, RankGraph graph, std::size_t gather_below);
-
-  /// The finest level of planned ones, with the plan's graph; the last one is gathered as `rest`
-  /// says.
-  RankHierarchy(Communicator& ranks, RankGraph graph, std::vector<PlannedLevel> plan,
-                Gathering rest);
 
   /// Its couplings are for the caller to set, for own slots; `z` has ghosts' phases, too. `coarsen`
   /// moves it.
   Level& finest() { return hierarchy_.levels[0]; }
   const Level& finest() const { return hierarchy_.levels[0]; }
-  const RankGraph& graph() const { return parts_[0].graph; }
   bool is_coarsened() const { return is_coarsened_; }
 
   /// As the functions of the same names in phases/hierarchy.h and phases/multilevel.h. `progress`
   /// cancels all ranks if it does one.
   void coarsen(const Progress& progress = {});
   void renew();
-
-  /// Gives the levels that `coarsen` would gather, the finest one among them.
-  void take_gathered(GatheredLevels gathered);
   void descend(SweepPlan plan);
-
-  /// As that of phases/several_starts.h. Which start is lowest is told on levels that are gathered.
-  bool descend_from_several(int sweeps);
-
-  /// In place of a descent: these phases of own nodes and ghosts, and sweeps over the finest level.
-  /// That must not be gathered.
-  void start_from(std::span<const Complex> z, int sweeps);
-
-  /// In place of a descent, too: these phases alone. The finest level may be gathered.
-  void begin_with(std::span<const Complex> z);
   void run_cycles(SweepPlan plan, int cycles, const Progress& progress);
-
-  /// Gives the finest level's ghosts the phases of their owners.
-  void exchange_phases();
 
   /// One iteration of the paper's relaxation over all colours of the finest level.
   void relax(Momentum& momentum);
@@ -87,12 +64,8 @@ class RankHierarchy {
     std::size_t nodes_of_all = 0;
   };
 
-  Coloring coloring_of(const RankGraph& graph);
-  SlicedLayout finest_layout(const RankGraph& graph, const Coloring& sorts) const;
-  SlicedLayout layout_of(const RankAggregates& made, const Coloring& sorts) const;
   void add_level(RankGraph graph, Level level, const Coloring& coloring);
   bool is_small(std::size_t level) const;
-  void gather(const Progress& progress);
   bool add_coarser();
   void set_blocks(Part& part, const Level& fine, const Level& coarse) const;
   void renew_sums_to(std::size_t coarse);
@@ -101,12 +74,9 @@ class RankHierarchy {
   void sweep_level(std::size_t level, SweepPlan plan);
   void descend_from(Complex start, SweepPlan plan);
   void correct(SweepPlan plan);
-  EnergySums lowered() const;
 
   Communicator& ranks_;
   std::size_t gather_below_ = 0;
-  std::vector<PlannedLevel> plan_;  ///< empty: levels follow from the couplings here
-  Gathering rest_;
   Hierarchy hierarchy_;
   std::vector<Part> parts_;                 ///< beside the levels
   std::optional<GatheredLevels> gathered_;  ///< the last level and all coarser ones

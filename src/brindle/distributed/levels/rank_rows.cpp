@@ -107,7 +107,7 @@ void RankRows::sum(std::span<double> values) {
 
 double RankRows::least(double value) { return -ranks_.greatest(-value); }
 
-void RankRows::set_coarsest(const RowMatrix& matrix) { gathered_->set(ranks_, matrix); }
+void RankRows::set_coarsest(const RowMatrix& matrix) { gathered_->set(matrix); }
 
 /// Ranks have what rank 0 says of their own nodes; ghosts' are still to come.
 void RankRows::take_others(std::span<float> coarsest) {
@@ -116,14 +116,14 @@ void RankRows::take_others(std::span<float> coarsest) {
 }
 
 void RankRows::solve_coarsest(std::span<const float> right, int visits, std::span<float> x) {
-  gathered_->solve(ranks_, right, visits, x.first(right.size()));
+  gathered_->solve(right, visits, x.first(right.size()));
   take_others(x);
 }
 
 void RankRows::start_coarsest(const RowProblem& problem, std::span<float> x) {
   const std::size_t own = problem.right.size();
   const RowProblem of_own{problem.right, problem.lower.first(own), problem.upper.first(own)};
-  gathered_->start(ranks_, of_own, x.first(own));
+  gathered_->start(of_own, x.first(own));
   take_others(x);
 }
 

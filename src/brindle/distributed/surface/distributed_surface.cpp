@@ -317,12 +317,6 @@ std::vector<std::uint64_t> known_ids(const RankSurface& surface) {
   return ids;
 }
 
-std::vector<std::uint64_t> own_ids(const RankSurface& surface) {
-  std::vector<std::uint64_t> ids = known_ids(surface);
-  ids.resize(surface.graph.own);
-  return ids;
-}
-
 Mesh triangles_around_own(const RankSurface& surface) {
   Mesh mesh;
   mesh.origin = surface.mesh.origin;

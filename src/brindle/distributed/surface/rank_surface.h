@@ -55,9 +55,6 @@ struct RankSurface {
 /// The numbers of vertices in the whole; 0 for those that are not of the piece.
 std::vector<std::uint64_t> known_ids(const RankSurface& surface);
 
-/// Of own vertices alone.
-std::vector<std::uint64_t> own_ids(const RankSurface& surface);
-
 /// All triangles around own vertices, in the order of own triangles and then the ring's; one rank
 /// has those of its piece.
 Mesh triangles_around_own(const RankSurface& surface);

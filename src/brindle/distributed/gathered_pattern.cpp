@@ -1,0 +1,367 @@
+#include "brindle/distributed/gathered_pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "brindle/error.h"
+#include "brindle/geometry/topology.h"
+#include "brindle/pattern/curve_spacing.h"
+#include "brindle/pattern/lifted_waves.h"
+#include "brindle/pattern/sampling.h"
+#include "brindle/pattern/stripe_curves.h"
+
+namespace brindle {
+namespace {
+
+void check_pattern(const PiecePattern& pattern) {
+  const RankSurface& surface = pattern.surface.rank_surface();
+  const WaveSet& waves = pattern.waves;
+  const std::size_t vertices = surface.vertex_of_piece.size();
+  surface.ranks->together([&] {
+    for (const std::size_t count : {waves.positions.size(), waves.directions.size(),
+                                    waves.frequencies.size(), pattern.z.size()}) {
+      if (count == vertices) continue;
+      throw Error("a pattern of a piece of " + std::to_string(vertices) + " vertices has " +
+                  std::to_string(count) + " waves or phases; give one for each");
+    }
+  });
+}
+
+/// On rank 0, where both must live as long.
+WavePattern wave_pattern(const Surface& surface, const MeshEdges& edges,
+                         const GatheredPattern& pattern, PhaseShiftKind kind) {
+  return {surface.mesh, edges, surface.normals, pattern.waves, pattern.z, kind};
+}
+
+/// On rank 0. Places are in the triangles of the whole.
+StripeCurves curves_of(const Surface& surface, const GatheredPattern& pattern, PhaseShiftKind kind,
+                       const CurveOptions& options, const Progress& progress) {
+  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  const LiftedWaves lifted(wave_pattern(surface, edges, pattern, kind), progress.part(0, 0.2));
+  return stripe_curves(lifted, options, progress.part(0.2, 1));
+}
+
+/// A part of a line within one rank's triangles, as it is sent there.
+struct SentLine {
+  std::uint64_t points = 0;
+  std::uint8_t closed = 0;
+  std::array<CurveEnd, 2> ends{};
+  std::array<std::optional<BorderCrossing>, 2> borders;
+};
+struct SentPoint {
+  Vec3 position, normal;
+  TrianglePoint place;
+  std::array<double, 3> arrival;
+};
+
+/// By rank.
+struct CutLines {
+  std::vector<std::vector<SentLine>> lines;
+  std::vector<std::vector<SentPoint>> points;
+};
+
+/// Cuts rank 0's curves where they go on in another rank's triangles.
+class CurveCutter {
+ public:
+  CurveCutter(const GatheredSurface& whole, const StripeCurves& curves,
+              std::span<const TriangleOfPiece> triangles, CutLines& cut)
+      : whole_(whole), curves_(curves), lines_(curves.lines), triangles_(triangles), cut_(cut) {}
+
+  void cut() {
+    for (std::size_t line = 0; line < lines_.count(); ++line) find_cuts(line);
+    number_cuts();
+    for (std::size_t line = 0; line < lines_.count(); ++line) cut_line(line);
+  }
+
+ private:
+  /// A point where a line goes on in another rank's triangles.
+  struct Cut {
+    Index at;  ///< among the points of its line
+    std::array<std::uint64_t, 2> edge;
+    double along;  ///< the edge, from its end of lower number
+    std::uint32_t number = 0;
+  };
+
+  int rank_at(Index point) const { return triangles_[lines_.places[point].triangle].rank; }
+
+  /// Places of points are in the triangles of the segments that begin there.
+  void find_cuts(std::size_t line) {
+    const Index first = lines_.offsets[line], count = lines_.offsets[line + 1] - first;
+    const bool closed = lines_.closed[line] != 0;
+    std::vector<Cut>& cuts = cuts_.emplace_back();
+    for (Index at = closed ? 0 : 1; at < (closed ? count : count - 1); ++at) {
+      const Index before = first + (at + count - 1) % count, point = first + at;
+      if (rank_at(before) != rank_at(point)) cuts.push_back(cut_at(at, before, point));
+    }
+  }
+
+  /// On the edge that both triangles have; where points between them were passed over, on an edge
+  /// of the second one.
+  Cut cut_at(Index at, Index before, Index point) const {
+    const std::vector<Triangle>& triangles = whole_.surface().mesh.triangles;
+    const TrianglePoint& place = lines_.places[point];
+    const Triangle& corners = triangles[place.triangle];
+    const Triangle& other = triangles[lines_.places[before].triangle];
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    std::ranges::sort(order, std::ranges::greater{}, [&](std::size_t c) {
+      return std::pair(std::ranges::count(other, corners[c]), place.barycentric[c]);
+    });
+    const auto [low, high] = corners[order[0]] < corners[order[1]] ? std::pair(order[0], order[1])
+                                                                   : std::pair(order[1], order[0]);
+    return {at, {whole_.ids()[corners[low]], whole_.ids()[corners[high]]}, place.barycentric[high]};
+  }
+
+  void number_cuts() {
+    std::map<std::array<std::uint64_t, 2>, std::vector<Cut*>> at_edges;
+    for (std::vector<Cut>& of_line : cuts_) {
+      for (Cut& cut : of_line) at_edges[cut.edge].push_back(&cut);
+    }
+    for (auto& [edge, cuts] : at_edges) {
+      std::ranges::stable_sort(cuts, {}, &Cut::along);
+      std::uint32_t next = 0;
+      for (Cut* cut : cuts) cut->number = next++;
+    }
+  }
+
+  void cut_line(std::size_t line) {
+    const std::vector<Cut>& cuts = cuts_[line];
+    const auto count = static_cast<Index>(lines_.points_of(line).size());
+    const bool closed = lines_.closed[line] != 0;
+    if (cuts.empty()) return add_part(line, 0, closed ? count : count - 1, nullptr, nullptr);
+    if (!closed) add_part(line, 0, cuts[0].at, nullptr, &cuts[0]);
+    for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
+      add_part(line, cuts[c].at, cuts[c + 1].at - cuts[c].at, &cuts[c], &cuts[c + 1]);
+    }
+    const Cut& last = cuts.back();
+    if (closed) {
+      add_part(line, last.at, count - last.at + cuts[0].at, &last, &cuts[0]);
+    } else {
+      add_part(line, last.at, count - 1 - last.at, &last, nullptr);
+    }
+  }
+
+  /// So many segments from a point of the line on.
+  void add_part(std::size_t line, Index at, Index segments, const Cut* from, const Cut* to) {
+    const Index first = lines_.offsets[line];
+    const auto count = static_cast<Index>(lines_.points_of(line).size());
+    const auto point = [&](Index segment) { return first + (at + segment) % count; };
+    const auto rank = static_cast<std::size_t>(rank_at(point(0)));
+    const bool closed = lines_.closed[line] != 0 && from == nullptr;
+    std::vector<SentPoint>& points = cut_.points[rank];
+    for (Index k = 0; k < segments; ++k) points.push_back(sent(point(k)));
+    if (!closed) {
+      // In the triangle of the segment before it.
+      SentPoint last = sent(point(segments > 0 ? segments - 1 : 0));
+      if (segments > 0) last.place.barycentric = last.arrival;
+      last.position = lines_.points[point(segments)];
+      last.normal = lines_.normals[point(segments)];
+      points.push_back(last);
+    }
+    cut_.lines[rank].push_back({segments + (closed ? 0u : 1u),
+                                closed ? std::uint8_t{1} : std::uint8_t{0},
+                                curves_.ends[line],
+                                {crossing(from), crossing(to)}});
+  }
+
+  SentPoint sent(Index i) const {
+    const auto& [triangle, barycentric] = lines_.places[i];
+    return {lines_.points[i],
+            lines_.normals[i],
+            {triangles_[triangle].triangle, barycentric},
+            lines_.arrivals[i]};
+  }
+
+  static std::optional<BorderCrossing> crossing(const Cut* cut) {
+    if (cut == nullptr) return std::nullopt;
+    return BorderCrossing{cut->edge, cut->number};
+  }
+
+  const GatheredSurface& whole_;
+  const StripeCurves& curves_;
+  const Polylines& lines_;
+  std::span<const TriangleOfPiece> triangles_;  // of the whole
+  CutLines& cut_;
+  std::vector<std::vector<Cut>> cuts_;  // by line
+};
+
+PieceCurves received(const std::vector<SentLine>& lines, const std::vector<SentPoint>& points) {
+  PieceCurves result;
+  for (const SentPoint& point : points) {
+    result.lines.points.push_back(point.position);
+    result.lines.normals.push_back(point.normal);
+    result.lines.places.push_back(point.place);
+    result.lines.arrivals.push_back(point.arrival);
+  }
+  for (const SentLine& line : lines) {
+    result.lines.offsets.push_back(result.lines.offsets.back() + static_cast<Index>(line.points));
+    result.lines.closed.push_back(line.closed);
+    result.ends.push_back(line.ends);
+    result.borders.push_back(line.borders);
+  }
+  return result;
+}
+
+/// Which of all ranks' samples stay, list by list.
+std::vector<std::vector<std::uint8_t>> kept_samples(
+    const std::vector<std::vector<std::byte>>& lists, float share) {
+  std::vector<Sample> all = joined<Sample>(lists);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].triangle = static_cast<Index>(i);
+  std::vector<std::vector<std::uint8_t>> kept;
+  for (const auto& bytes : lists) kept.emplace_back(bytes.size() / sizeof(Sample), 0);
+  drop_doubles(all, share);
+  std::size_t list = 0, first = 0;
+  for (const Sample& sample : all) {
+    while (sample.triangle - first >= kept[list].size()) first += kept[list++].size();
+    kept[list][sample.triangle - first] = 1;
+  }
+  return kept;
+}
+
+}  // namespace
+
+GatheredPattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern) {
+  check_pattern(pattern);
+  GatheredPattern gathered;
+  gathered.waves.positions = whole.of_vertices(pattern.waves.positions);
+  gathered.waves.directions = whole.of_vertices(pattern.waves.directions);
+  gathered.waves.frequencies = whole.of_vertices(pattern.waves.frequencies);
+  gathered.z = whole.of_vertices(pattern.z);
+  return gathered;
+}
+
+WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
+                         const CurveOptions& options, const Progress& progress) {
+  Communicator& ranks = *whole.piece().ranks;
+  ranks.together([&] { check_curve_options(options); });
+  const GatheredPattern gathered = gathered_pattern(whole, pattern);
+  const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
+  WholeCurves result;
+  ranks.on_first(progress, [&](const Progress& heard) {
+    result.curves = curves_of(whole.surface(), gathered, pattern.phase_shift, options, heard);
+    for (TrianglePoint& place : result.curves.lines.places) {
+      result.rank_of_point.push_back(triangles[place.triangle].rank);
+      place.triangle = triangles[place.triangle].triangle;
+    }
+  });
+  return result;
+}
+
+WholeCurves whole_curves(const PiecePattern& pattern, const CurveOptions& options,
+                         const Progress& progress) {
+  return whole_curves(GatheredSurface(pattern.surface.rank_surface()), pattern, options, progress);
+}
+
+PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options) {
+  const RankSurface& surface = pattern.surface.rank_surface();
+  Communicator& ranks = *surface.ranks;
+  ranks.together([&] {
+    check_curve_options(options);
+    if (options.fair > 0) {
+      throw Error("fair: curves that end at borders keep their kinks; ask for whole_curves");
+    }
+  });
+  const GatheredSurface whole(surface);
+  const GatheredPattern gathered = gathered_pattern(whole, pattern);
+  const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
+  CutLines cut;
+  cut.lines.resize(static_cast<std::size_t>(ranks.size()));
+  cut.points.resize(cut.lines.size());
+  ranks.together([&] {
+    if (!whole.is_first()) return;
+    const StripeCurves curves =
+        curves_of(whole.surface(), gathered, pattern.phase_shift, options, {});
+    CurveCutter(whole, curves, triangles, cut).cut();
+  });
+  PieceCurves curves = received(ranks.swap_lists(cut.lines)[0], ranks.swap_lists(cut.points)[0]);
+  curves.lines.origin = surface.mesh.origin;
+  return curves;
+}
+
+std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,
+                         std::span<Complex> z) {
+  Communicator& ranks = *whole.piece().ranks;
+  WaveSet all;
+  all.directions = whole.of_vertices(waves.directions);
+  std::vector<Complex> all_z = whole.of_vertices(std::span<const Complex>(z));
+  std::size_t jogs = 0;
+  ranks.together([&] {
+    if (whole.is_first()) jogs = shift_phases(*whole.surface().neighborhood, periods, all, all_z);
+  });
+  waves.directions = whole.to_piece(all.directions);
+  std::ranges::copy(whole.to_piece(all_z), z.begin());
+  return ranks.greatest(jogs);
+}
+
+CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& pattern,
+                             const StripeCurves& curves, std::span<const float> wanted) {
+  const GatheredPattern gathered = gathered_pattern(whole, pattern);
+  const bool has_wanted = whole.piece().ranks->any(!wanted.empty());
+  const std::vector<float> all_wanted =
+      has_wanted ? whole.of_vertices(wanted) : std::vector<float>();
+  CurveSpacing spacing;
+  whole.piece().ranks->together([&] {
+    if (!whole.is_first()) return;
+    const MeshEdges none;  // nothing is crossed
+    spacing =
+        measure_curve_spacing(wave_pattern(whole.surface(), none, gathered, pattern.phase_shift),
+                              curves, kMostSpacingPoints, all_wanted);
+  });
+  return spacing;
+}
+
+std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v) {
+  const RankSurface& surface = u.surface.rank_surface();
+  surface.ranks->together([&] {
+    if (&surface == &v.surface.rank_surface()) return;
+    throw Error("samples need two patterns on one surface");
+  });
+  const GatheredSurface whole(surface);
+  const GatheredPattern all_u = gathered_pattern(whole, u), all_v = gathered_pattern(whole, v);
+  const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
+  std::vector<std::vector<Sample>> samples(static_cast<std::size_t>(surface.ranks->size()));
+  surface.ranks->together([&] {
+    if (!whole.is_first()) return;
+    const Surface& all = whole.surface();
+    const MeshEdges edges = mesh_edges(all.mesh, *all.neighborhood);
+    const LiftedWaves lifted_u(wave_pattern(all, edges, all_u, u.phase_shift));
+    const LiftedWaves lifted_v(wave_pattern(all, edges, all_v, v.phase_shift));
+    for (Sample& sample :
+         wave_samples(all.mesh, all.normals, sampled_waves(lifted_u), sampled_waves(lifted_v))) {
+      const auto& [rank, triangle] = triangles[sample.triangle];
+      sample.triangle = triangle;
+      samples[static_cast<std::size_t>(rank)].push_back(sample);
+    }
+  });
+  return std::move(surface.ranks->swap_lists(samples)[0]);
+}
+
+std::size_t drop_doubles(const DistributedSurface& surface, std::vector<Sample>& samples,
+                         float share) {
+  Communicator& ranks = *surface.rank_surface().ranks;
+  if (ranks.size() == 1) return drop_doubles(samples, share);
+  const auto lists = ranks.gather(std::as_bytes(std::span<const Sample>(samples)));
+  std::vector<std::vector<std::uint8_t>> kept(static_cast<std::size_t>(ranks.size()));
+  ranks.together([&] {
+    if (ranks.rank() == 0) kept = kept_samples(lists, share);
+  });
+  const std::vector<std::uint8_t> own = ranks.swap_lists(kept)[0];
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (own[i]) samples[left++] = samples[i];
+  }
+  const std::size_t dropped = samples.size() - left;
+  samples.resize(left);
+  return ranks.sum(dropped);
+}
+
+std::vector<Sample> gathered_samples(const DistributedSurface& surface,
+                                     std::span<const Sample> samples) {
+  return joined<Sample>(surface.rank_surface().ranks->gather(std::as_bytes(samples)));
+}
+
+}  // namespace brindle

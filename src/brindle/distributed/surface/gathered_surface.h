@@ -1,0 +1,118 @@
+/// The whole surface on rank 0, for what no part of it tells.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "brindle/distributed/parts_on_first.h"
+#include "brindle/distributed/surface/rank_surface.h"
+#include "brindle/surface.h"
+
+namespace brindle {
+
+/// A triangle as its rank's piece has it.
+struct TriangleOfPiece {
+  int rank;
+  Index triangle;
+};
+
+/// Vertices are in the order of their numbers in the whole, triangles, too, where they have any:
+/// so it has the bits that one process has. Rank 0 needs room for all of it. All functions but
+/// accessors must be called by all ranks.
+class GatheredSurface {
+ public:
+  /// The surface must outlive this.
+  explicit GatheredSurface(const RankSurface& surface);
+
+  const RankSurface& piece() const { return piece_; }
+  bool is_first() const { return piece_.ranks->rank() == 0; }
+
+  /// On rank 0; elsewhere empty.
+  const Surface& surface() const { return surface_; }
+  /// The numbers of its vertices in the whole, ascending.
+  std::span<const std::uint64_t> ids() const { return ids_; }
+  /// The vertex that a rank has as its own vertex.
+  Index vertex_of(int rank, Index own) const { return vertex_of_row_[vertices_.first(rank) + own]; }
+
+  /// On rank 0 the rows that owners have of the vertices of their pieces; nothing elsewhere.
+  template <class T>
+  std::vector<T> of_vertices(std::span<const T> of_piece) const {
+    std::vector<T> own(piece_.graph.own);
+    for (std::size_t p = 0; p < of_piece.size(); ++p) {
+      const Index v = piece_.vertex_of_piece[p];
+      if (v < own.size()) own[v] = of_piece[p];
+    }
+    std::vector<T> whole;
+    of_own(std::span<const T>(own), whole);
+    return whole;
+  }
+  template <class T>
+  std::vector<T> of_vertices(const std::vector<T>& of_piece) const {
+    return of_vertices(std::span<const T>(of_piece));
+  }
+
+  /// The same of rows of own vertices.
+  template <class T>
+  void of_own(std::span<const T> own, std::vector<T>& whole) const {
+    std::vector<T> rows;
+    vertices_.gather(own, rows);
+    whole.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) whole[vertex_of_row_[i]] = rows[i];
+  }
+
+  /// The same of rows of triangles of pieces.
+  template <class T>
+  std::vector<T> of_triangles(std::span<const T> of_piece) const {
+    std::vector<T> own, rows, whole;
+    for (const Index t : piece_.triangle_of_piece) own.push_back(of_piece[t]);
+    triangles_.gather(std::span<const T>(own), rows);
+    for (std::size_t t = 0; t < rows.size(); ++t) whole.push_back(rows[row_of_triangle_[t]]);
+    return whole;
+  }
+
+  /// On rank 0: where its triangles are in pieces.
+  std::vector<TriangleOfPiece> triangles_of_pieces() const;
+
+  /// Rank 0's rows at the vertices of the piece.
+  template <class T>
+  std::vector<T> to_piece(std::span<const T> whole) const {
+    std::vector<T> by_vertex(piece_.vertex_count());
+    to_own(whole, std::span(by_vertex).first(piece_.graph.own));
+    piece_.exchange_all(std::span(by_vertex));
+    return piece_.to_piece(std::span<const T>(by_vertex));
+  }
+  template <class T>
+  std::vector<T> to_piece(const std::vector<T>& whole) const {
+    return to_piece(std::span<const T>(whole));
+  }
+
+  /// Rank 0's rows at own vertices.
+  template <class T>
+  void to_own(std::span<const T> whole, std::span<T> own) const {
+    std::vector<T> rows(vertex_of_row_.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = whole[vertex_of_row_[i]];
+    vertices_.scatter(std::span<const T>(rows), own);
+  }
+
+ private:
+  /// The numbers of a triangle, and of its corners.
+  struct SentTriangle {
+    std::uint64_t number;  ///< 0 where triangles have none
+    std::array<std::uint64_t, 3> ids;
+  };
+  void put_together(const std::vector<std::uint64_t>& ids, const std::vector<Vec3>& positions,
+                    const std::vector<Vec3>& normals, const std::vector<SentTriangle>& triangles);
+
+  const RankSurface& piece_;
+  PartsOnFirst vertices_, triangles_;
+  // On rank 0 alone. Rows are those of all ranks, rank by rank.
+  Surface surface_;
+  std::vector<std::uint64_t> ids_;
+  std::vector<Index> vertex_of_row_;
+  std::vector<Index> row_of_triangle_;
+};
+
+}  // namespace brindle
