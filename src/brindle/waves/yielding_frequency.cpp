@@ -88,7 +88,7 @@ std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
       triangles.push_back(from_smallest(i, ring[k].second, next));
     }
   }
-  reported_sort(triangles.begin(), triangles.end(), progress, std::less<>());
+  ticking_sort(triangles.begin(), triangles.end(), progress, std::less<>());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }
