@@ -11,6 +11,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
+#include "brindle/geometry/subdivide.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
@@ -162,33 +163,6 @@ Mesh subdivide_once(Mesh mesh, Midpoints midpoints, const Progress& progress) {
   return mesh;
 }
 
-/// Throws Error if `times` is negative, or the result would have more triangles than brindle can
-/// number, or than memory holds.
-void check_subdivisions(std::size_t triangles, int times) {
-  if (times < 0) throw Error("a mesh cannot be subdivided " + std::to_string(times) + " times");
-  std::size_t finer = triangles;
-  for (int i = 0; i < times && finer > 0; ++i) {
-    finer *= 4;
-    // A neighbourhood has up to six entries per triangle.
-    if (finer > std::numeric_limits<Index>::max() / 6) {
-      throw Error("subdividing " + std::to_string(triangles) + " triangles " +
-                  std::to_string(times) + " times makes more than brindle can number; at most " +
-                  std::to_string(i) + " times is possible");
-    }
-  }
-  // Half a vertex a triangle; twice, since the mesh is copied; and its neighborhood and normals,
-  // which whatever follows needs.
-  constexpr double kBytes = 2 * (sizeof(Triangle) + sizeof(Vec3) / 2) + 78;
-  check_fits(
-      static_cast<double>(finer), kBytes,
-      "subdividing " + std::to_string(triangles) + " triangles " + std::to_string(times) + " times",
-      "triangles", [&](double most) {
-        const double rounds = std::log2(most / static_cast<double>(triangles)) / 2;
-        return "at most " + std::to_string(std::max(0, static_cast<int>(rounds))) +
-               " times is possible";
-      });
-}
-
 /// A stage for each time that a mesh is subdivided, four times as long as the one before.
 std::vector<JobStage> subdivision_rounds(int times) {
   std::vector<JobStage> rounds;
@@ -225,6 +199,31 @@ Parents parents_of(const Mesh& coarse, const Mesh& fine) {
 }
 
 }  // namespace
+
+void check_subdivisions(std::size_t triangles, int times) {
+  if (times < 0) throw Error("a mesh cannot be subdivided " + std::to_string(times) + " times");
+  std::size_t finer = triangles;
+  for (int i = 0; i < times && finer > 0; ++i) {
+    finer *= 4;
+    // A neighbourhood has up to six entries per triangle.
+    if (finer > std::numeric_limits<Index>::max() / 6) {
+      throw Error("subdividing " + std::to_string(triangles) + " triangles " +
+                  std::to_string(times) + " times makes more than brindle can number; at most " +
+                  std::to_string(i) + " times is possible");
+    }
+  }
+  // Half a vertex a triangle; twice, since the mesh is copied; and its neighborhood and normals,
+  // which whatever follows needs.
+  constexpr double kBytes = 2 * (sizeof(Triangle) + sizeof(Vec3) / 2) + 78;
+  check_fits(
+      static_cast<double>(finer), kBytes,
+      "subdividing " + std::to_string(triangles) + " triangles " + std::to_string(times) + " times",
+      "triangles", [&](double most) {
+        const double rounds = std::log2(most / static_cast<double>(triangles)) / 2;
+        return "at most " + std::to_string(std::max(0, static_cast<int>(rounds))) +
+               " times is possible";
+      });
+}
 
 Mesh subdivide(Mesh mesh, int times, const Progress& progress) {
   return subdivide(std::move(mesh), times, Midpoints::straight, progress);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "brindle/error.h"
+#include "brindle/geometry/subdivide.h"
 #include "brindle/mesh_data.h"
 
 namespace brindle {
