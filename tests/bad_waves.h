@@ -10,20 +10,19 @@
 
 #include "brindle/error.h"
 #include "brindle/phase_graph.h"
+#include "test_numbers.h"
 
 namespace brindle::testing_support {
 
 /// Calls `take` with every kind of bad value at the vertex and expects an Error that names it.
 inline void expect_refused(const WaveSet& waves, std::size_t vertex,
                            const std::function<void(const WaveSet&)>& take) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   std::vector<WaveSet> all;
-  for (const float frequency : {kNan, kInfinity, 0.0f, -1.0f}) {
+  for (const float frequency : {kNaN, kInfinity, 0.0f, -1.0f}) {
     all.push_back(waves);
     all.back().frequencies[vertex] = frequency;
   }
-  for (const float x : {kNan, kInfinity, -kInfinity}) {
+  for (const float x : {kNaN, kInfinity, -kInfinity}) {
     all.push_back(waves);
     all.back().positions[vertex].y() = x;
     all.push_back(waves);
@@ -39,7 +38,7 @@ inline void expect_refused(const WaveSet& waves, std::size_t vertex,
   all.back().frequencies[vertex] = 0;
   for (std::size_t n = 0; n < all.size(); ++n) {
     // A later vertex is not the first.
-    all[n].frequencies[vertex + 1] = kNan;
+    all[n].frequencies[vertex + 1] = kNaN;
     try {
       take(all[n]);
       ADD_FAILURE() << "bad waves " << n << " were taken";

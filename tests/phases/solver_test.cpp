@@ -21,7 +21,7 @@ using testing_support::flip_half;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
 
-const Vec3 kAxis(0.3f, 0.9f, 0.2f);
+const Vec3 kTiltedAxis(0.3f, 0.9f, 0.2f);
 
 PhaseSolution solve(const WavySurface& surface, const SolverOptions& options) {
   SolverData data;
@@ -48,13 +48,13 @@ struct EverySolver : testing::TestWithParam<Solver> {
 };
 
 TEST_P(EverySolver, GivesUnitPhases) {
-  for (const Complex& z : solve(wavy_surface("torus,resolution=40", kAxis, 12), options).z) {
+  for (const Complex& z : solve(wavy_surface("torus,resolution=40", kTiltedAxis, 12), options).z) {
     ASSERT_NEAR(std::abs(z), 1, 1e-5);
   }
 }
 
 TEST_P(EverySolver, ReportsTheEnergyOfItsPhases) {
-  const auto surface = wavy_surface("torus,resolution=40", kAxis, 12);
+  const auto surface = wavy_surface("torus,resolution=40", kTiltedAxis, 12);
   const PhaseSolution solution = solve(surface, options);
   EXPECT_DOUBLE_EQ(solution.energy, energy(surface.graph(), solution.z));
   EXPECT_LT(solution.energy, 0.06);
@@ -62,7 +62,7 @@ TEST_P(EverySolver, ReportsTheEnergyOfItsPhases) {
 }
 
 TEST_P(EverySolver, CyclesNeverRaiseTheEnergy) {
-  auto surface = wavy_surface("torus,resolution=60", kAxis, 18);
+  auto surface = wavy_surface("torus,resolution=60", kTiltedAxis, 18);
   flip_half(surface.waves, 6);
   double last = solve(surface, options).energy;
   for (const int cycles : {1, 2, 6}) {
@@ -75,7 +75,7 @@ TEST_P(EverySolver, CyclesNeverRaiseTheEnergy) {
 }
 
 TEST_P(EverySolver, IsTheSameForEveryNumberOfThreadsAndEveryRun) {
-  const auto surface = wavy_surface("sphere,resolution=30", kAxis, 20);
+  const auto surface = wavy_surface("sphere,resolution=30", kTiltedAxis, 20);
   const ThreadLimit two(2);
   const PhaseSolution together = solve(surface, options);
   EXPECT_EQ(solve(surface, options).z, together.z);
@@ -95,7 +95,8 @@ TEST_P(EverySolver, SolvesASingleTriangleAndNothing) {
   triangle.mesh.triangles = {{0, 1, 2}};
   triangle.normals = vertex_normals(triangle.mesh);
   triangle.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(triangle.mesh));
-  triangle.waves = {triangle.mesh.positions, projected_direction_field(kAxis, triangle.normals),
+  triangle.waves = {triangle.mesh.positions,
+                    projected_direction_field(kTiltedAxis, triangle.normals),
                     constant_frequency_field(0.2f, 3)};
   options.epsilon = 1e-6f;
   EXPECT_LT(solve(triangle, options).energy, 1e-4);
@@ -134,7 +135,7 @@ TEST_P(OptimalSolver, FindsAWaveThatFitsACylinderExactly) {
 }
 
 TEST_P(OptimalSolver, DoesNotCareWhichWayDirectionsPoint) {
-  auto surface = wavy_surface("torus,resolution=60", kAxis, 15);
+  auto surface = wavy_surface("torus,resolution=60", kTiltedAxis, 15);
   const PhaseSolution before = solve(surface, options);
   const auto flipped = flip_half(surface.waves, 11);
   const PhaseSolution after = solve(surface, options);
@@ -151,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Solver, OptimalSolver, testing::Values(Solver::multilev
                          [](const auto& param) { return std::string(name_of(param.param)); });
 
 TEST(Relaxation, EnergyNeverRisesWithoutMomentum) {
-  auto surface = wavy_surface("sphere,resolution=24", kAxis, 20);
+  auto surface = wavy_surface("sphere,resolution=24", kTiltedAxis, 20);
   flip_half(surface.waves, 3);
   SolverOptions options = options_for(Solver::relaxation);
   options.momentum = 0;
@@ -164,7 +165,7 @@ TEST(Relaxation, EnergyNeverRisesWithoutMomentum) {
 }
 
 TEST(Relaxation, StopsLaterAndLowerForASmallerEpsilon) {
-  const auto surface = wavy_surface("sphere,resolution=24", kAxis, 20);
+  const auto surface = wavy_surface("sphere,resolution=24", kTiltedAxis, 20);
   double last_energy = 1;
   int last_iterations = 0;
   for (const float epsilon : {0.1f, 0.02f, 0.001f}) {
@@ -189,13 +190,13 @@ TEST(Relaxation, KeepsASolutionThatItIsGiven) {
 }
 
 TEST(Averaged, IsBetterThanRelaxationAlone) {
-  const auto surface = wavy_surface("sphere,resolution=48", kAxis, 20);
+  const auto surface = wavy_surface("sphere,resolution=48", kTiltedAxis, 20);
   EXPECT_LT(solve(surface, options_for(Solver::averaged)).energy,
             0.7 * solve(surface, options_for(Solver::relaxation)).energy);
 }
 
 TEST(Averaged, SaysWhatItNeeds) {
-  const auto surface = wavy_surface("plane,resolution=5", kAxis, 5);
+  const auto surface = wavy_surface("plane,resolution=5", kTiltedAxis, 5);
   EXPECT_THROW(solve_phases(surface.graph(), options_for(Solver::averaged)), Error);
 }
 
@@ -214,7 +215,7 @@ struct OpenBlasThreads {
 TEST(Global, IsTheSameHoweverManyThreadsThereAreAndBlasHas) {
   if (!is_available(Solver::global)) GTEST_SKIP() << "this build has no CHOLMOD";
   // Large enough for dense blocks that BLAS would share among threads.
-  const auto surface = wavy_surface("sphere,resolution=60", kAxis, 20);
+  const auto surface = wavy_surface("sphere,resolution=60", kTiltedAxis, 20);
   const OpenBlasThreads blas;
   std::vector<Complex> first;
   for (const int threads : {1, 2, 4}) {
@@ -233,7 +234,7 @@ TEST(Multilevel, IsAsGoodAsTheGlobalOptimum) {
   if (!is_available(Solver::global)) GTEST_SKIP() << "this build has no CHOLMOD";
   for (const char* shape :
        {"sphere,resolution=24", "torus,resolution=80", "mobius,resolution=16"}) {
-    const auto surface = wavy_surface(shape, kAxis, 25);
+    const auto surface = wavy_surface(shape, kTiltedAxis, 25);
     // Two sweeps leave a little where the optimum has next to no energy.
     EXPECT_LE(solve(surface, options_for(Solver::multilevel)).energy,
               1.05 * solve(surface, options_for(Solver::global)).energy + 5e-5)
@@ -242,7 +243,7 @@ TEST(Multilevel, IsAsGoodAsTheGlobalOptimum) {
 }
 
 TEST(Multilevel, MoreSweepsNeverRaiseTheEnergy) {
-  const auto surface = wavy_surface("sphere,resolution=24", kAxis, 25);
+  const auto surface = wavy_surface("sphere,resolution=24", kTiltedAxis, 25);
   SolverOptions options;
   double last = 1;
   for (const int sweeps : {1, 2, 8}) {
@@ -254,7 +255,7 @@ TEST(Multilevel, MoreSweepsNeverRaiseTheEnergy) {
 }
 
 TEST(Multilevel, CyclesApproachTheOptimum) {
-  auto surface = wavy_surface("sphere,resolution=24", kAxis, 25);
+  auto surface = wavy_surface("sphere,resolution=24", kTiltedAxis, 25);
   flip_half(surface.waves, 8);
   SolverOptions options;
   const double first = solve(surface, options).energy;
@@ -275,7 +276,7 @@ TEST(Multilevel, AnchorsPullPhasesToTheirs) {
 }
 
 TEST(SolverOptions, OutOfRangeAreRefused) {
-  const auto surface = wavy_surface("plane,resolution=4", kAxis, 5);
+  const auto surface = wavy_surface("plane,resolution=4", kTiltedAxis, 5);
   const auto refused = [&](auto change) {
     SolverOptions options = options_for(Solver::relaxation);
     change(options);
@@ -291,7 +292,7 @@ TEST(SolverOptions, OutOfRangeAreRefused) {
 }
 
 TEST(Solver, IsCancelledByItsProgressCallback) {
-  const auto surface = wavy_surface("sphere,resolution=12", kAxis, 10);
+  const auto surface = wavy_surface("sphere,resolution=12", kTiltedAxis, 10);
   const Progress stop([](std::string_view, double) { return false; });
   for (const Solver solver : {Solver::multilevel, Solver::relaxation}) {
     EXPECT_THROW(solve_phases(surface.graph(), options_for(solver), stop), Cancelled);

@@ -176,7 +176,7 @@ TEST(FrequenciesOf, AreTheNumbers) {
 
 TEST(FrequenciesOf, RefusesWhatIsNoFrequencyWhereThereIsAWave) {
   const DirectionField directions = projected_direction_field({1, 0, 0}, square().normals);
-  for (const double bad : {0.0, -1.0, 1e-60, 1e60, kInfinity}) {
+  for (const double bad : std::initializer_list<double>{0, -1, 1e-60, 1e60, kInfinity}) {
     expect_error("'speed': the frequency of vertex 2", [&] {
       frequencies_of(numbers({1, 1, bad, 1, 1}), directions);
     });

@@ -13,7 +13,7 @@ namespace {
 using testing_support::flip_half;
 using testing_support::wavy_surface;
 
-const Vec3 kAxis(0.3f, 0.9f, 0.2f);
+const Vec3 kTiltedAxis(0.3f, 0.9f, 0.2f);
 
 std::vector<Complex> random_phases(std::size_t count) {
   std::mt19937 random(7);
@@ -24,7 +24,7 @@ std::vector<Complex> random_phases(std::size_t count) {
 }
 
 TEST(PhaseGraph, CouplingsAreSymmetric) {
-  auto surface = wavy_surface("torus,resolution=40", kAxis, 12);
+  auto surface = wavy_surface("torus,resolution=40", kTiltedAxis, 12);
   flip_half(surface.waves, 1);
   for (const auto kind :
        {PhaseShiftKind::aligned, PhaseShiftKind::common_source, PhaseShiftKind::trapezoid}) {
@@ -49,13 +49,13 @@ TEST(PhaseGraph, CouplingsAreSymmetric) {
 }
 
 TEST(PhaseGraph, EnergyOfRandomPhasesIsAboutOneHalf) {
-  const auto surface = wavy_surface("sphere,resolution=20", kAxis, 10);
+  const auto surface = wavy_surface("sphere,resolution=20", kTiltedAxis, 10);
   const PhaseGraph graph = surface.graph();
   EXPECT_NEAR(energy(graph, random_phases(graph.node_count())), 0.5, 0.02);
 }
 
 TEST(PhaseGraph, EnergyOfWhatIsNoNumberIsNone) {
-  const auto surface = wavy_surface("sphere,resolution=12", kAxis, 10);
+  const auto surface = wavy_surface("sphere,resolution=12", kTiltedAxis, 10);
   PhaseGraph graph = surface.graph();
   std::vector<Complex> z = random_phases(graph.node_count());
   z[7] = std::nanf("");
@@ -68,7 +68,7 @@ TEST(PhaseGraph, EnergyOfWhatIsNoNumberIsNone) {
 }
 
 TEST(PhaseGraph, EnergyStaysWhenDirectionsAreTurnedRoundWithTheirPhases) {
-  auto surface = wavy_surface("sphere,resolution=12", kAxis, 10);
+  auto surface = wavy_surface("sphere,resolution=12", kTiltedAxis, 10);
   std::vector<Complex> z = random_phases(surface.mesh.vertex_count());
   const double before = energy(surface.graph(), z);
   const auto flipped = flip_half(surface.waves, 2);
