@@ -8,7 +8,7 @@
 namespace brindle {
 namespace {
 
-constexpr float kFrequency = 2;
+constexpr float kWaveFrequency = 2;
 
 /// Loose triangles in the plane z = 0, crossed by one plane wave along x. Each has a direction of
 /// its own, which the errors are measured against.
@@ -24,8 +24,8 @@ struct Soup {
       mesh.positions.push_back(corner);
       waves.positions.push_back(corner);
       waves.directions.emplace_back(std::cos(angle), std::sin(angle), 0);
-      waves.frequencies.push_back(kFrequency);
-      z.push_back(std::polar(1.0f, 2 * std::numbers::pi_v<float> * kFrequency * corner.x()));
+      waves.frequencies.push_back(kWaveFrequency);
+      z.push_back(std::polar(1.0f, 2 * std::numbers::pi_v<float> * kWaveFrequency * corner.x()));
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
@@ -43,7 +43,7 @@ struct Soup {
   PatternQuality quality() const {
     WaveSet along = waves;
     for (Vec3& direction : along.directions) direction = Vec3::UnitX();
-    along.frequencies.assign(along.frequencies.size(), kFrequency);
+    along.frequencies.assign(along.frequencies.size(), kWaveFrequency);
     const auto corners = corner_phases(mesh.triangles, along, z, PhaseShiftKind::aligned);
     return measure_quality(mesh, waves, corners);
   }

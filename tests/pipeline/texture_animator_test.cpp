@@ -270,8 +270,8 @@ TEST(TextureAnimator, WithAnUnchangedUACancelledFrameLeavesTheLastOne) {
   EXPECT_TRUE(counted.frame(crossing, all.progress()).u.unchanged);
   Reports last(all.count() - 1);
   EXPECT_THROW(cancelled.frame(crossing, last.progress()), Cancelled);
-  const TextureFrameResult a = cancelled.frame(input_of(next));
-  const TextureFrameResult b = untouched.frame(input_of(next));
+  const TextureFrameResult a = cancelled.frame(texture_input_of(next));
+  const TextureFrameResult b = untouched.frame(texture_input_of(next));
   EXPECT_TRUE(std::ranges::equal(a.u.z, b.u.z));
   EXPECT_TRUE(std::ranges::equal(a.v.z, b.v.z));
   EXPECT_EQ(runs(a.pattern.waves), runs(b.pattern.waves));
