@@ -268,10 +268,11 @@ void coarsen(Hierarchy& hierarchy, const Progress& whole) {
   while (hierarchy.levels.back().layout().entry_count() > 0) {
     Level& fine = hierarchy.levels.back();
     const auto finest_size = static_cast<double>(hierarchy.levels[0].z.size());
-    progress.report(1 - static_cast<double>(fine.z.size()) / finest_size);
+    const double left = static_cast<double>(fine.z.size()) / finest_size;
+    progress.report(1 - left);
     const Aggregates aggregates = grow_aggregates(fine.layout(), fine.couplings, progress);
     if (aggregates.count() == 0) break;
-    progress.tick();
+    progress.report(1 - 0.6 * left);
     const Adjacency adjacency = coarse_adjacency(fine.layout(), aggregates);
     progress.tick();
     const Coloring coloring = greedy_coloring(adjacency);
