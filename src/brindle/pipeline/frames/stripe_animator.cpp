@@ -102,6 +102,7 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   const Progress progress = progress_of_frame(heard);
   const FrameInput yielded = s.yielding.yielded(input, progress.part(0, 0.3));
   s.has_yielded = true;
+  progress.report(0.3);
   const double yield_milliseconds = watch.lap();
   start(progress.part(0.3, 0.4));
   watch.lap();
