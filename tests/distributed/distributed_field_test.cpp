@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "brindle/carried_field.h"
-#include "brindle/normals.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
+#include "brindle/normals.h"
 #include "brindle/orientation.h"
 #include "brindle/smooth_field.h"
 #include "brindle/surface.h"

@@ -1,3 +1,5 @@
+#include "brindle/geometry/subdivide.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +13,6 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
-#include "brindle/geometry/subdivide.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
