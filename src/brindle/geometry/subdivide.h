@@ -1,0 +1,12 @@
+/// How often a mesh can be subdivided. Pieces of several processes are checked alike.
+#pragma once
+
+#include <cstddef>
+
+namespace brindle {
+
+/// Throws Error if `times` is negative, or the result would have more triangles than brindle can
+/// number, or than memory holds.
+void check_subdivisions(std::size_t triangles, int times);
+
+}  // namespace brindle
