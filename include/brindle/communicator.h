@@ -19,7 +19,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// What this process waits for at other ranks, for whoever watches it.
+/// A wait of this process for other ranks, as a watchdog reads it.
 struct Waiting {
   const char* what;  ///< "for messages of other ranks"
   std::chrono::steady_clock::duration time;

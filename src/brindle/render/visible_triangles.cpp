@@ -32,7 +32,7 @@ void bind_samples(const Target& target, const Eigen::Vector2i& size) {
   glEnable(GL_DEPTH_TEST);
 }
 
-/// Lets OpenGL leave out the side of the surface that nobody sees from there, if it is known, until
+/// Lets OpenGL cull the side of the surface that cannot be seen from there, if it is known, until
 /// GL_CULL_FACE is switched off.
 void leave_out_hidden_side(const GlSurface& surface, const Camera& camera) {
   // A slice opens surfaces: what was hidden is seen.

@@ -70,7 +70,7 @@ struct FramePhases {
   int iterations;
   PhaseShiftKind phase_shift;
 
-  /// Whether a frame may be taken back. One that nobody listens to need not, where nothing comes
+  /// Whether a frame may be taken back. A frame without a listener need not be, if nothing comes
   /// after it, and its waves replace the last ones at once: that saves memory.
   bool may_be_taken_back = false;
   bool has_frame = false;                     ///< whether a frame has come to its end

@@ -93,7 +93,7 @@ void StripeAnimator::allow_take_back() { state_->phases.may_be_taken_back = true
 /// animator's, and not in the result. The input has been checked.
 FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard) {
   State& s = *state_;
-  // Who hears of progress can cancel, whatever the frame does.
+  // A listener may cancel the frame.
   if (heard.is_heard()) allow_take_back();
   s.has_yielded = false;
   const bool follows = s.phases.has_last && !s.phases.has_given();
