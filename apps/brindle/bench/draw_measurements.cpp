@@ -6,8 +6,8 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/camera.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/tiled_picture.h"
-#include "brindle/render/visible_triangles.h"
+#include "brindle/render/surfaces/tiled_picture.h"
+#include "brindle/render/surfaces/visible_triangles.h"
 #include "brindle/renderer.h"
 #include "brindle/stripe_animator.h"
 

@@ -48,7 +48,7 @@ std::optional<Place> place_of(std::string_view message) {
   return place;
 }
 
-GLuint compiled_shader(GLenum stage, const std::vector<ShaderSource>& sources) {
+GLuint compiled_shader(GLenum stage, const ShaderSources& sources) {
   std::string text = "#version 450 core\n";
   std::vector<ShaderFile> parts;
   for (const auto& [name, body] : sources) {
@@ -104,8 +104,7 @@ std::string with_file_names(std::string_view log, std::span<const ShaderFile> fi
   return result;
 }
 
-ShaderProgram::ShaderProgram(const std::vector<ShaderSource>& vertex,
-                             const std::vector<ShaderSource>& fragment) {
+ShaderProgram::ShaderProgram(const ShaderSources& vertex, const ShaderSources& fragment) {
   const GLuint vertex_shader = compiled_shader(GL_VERTEX_SHADER, vertex);
   GLuint fragment_shader = 0;
   try {
@@ -117,7 +116,7 @@ ShaderProgram::ShaderProgram(const std::vector<ShaderSource>& vertex,
   name_ = linked({vertex_shader, fragment_shader}, (fragment.end() - 1)->name);
 }
 
-ShaderProgram ShaderProgram::compute(const std::vector<ShaderSource>& sources) {
+ShaderProgram ShaderProgram::compute(const ShaderSources& sources) {
   return ShaderProgram(
       linked({compiled_shader(GL_COMPUTE_SHADER, sources)}, (sources.end() - 1)->name));
 }

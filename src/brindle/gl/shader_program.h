@@ -25,15 +25,18 @@ struct ShaderSource {
   std::string_view text;
 };
 
+/// The parts of a shader, in order.
+using ShaderSources = std::vector<ShaderSource>;
+
 /// A linked program of a vertex and a fragment shader, or of a compute shader. Needs a current
 /// OpenGL 4.5 context.
 class ShaderProgram {
  public:
   /// Each shader is its sources one after the other.
   /// Throws Error with the driver's message, naming file and line, if they do not compile or link.
-  ShaderProgram(const std::vector<ShaderSource>& vertex, const std::vector<ShaderSource>& fragment);
+  ShaderProgram(const ShaderSources& vertex, const ShaderSources& fragment);
   /// A compute shader. Throws as the constructor does.
-  static ShaderProgram compute(const std::vector<ShaderSource>& sources);
+  static ShaderProgram compute(const ShaderSources& sources);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

@@ -17,8 +17,8 @@ constexpr const char* kPhasesInGroup = "#define PHASES_IN_GROUP\n";
 thread_local std::size_t dispatches = 0;
 
 /// A kernel with one or several invocations for every slot of a level.
-ShaderProgram kernel(const std::vector<ShaderSource>& sources) {
-  std::vector<ShaderSource> all{"invocation.glsl", "complex.glsl", "levels.glsl"};
+ShaderProgram kernel(const ShaderSources& sources) {
+  ShaderSources all{"invocation.glsl", "complex.glsl", "levels.glsl"};
   all.insert(all.end(), sources.begin(), sources.end());
   return ShaderProgram::compute(all);
 }

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "brindle/render/ground_shadow.h"
-#include "brindle/render/shading.h"
-#include "brindle/render/tiled_picture.h"
-#include "brindle/render/visible_triangles.h"
+#include "brindle/render/surfaces/ground_shadow.h"
+#include "brindle/render/surfaces/shading.h"
+#include "brindle/render/surfaces/tiled_picture.h"
+#include "brindle/render/surfaces/visible_triangles.h"
 
 namespace brindle {
 

@@ -10,7 +10,7 @@
 #include "brindle/error.h"
 #include "brindle/headless_context.h"
 #include "brindle/mesh.h"
-#include "brindle/render/surface_picture.h"
+#include "brindle/render/surfaces/surface_picture.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/render/gl_surface.h"
+#include "brindle/render/surfaces/gl_surface.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/gl_camera.h"
+#include "brindle/render/surfaces/gl_camera.h"
 
 namespace brindle {
 namespace {

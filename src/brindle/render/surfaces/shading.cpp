@@ -1,10 +1,10 @@
-#include "brindle/render/shading.h"
+#include "brindle/render/surfaces/shading.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "brindle/render/gl_camera.h"
-#include "brindle/render/tiled_picture.h"
+#include "brindle/render/surfaces/gl_camera.h"
+#include "brindle/render/surfaces/tiled_picture.h"
 
 namespace brindle {
 namespace {
@@ -27,8 +27,6 @@ constexpr const char* kWholePattern =
     "  surface = with_pattern(surface, p);\n"
     "  return true;\n"
     "}\n";
-
-using Sources = std::vector<ShaderSource>;
 
 /// Neighbours look alike where they meet, unless each has a colour or a normal of its own.
 bool has_distinct_triangles(const GlSurface& surface) {
@@ -69,8 +67,8 @@ int group_count(const GlSurface& surface, PictureQuality quality) {
 
 /// The sources of the pattern: `pattern_at` changes the colour of the surface at a point, and is
 /// false where another pass over the regions of a texture draws.
-Sources pattern_sources(const DrawnSurface& drawn) {
-  const Sources tile{"texture_tile.glsl", "broken_tiles.glsl"};
+ShaderSources pattern_sources(const DrawnSurface& drawn) {
+  const ShaderSources tile{"texture_tile.glsl", "broken_tiles.glsl"};
   if (drawn.style && drawn.style->regions() > 0) return {tile[0], tile[1], "region_texture.glsl"};
   if (drawn.style) return {"stripe_coverage.glsl", "strokes.glsl"};
   if (drawn.surface.has_texture()) {
@@ -98,16 +96,17 @@ std::string features_of(const DrawnSurface& drawn, const StyledOptions& options)
 
 const ShaderProgram& Shading::program_for(const DrawnSurface& drawn, const StyledOptions& options) {
   const std::string features = features_of(drawn, options);
-  const Sources pattern = pattern_sources(drawn);
+  const ShaderSources pattern = pattern_sources(drawn);
   std::string key = features;
   for (const ShaderSource& source : pattern) key += std::string(source.name) + "\n";
   if (const auto made = programs_.find(key); made != programs_.end()) return made->second;
-  Sources sources{{"features", features}, "surface_buffers.glsl", "surface_point.glsl",
-                  "fragment_phase.glsl",  "light.glsl",           "picture_light.glsl",
-                  "style_buffers.glsl"};
+  ShaderSources sources{{"features", features}, "surface_buffers.glsl", "surface_point.glsl",
+                        "fragment_phase.glsl",  "light.glsl",           "picture_light.glsl",
+                        "style_buffers.glsl"};
   sources.insert(sources.end(), pattern.begin(), pattern.end());
   sources.insert(sources.end(), {"visible_samples.glsl", "occlusion.glsl", "shade.frag"});
-  return programs_.try_emplace(std::move(key), Sources{"full_screen.vert"}, sources).first->second;
+  return programs_.try_emplace(std::move(key), ShaderSources{"full_screen.vert"}, sources)
+      .first->second;
 }
 
 /// Depths tell how many groups of samples a pixel has, so that a depth test leaves out pixels

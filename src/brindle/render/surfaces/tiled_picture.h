@@ -10,7 +10,7 @@
 
 #include "brindle/gl/shader_program.h"
 #include "brindle/progress.h"
-#include "brindle/render/gl_target.h"
+#include "brindle/render/surfaces/gl_target.h"
 #include "brindle/renderer.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/gl_texture_tile.h"
+#include "brindle/render/surfaces/gl_texture_tile.h"
 #include "brindle/styled_picture.h"
 
 namespace brindle {

@@ -1,4 +1,4 @@
-#include "brindle/render/ground_shadow.h"
+#include "brindle/render/surfaces/ground_shadow.h"
 
 #include <algorithm>
 #include <array>

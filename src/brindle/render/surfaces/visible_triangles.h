@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/gl_style.h"
-#include "brindle/render/gl_surface.h"
-#include "brindle/render/gl_target.h"
+#include "brindle/render/surfaces/gl_style.h"
+#include "brindle/render/surfaces/gl_surface.h"
+#include "brindle/render/surfaces/gl_target.h"
 #include "brindle/renderer.h"
 
 namespace brindle {

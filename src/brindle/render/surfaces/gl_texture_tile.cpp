@@ -1,4 +1,4 @@
-#include "brindle/render/gl_texture_tile.h"
+#include "brindle/render/surfaces/gl_texture_tile.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/gl_target.h"
+#include "brindle/render/surfaces/gl_target.h"
 
 namespace brindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "brindle/render/tiled_picture.h"
+#include "brindle/render/surfaces/tiled_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,10 +63,9 @@ bool is_one_tile(const RenderOptions& options) {
 const ShaderProgram& TiledPicture::develop_program(int side) {
   std::optional<ShaderProgram>& program = develop_[static_cast<std::size_t>(side - 1)];
   if (!program) {
-    using Sources = std::vector<ShaderSource>;
     const std::string constant = "const int kShadingSide = " + std::to_string(side) + ";\n";
-    program.emplace(Sources{"full_screen.vert"},
-                    Sources{{"shading side", constant}, "develop.frag"});
+    program.emplace(ShaderSources{"full_screen.vert"},
+                    ShaderSources{{"shading side", constant}, "develop.frag"});
   }
   return *program;
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/visible_triangles.h"
+#include "brindle/render/surfaces/visible_triangles.h"
 #include "brindle/styled_picture.h"
 
 namespace brindle {

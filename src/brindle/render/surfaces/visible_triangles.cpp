@@ -1,11 +1,11 @@
-#include "brindle/render/visible_triangles.h"
+#include "brindle/render/surfaces/visible_triangles.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/tiled_picture.h"
+#include "brindle/render/surfaces/tiled_picture.h"
 
 namespace brindle {
 namespace {
@@ -116,27 +116,27 @@ void VisibleTriangles::draw_whole(const DrawnSurface& drawn, const Camera& camer
 
 /// The program of a surface that is discarded between its strokes, or beside its tiles.
 const ShaderProgram& VisibleTriangles::parts_program(const GlStyle& style, Triangles triangles) {
-  using Sources = std::vector<ShaderSource>;
   const bool listed = triangles == Triangles::listed;
   const std::string features = style.features();
-  Sources sources = {{"features", features},
-                     "surface_buffers.glsl",
-                     "surface_point.glsl",
-                     "fragment_phase.glsl",
-                     "style_buffers.glsl"};
-  const Sources pattern =
+  ShaderSources sources = {{"features", features},
+                           "surface_buffers.glsl",
+                           "surface_point.glsl",
+                           "fragment_phase.glsl",
+                           "style_buffers.glsl"};
+  const ShaderSources pattern =
       style.regions() > 0
-          ? Sources{"texture_tile.glsl", "broken_tiles.glsl", "region_texture.glsl"}
-          : Sources{"stripe_middle.glsl", "light.glsl", "picture_light.glsl", "strokes.glsl"};
-  const Sources end = listed ? Sources{"listed_triangles.glsl", "listed_visibility.frag"}
-                             : Sources{"visible_triangles.frag"};
+          ? ShaderSources{"texture_tile.glsl", "broken_tiles.glsl", "region_texture.glsl"}
+          : ShaderSources{"stripe_middle.glsl", "light.glsl", "picture_light.glsl", "strokes.glsl"};
+  const ShaderSources end = listed
+                                ? ShaderSources{"listed_triangles.glsl", "listed_visibility.frag"}
+                                : ShaderSources{"visible_triangles.frag"};
   sources.insert(sources.end(), pattern.begin(), pattern.end());
   sources.insert(sources.end(), end.begin(), end.end());
   const std::string kind = std::string(listed ? "listed " : "") +
                            (style.regions() > 0 ? "beside tiles\n" : "between strokes\n");
   return parts_
-      .try_emplace(kind + features, Sources{listed ? "full_screen.vert" : "visible_triangles.vert"},
-                   sources)
+      .try_emplace(kind + features,
+                   ShaderSources{listed ? "full_screen.vert" : "visible_triangles.vert"}, sources)
       .first->second;
 }
 
@@ -180,10 +180,9 @@ void VisibleTriangles::list_triangles(const DrawnSurface& drawn, const Camera& c
   };
   fill(0, begins);
   fill(begins, 1);
-  using Sources = std::vector<ShaderSource>;
   if (!list_) {
-    list_.emplace(Sources{"visible_triangles.vert"},
-                  Sources{"listed_triangles.glsl", "list_triangles.frag"});
+    list_.emplace(ShaderSources{"visible_triangles.vert"},
+                  ShaderSources{"listed_triangles.glsl", "list_triangles.frag"});
   }
   list_->set("pixels_in_row", part.size.x());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kListsBinding, lists_);
@@ -208,8 +207,8 @@ void VisibleTriangles::draw_parts_once(Target& samples, const DrawnSurface& draw
   if (lists_pixels) list_triangles(drawn, camera, part);
   draw_parts(drawn, camera, part, options, 1, lists_pixels ? Triangles::listed : Triangles::all);
   bind_samples(samples, kSamples * part.size);
-  using Sources = std::vector<ShaderSource>;
-  if (!spread_) spread_.emplace(Sources{"full_screen.vert"}, Sources{"spread_samples.frag"});
+  if (!spread_)
+    spread_.emplace(ShaderSources{"full_screen.vert"}, ShaderSources{"spread_samples.frag"});
   spread_->set("pixels", 0);
   spread_->set("pixel_depths", 1);
   spread_->set("samples", kSamples);

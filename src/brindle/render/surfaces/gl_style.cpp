@@ -1,4 +1,4 @@
-#include "brindle/render/gl_style.h"
+#include "brindle/render/surfaces/gl_style.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/gl_surface.h"
+#include "brindle/render/surfaces/gl_surface.h"
 
 namespace brindle {
 namespace {

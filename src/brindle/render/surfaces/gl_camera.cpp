@@ -1,4 +1,4 @@
-#include "brindle/render/gl_camera.h"
+#include "brindle/render/surfaces/gl_camera.h"
 
 #include <epoxy/gl.h>
 

@@ -1,4 +1,4 @@
-#include "brindle/render/gl_target.h"
+#include "brindle/render/surfaces/gl_target.h"
 
 #include <string>
 

@@ -11,8 +11,8 @@
 #include "brindle/camera.h"
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/gl_texture_tile.h"
 #include "brindle/render/outer_side.h"
+#include "brindle/render/surfaces/gl_texture_tile.h"
 #include "brindle/renderer.h"
 
 namespace brindle {

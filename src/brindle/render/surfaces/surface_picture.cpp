@@ -1,10 +1,10 @@
-#include "brindle/render/surface_picture.h"
+#include "brindle/render/surfaces/surface_picture.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-#include "brindle/render/gl_camera.h"
+#include "brindle/render/surfaces/gl_camera.h"
 
 namespace brindle {
 namespace {
@@ -48,10 +48,9 @@ void SurfacePicture::draw_surroundings(PictureScene& scene) {
 
 void SurfacePicture::draw_ground(const PictureScene& scene, const GroundShadow& shadow,
                                  GLuint texture, const PicturePart& part, const Target& light) {
-  using Sources = std::vector<ShaderSource>;
   if (!ground_) {
-    ground_.emplace(Sources{"full_screen.vert"},
-                    Sources{"visible_samples.glsl", "ground_shadow.frag"});
+    ground_.emplace(ShaderSources{"full_screen.vert"},
+                    ShaderSources{"visible_samples.glsl", "ground_shadow.frag"});
   }
   const Eigen::Matrix3f axes = ground_axes(scene.options.render.camera.up);
   const Vec3 origin = axes.transpose() * scene.camera.origin;

@@ -4,8 +4,8 @@
 
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/gl_camera.h"
-#include "brindle/render/surface_picture.h"
+#include "brindle/render/surfaces/gl_camera.h"
+#include "brindle/render/surfaces/surface_picture.h"
 
 namespace brindle {
 namespace {
