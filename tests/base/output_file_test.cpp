@@ -16,7 +16,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "brindle/base/output_file.h"
 #include "brindle/error.h"
 #include "test_folder.h"
 

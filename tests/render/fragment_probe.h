@@ -8,9 +8,9 @@
 #include <epoxy/gl.h>
 
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/gl_target.h"
-#include "brindle/render/tiled_picture.h"
-#include "brindle/render/visible_triangles.h"
+#include "brindle/render/surfaces/gl_target.h"
+#include "brindle/render/surfaces/tiled_picture.h"
+#include "brindle/render/surfaces/visible_triangles.h"
 
 namespace brindle::test {
 

@@ -51,4 +51,25 @@ CompressedRows<Entry> compressed_rows(std::size_t count, const AddAll& add_all) 
   return compressed_rows<Entry>(count, {}, [&](const Progress&, const auto& add) { add_all(add); });
 }
 
+// ---- Lists of parts, one after the other -------------------------------------------------------
+
+/// Makes room for a list of all parts.
+template <class Part>
+void reserve_for_lists(std::vector<Index>& all, const std::vector<Part>& parts,
+                       std::vector<Index> Part::*list) {
+  std::size_t size = all.size();
+  for (const Part& part : parts) size += (part.*list).size();
+  all.reserve(size);
+}
+
+inline void append_list(std::vector<Index>& all, const std::vector<Index>& part) {
+  all.insert(all.end(), part.begin(), part.end());
+}
+
+/// Offsets, the first of which is 0, continue those before.
+inline void append_offsets(std::vector<Index>& all, const std::vector<Index>& part) {
+  const Index first = all.back();
+  for (std::size_t n = 1; n < part.size(); ++n) all.push_back(first + part[n]);
+}
+
 }  // namespace brindle

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/output_file.h"
 #include "brindle/base/system.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"

@@ -1,43 +1,16 @@
-/// Aggregates: the nodes of a level that become one node of the next coarser level, and the
-/// schedules by which couplings are summed over them (docs/method.md, "Multilevel solver").
+/// The schedules by which couplings are summed over aggregates (docs/method.md, "Multilevel
+/// solver").
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "brindle/phases/aggregates.h"
 #include "brindle/phases/sliced_graph.h"
 #include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle {
-
-/// The aggregate of each slot. Aggregates are numbered in the order in which they grew, block by
-/// block of the layout.
-struct Aggregates {
-  std::vector<Index> aggregate;       ///< slot -> aggregate or kNone
-  std::vector<Index> begin{0};        ///< aggregate a has members begin[a] .. begin[a+1] - 1
-  std::vector<Index> member;          ///< slots, in the order in which they joined
-  std::vector<Index> block_begin{0};  ///< block b has aggregates block_begin[b] .. [b+1] - 1
-
-  Index count() const { return static_cast<Index>(begin.size()) - 1; }
-};
-
-/// Aggregates grow one by one, in the order of slots: the free neighbour that is most strongly
-/// coupled to the aggregate, by sum max(|A|, |B|) / sqrt(deg), joins until there are four members.
-/// Aggregates stay within a block, so that a block's gauges and sums stay in the cache; blocks grow
-/// in parallel. Single nodes join the aggregate of the neighbour to which they are most strongly
-/// coupled, in their own block if possible. Nodes without coupling have no aggregate. Throws
-/// Cancelled if `progress` asks for it.
-Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings,
-                           const Progress& progress = {});
-
-/// Neighbouring aggregates: those with neighbouring members, ascending.
-Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggregates);
-
-/// The layout of the coarser level for this colouring: each block holds the aggregates of a few
-/// whole blocks of the finer level.
-SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency,
-                           const Coloring& coloring);
 
 /// The dependency order of gauges: the gauge of an aggregate's r-th member depends on the couplings
 /// to earlier members. The aggregates of a block form a chunk; chunks are independent. A range of a
