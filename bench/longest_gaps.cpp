@@ -349,9 +349,7 @@ std::vector<Job> picture_jobs() {
          silhouette_lines(torus().mesh, torus().normals, {3, 2, 1});
        }},
       {"crease_lines", [] { torus(); },
-       [](const Progress& p) {
-         crease_lines(torus().mesh, torus().normals, *torus().neighborhood, 10.0f, p);
-       }},
+       [](const Progress& p) { crease_lines(torus().mesh, torus().normals, 10.0f, p); }},
       {"write_svg", [] { curves(); },
        [](const Progress& p) {
          static const Visibility seen(torus().mesh, CameraView{}, 4000, 3000);

@@ -540,7 +540,7 @@ def check_reading(brindle, folder):
             path = os.path.join(folder, name)
             result = subprocess.run(
                 [brindle, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1", "--quiet",
-                 "--output", path + ".out.vtp"], capture_output=True, text=True, check=False)
+                 "--crease-angle", "180", "--output", path + ".out.vtp"], capture_output=True, text=True, check=False)
             if compressor in ("lz4", "lzma"):
                 problem = "" if result.returncode == 1 and "ZLib" in result.stderr else "is read"
             elif result.returncode != 0:
@@ -619,7 +619,7 @@ def check_volumes(brindle, folder):
         writer.SetInputData(data)
         writer.Write()
         subprocess.run([brindle, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1",
-                        "--quiet", "--output", path + ".out.vtp"], check=True)
+                        "--quiet", "--crease-angle", "180", "--output", path + ".out.vtp"], check=True)
         problem = boundary_difference(data, boundary_by_vtk(data), read_by_vtk(path + ".out.vtp"))
         kinds += 1
         wrong += problem != ""

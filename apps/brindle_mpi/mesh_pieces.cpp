@@ -100,6 +100,11 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const Wa
     if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
     for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
     arrays = wanted_of(std::move(loaded.arrays), wanted, options.mesh);
+    if (Mesh split = loaded.mesh; !split_at_creases(split).empty()) {
+      listener.note(
+          "vertices on creases have one wave over ranks, and stripes bend there; 'brindle stripe' "
+          "has one for each face\n");
+    }
     packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
   });
   result.arrays.points = scattered_rows(ranks, arrays.points, rows_of_ranks(packed.ids));

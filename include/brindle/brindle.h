@@ -1,13 +1,14 @@
 /// All of brindle but what needs OpenGL (renderer.h, splats.h, gpu_solver.h, gpu_animator.h and
 /// headless_context.h), PNG files (image.h) and drawings of lines (line_drawing.h).
 ///
-/// Surfaces: `make_mesh` and `make_surface` from arrays, `read_mesh` from files, `make_shape`.
-/// Fields: `smooth_direction_field`, `projected_direction_field`, `curvature_direction_field`,
-/// `tangent_directions`, `direction_field_of` arrays, `tensor_field_of`. Patterns:
-/// `stripe_pattern`, `texture_pattern`, `cross_pattern`, `pattern_warnings`. From patterns:
-/// `stripe_curves`, `stripe_samples`, `texture_coordinates`. Frequencies that yield, alone:
-/// `YieldingFrequency`. Moving input: `StripeAnimator`, `SmoothFieldAnimator`; time series:
-/// `matched_phases`, `carried_phases`, `matched_directions`, `carried_directions`.
+/// Surfaces: `make_mesh` and `make_surface` from arrays, `split_at_creases` for sharp edges,
+/// `read_mesh` from files, `make_shape`. Fields: `smooth_direction_field`,
+/// `projected_direction_field`, `curvature_direction_field`, `tangent_directions`,
+/// `direction_field_of` arrays, `tensor_field_of`. Patterns: `stripe_pattern`, `texture_pattern`,
+/// `cross_pattern`, `pattern_warnings`. From patterns: `stripe_curves`, `stripe_samples`,
+/// `texture_coordinates`. Frequencies that yield, alone: `YieldingFrequency`. Moving input:
+/// `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`,
+/// `matched_directions`, `carried_directions`.
 ///
 /// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
 /// threads may do at the same time stands in threads.h.
@@ -21,6 +22,8 @@
 #include "brindle/carried_field.h"
 #include "brindle/carried_phases.h"
 #include "brindle/corner_phases.h"
+#include "brindle/crease_slip.h"
+#include "brindle/creases.h"
 #include "brindle/cross_animator.h"
 #include "brindle/cross_cover.h"
 #include "brindle/cross_texture.h"

@@ -18,9 +18,10 @@ enum class CurveEnd : std::uint8_t {
   no_wave,      ///< a triangle with a corner that has no wave
   nonmanifold,  ///< an edge of three triangles or more
   branch,       ///< a triangle around which the phase does not close
-  singularity   ///< a triangle that is a singularity of the field
+  singularity,  ///< a triangle that is a singularity of the field
+  crease        ///< a crease where the phases of both sides do not meet
 };
-inline constexpr std::size_t kCurveEndKinds = 6;
+inline constexpr std::size_t kCurveEndKinds = 7;
 
 /// Curves with the reason why each end is one.
 struct StripeCurves {

@@ -17,7 +17,8 @@ namespace BRINDLE_EXPORT brindle {
 /// Where the surface turns from the viewer's side to the other: lines through triangles on which
 /// normals, linear between vertices, are at right angles to the view (Hertzmann and Zorin 2000).
 /// `normals` has one unit normal per vertex; vertices without one (zero) are on the viewer's side.
-/// `eye` is relative to the mesh's origin.
+/// `eye` is relative to the mesh's origin. Also edges at which the mesh is split, as along creases,
+/// if one side is turned to the viewer and the other away.
 Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye);
 
 /// The edge along which a slice (`Camera::slice`) opens the surface, a ten-thousandth of its
@@ -26,9 +27,8 @@ Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
                       const Eigen::Hyperplane<float, 3>& slice);
 
 /// Borders, and edges at which the surface bends by more than `angle_deg` degrees (0: flat).
-/// Throws Cancelled if `progress` asks for it.
-Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
-                       const Adjacency& neighborhood, float angle_deg,
+/// Vertices at one place count as one. Throws Cancelled if `progress` asks for it.
+Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals, float angle_deg,
                        const Progress& progress = {});
 
 /// The parts of lines that a pattern's strokes cover, which are `width` of a period wide: dashes

@@ -7,6 +7,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/progress.h"
+#include "brindle/surface.h"
 #include "brindle/types.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -17,6 +18,11 @@ namespace BRINDLE_EXPORT brindle {
 /// `directions` has one entry per vertex. Throws Cancelled if `progress` asks for it; some
 /// directions are reversed then.
 void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
+                  const Progress& progress = {});
+
+/// The same over a whole surface: on the two sides of a crease, directions run alike once it is
+/// unfolded.
+void orient_alike(const Surface& surface, std::span<Vec3> directions,
                   const Progress& progress = {});
 
 /// The same, starting from settled directions (1), which do not change.

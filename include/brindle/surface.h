@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/creases.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/progress.h"
@@ -19,6 +20,16 @@ struct Surface {
   Mesh mesh;
   std::shared_ptr<const Adjacency> neighborhood;
   std::vector<Vec3> normals;
+  /// Which vertices are copies of others, along creases (`split_at_creases`).
+  Creases creases = {};
+  /// The neighbourhood with the links over creases; null where there are none.
+  std::shared_ptr<const Adjacency> linked = {};
+
+  /// How many vertices there were before creases split any.
+  std::size_t own_vertex_count() const { return mesh.vertex_count() - creases.copied.size(); }
+
+  /// Whose waves are coupled: neighbours, and vertices on the two sides of a crease.
+  const std::shared_ptr<const Adjacency>& coupled() const { return linked ? linked : neighborhood; }
 };
 
 /// Derives neighbourhood and normals. Takes the mesh over. Throws Error, naming the first vertex or
@@ -28,6 +39,10 @@ struct Surface {
 /// of areas would leave the range of float, and other units are needed. Throws Cancelled if
 /// `progress` asks for it.
 Surface make_surface(Mesh mesh, const Progress& progress = {});
+
+/// The same of a mesh that `split_at_creases` has split: waves on the two sides of a crease are
+/// coupled, and surface_warnings knows that copies stand at one place.
+Surface make_surface(Mesh mesh, Creases creases, const Progress& progress = {});
 
 /// Likely mistakes, one sentence each without a full stop: boundary edges at exactly the same place
 /// as others, where the surface is cut and stripes end. `join` tells how to join vertices.

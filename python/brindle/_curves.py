@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-CURVE_ENDS = ("closed", "boundary", "no_wave", "nonmanifold", "branch", "singularity")
+CURVE_ENDS = ("closed", "boundary", "no_wave", "nonmanifold", "branch", "singularity",
+              "crease")
 
 
 def placed(points: Any, origin: tuple[float, float, float]) -> Any:
@@ -78,7 +79,7 @@ class Curves:
     @cached_property
     def ends(self) -> list[tuple[str, str]]:
         """Of every curve why it ends at its first and its last point: "closed", "boundary",
-        "no_wave", "nonmanifold", "branch" or "singularity"."""
+        "no_wave", "nonmanifold", "branch", "singularity" or "crease"."""
         return [(CURVE_ENDS[first], CURVE_ENDS[last]) for first, last in self._core.ends()]
 
     @property

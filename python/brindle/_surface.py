@@ -97,6 +97,9 @@ class Surface:
     errors, except that triangles may have no area and vertices may stand at one place: a mesh that
     is split along edges, where stripes would end, is warned of (PatternWarning).
 
+    ``crease_angle``: 40 gives the vertices of parts with sharp edges one wave for each face, as ``read``
+    does; the copies come behind your n vertices (``s.crease_vertices``). 180, as here: none.
+
     ``point_data`` and ``cell_data`` are named arrays of a row per vertex and per triangle.
 
     Raises brindle.Error for coordinates that are not finite, corners out of range and arrays of
@@ -108,10 +111,11 @@ class Surface:
     __slots__ = ("_core", "_source", "__weakref__")
 
     def __init__(self, vertices: "ArrayLike", triangles: "ArrayLike", *, repair: bool = False,
-                 point_data: Optional[Mapping[str, "ArrayLike"]] = None,
+                 crease_angle: float = 180, point_data: Optional[Mapping[str, "ArrayLike"]] = None,
                  cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
         self._core = _core.surface_of_arrays(vertices, triangles, dict(point_data or {}),
-                                             dict(cell_data or {}), flag(repair, "repair"))
+                                             dict(cell_data or {}), flag(repair, "repair"),
+                                             _angle(crease_angle))
         self._source: Any = None
         if not repair:
             warn(self._core.split_warning)
@@ -207,6 +211,12 @@ class Surface:
         """(n,) for every vertex the one that triangles use in its place: itself, or the first at the
         same place. Empty where vertices were not joined."""
         return self._core.joined
+
+    @property
+    def crease_vertices(self) -> "NDArray[np.int32]":
+        """(k,) of the last k vertices those that they are copies of: ``crease_angle`` has given a
+        vertex on a sharp edge one for each face."""
+        return self._core.crease_vertices
 
     @property
     def notes(self) -> str:
@@ -441,12 +451,14 @@ def as_surface(mesh: Any) -> Surface:
 
 
 def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdivide: int = 0,
-         rounded: bool = False, progress: Optional[Progress] = None) -> Surface:
+         rounded: bool = False, crease_angle: float = 40,
+         progress: Optional[Progress] = None) -> Surface:
     """Reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf, .glb, or points of .csv and others.
 
     ``points``: take the vertices alone, as points, each joined to its ``neighbors`` nearest; None:
     if the file has no faces. ``subdivide``: split every triangle in four, so many times;
-    ``rounded``: as ``Surface.subdivided`` has it.
+    ``rounded``: as ``Surface.subdivided`` has it. ``crease_angle``: edges that bend by more degrees
+    are creases, and their vertices get one more, behind all others, for each further face; 180: none.
     ``progress(stage, fraction)`` may return False to cancel.
 
     ``s.point_data`` and ``s.cell_data`` are the file's arrays. Raises brindle.Error naming the file,
@@ -455,18 +467,22 @@ def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdiv
     if points is not None:
         points = flag(points, "points")
     return Surface._of(_core.read(path_of(path), points, whole_number(neighbors, "neighbors"),
-                                  _times(subdivide), _rounded(rounded, subdivide), progress))
+                                  _times(subdivide), _rounded(rounded, subdivide),
+                                  _angle(crease_angle), progress))
 
 
-def shape(name: str, *, subdivide: int = 0, rounded: bool = False, **parameters: float) -> Surface:
+def shape(name: str, *, subdivide: int = 0, rounded: bool = False, crease_angle: float = 40,
+          **parameters: float) -> Surface:
     """A built-in shape: ``shape("torus")``, ``shape("torus", resolution=64, noise=0.2)`` or
-    ``shape("torus,resolution=64")``. ``shape_names()`` and ``shape_help()`` list them."""
+    ``shape("torus,resolution=64")``. ``shape_names()`` and ``shape_help()`` list them; the other
+    parameters are those of ``read``."""
     spec = word(name, "name")
     for key, value in parameters.items():
         if isinstance(value, (bool, str)) or not hasattr(value, "__float__"):
             raise TypeError(f"{key}: expected a number, got {value!r}")
         spec += f",{key}={value}"
-    return Surface._of(_core.shape(spec, _times(subdivide), _rounded(rounded, subdivide)))
+    return Surface._of(_core.shape(spec, _times(subdivide), _rounded(rounded, subdivide),
+                                   _angle(crease_angle)))
 
 
 def points(positions: "ArrayLike", normals: "Optional[ArrayLike]" = None, *, neighbors: int = 8,
@@ -494,6 +510,13 @@ def _times(subdivide: Any) -> int:
     if not 0 <= times <= 10:
         raise Error(f"subdivide: {times} is not in 0 .. 10")
     return times
+
+
+def _angle(crease_angle: Any) -> float:
+    degrees = number(crease_angle, "crease_angle")
+    if not 0 <= degrees <= 180:
+        raise Error(f"crease_angle: {degrees:g} is not in 0 .. 180")
+    return degrees
 
 
 def _rounded(rounded: Any, subdivide: int) -> bool:

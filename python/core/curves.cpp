@@ -146,6 +146,7 @@ py::dict figures_of(const CurvesData& data) {
   ends["boundary"] = end(CurveEnd::boundary);
   ends["no_wave"] = end(CurveEnd::no_wave);
   ends["nonmanifold"] = end(CurveEnd::nonmanifold);
+  ends["crease"] = end(CurveEnd::crease);
   ends["branch"] = end(CurveEnd::branch);
   ends["singularity"] = end(CurveEnd::singularity);
   py::dict result;

@@ -36,20 +36,32 @@ constexpr std::string_view kSearching = "nearest places";
 constexpr std::size_t kPointsBetweenLooks = 1024;  // a tenth of a second, if they are far away
 constexpr std::size_t kPointsOfTask = 32;
 
-// The first `own` vertices have numbers; those that were added have none.
-void number_vertices(SurfaceData& data, std::size_t own) {
-  data.original_ids.assign(data.surface.mesh.vertex_count(), -1);
+// The first `own` of so many vertices have numbers; those that were added have none.
+void number_vertices(SurfaceData& data, std::size_t count, std::size_t own) {
+  data.original_ids.assign(count, -1);
   const auto end = data.original_ids.begin() + static_cast<std::ptrdiff_t>(own);
   std::iota(data.original_ids.begin(), end, std::int64_t{0});
 }
 
 // Derives all that depends on the mesh.
-SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, const Progress& progress) {
+SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, Creases&& creases,
+                        const Progress& progress) {
   Stopwatch watch;
-  data.surface = make_surface(std::move(mesh), progress);
+  data.surface = make_surface(std::move(mesh), std::move(creases), progress);
   data.topology_milliseconds = watch.lap();
-  if (data.original_ids.empty()) number_vertices(data, data.surface.mesh.vertex_count());
   return std::make_shared<SurfaceData>(std::move(data));
+}
+
+// The same of a mesh that creases split first, with its arrays.
+SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, float crease_angle,
+                        const Progress& progress) {
+  if (data.original_ids.empty()) number_vertices(data, mesh.vertex_count(), mesh.vertex_count());
+  check_mesh(mesh);
+  Creases creases = split_at_creases(mesh, crease_angle, progress);
+  add_rows_of_copies(creases, data.arrays);
+  add_rows_of_copies(creases, data.original_ids);
+  data.crease_angle = crease_angle;
+  return finished(std::move(data), std::move(mesh), std::move(creases), progress);
 }
 
 void check_array_rows(const DataArrays& arrays, std::size_t vertices, std::size_t triangles) {
@@ -93,7 +105,7 @@ Mesh take_repaired(RepairedMesh&& repaired, SurfaceData& data) {
 }
 
 SurfacePointer from_arrays(py::handle vertices, py::handle triangles, const py::dict& point_arrays,
-                           const py::dict& cell_arrays, bool repair) {
+                           const py::dict& cell_arrays, bool repair, float crease_angle) {
   const Table positions = columns_of_three(vertices, "vertices");
   refuse_masked(triangles, "triangles");
   const Table corners = columns_of_three(triangles, "triangles");
@@ -106,7 +118,7 @@ SurfacePointer from_arrays(py::handle vertices, py::handle triangles, const py::
     Mesh mesh = repair ? take_repaired(make_repaired_mesh(positions.view, corners.view), data)
                        : make_mesh(positions.view, corners.view);
     data.load_milliseconds = watch.lap();
-    return finished(std::move(data), std::move(mesh), progress);
+    return finished(std::move(data), std::move(mesh), crease_angle, progress);
   });
 }
 
@@ -120,7 +132,8 @@ SurfacePointer from_points(LoadedPoints&& loaded, int neighbors, SurfaceData&& d
   Stopwatch watch;
   data.surface = make_point_surface(std::move(loaded.cloud), neighbors, progress);
   data.topology_milliseconds = watch.lap();
-  number_vertices(data, data.surface.mesh.vertex_count());
+  const std::size_t count = data.surface.mesh.vertex_count();
+  number_vertices(data, count, count);
   return std::make_shared<SurfaceData>(std::move(data));
 }
 
@@ -165,7 +178,7 @@ Splitting splitting(int times, bool rounded) {
 }
 
 SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, const Splitting& split,
-                              const Progress& progress) {
+                              float crease_angle, const Progress& progress) {
   Stopwatch watch;
   LoadedMesh loaded = file.mesh(progress.part(0, kReading));
   const std::size_t own = loaded.mesh.vertex_count();
@@ -179,27 +192,26 @@ SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, const Split
   data.left_out = std::move(loaded.left_out);
   if (!loaded.renumbered) data.partners = loaded.vertex_of_row;
   data.load_milliseconds = watch.lap();
-  const SurfacePointer made =
-      finished(std::move(data), std::move(loaded.mesh), progress.part(kSplit, 1));
-  number_vertices(*made, loaded.renumbered ? 0 : own);
+  number_vertices(data, loaded.mesh.vertex_count(), loaded.renumbered ? 0 : own);
   if (loaded.renumbered) {
     for (std::size_t row = loaded.vertex_of_row.size(); row-- > 0;) {
-      made->original_ids[loaded.vertex_of_row[row]] = static_cast<std::int64_t>(row);
+      data.original_ids[loaded.vertex_of_row[row]] = static_cast<std::int64_t>(row);
     }
   }
-  if (split.times == 0) made->vertex_of_row = std::move(loaded.vertex_of_row);
-  return made;
+  if (split.times == 0) data.vertex_of_row = std::move(loaded.vertex_of_row);
+  return finished(std::move(data), std::move(loaded.mesh), crease_angle, progress.part(kSplit, 1));
 }
 
 SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> points,
-                         int neighbors, const Splitting& split, const py::object& callback) {
+                         int neighbors, const Splitting& split, float crease_angle,
+                         const py::object& callback) {
   SurfaceData data;
   data.name = path.string();
   check_neighbors(neighbors);
   return Job(callback).run([&](const Progress& progress) {
     SurfaceFile file(path);
     if (!(points ? *points : !file.has_faces(progress))) {
-      return from_mesh_file(file, std::move(data), split, progress);
+      return from_mesh_file(file, std::move(data), split, crease_angle, progress);
     }
     if (split.times > 0)
       throw Error(shown(path.native()) + ": points have no triangles to subdivide");
@@ -210,7 +222,7 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
   });
 }
 
-SurfacePointer from_shape(const std::string& spec, int times, bool rounded) {
+SurfacePointer from_shape(const std::string& spec, int times, bool rounded, float crease_angle) {
   SurfaceData data;
   data.name = std::string(kShapePrefix) + spec;
   data.stands_on_z = true;
@@ -223,10 +235,8 @@ SurfacePointer from_shape(const std::string& spec, int times, bool rounded) {
                        progress.part(0, kSplit));
     }
     data.load_milliseconds = watch.lap();
-    const SurfacePointer made =
-        finished(std::move(data), std::move(mesh), progress.part(kSplit, 1));
-    number_vertices(*made, own);
-    return made;
+    number_vertices(data, mesh.vertex_count(), own);
+    return finished(std::move(data), std::move(mesh), crease_angle, progress.part(kSplit, 1));
   });
 }
 
@@ -239,7 +249,16 @@ SurfaceData data_along_with(const SurfaceData& from) {
   data.vertices_joined = from.vertices_joined;
   data.partners = from.partners;
   data.original_ids = from.original_ids;
+  data.crease_angle = from.crease_angle;
   return data;
+}
+
+// Without the rows of copies.
+void drop_copies(std::size_t own, SurfaceData& data) {
+  std::vector<Index> rows(own);
+  std::iota(rows.begin(), rows.end(), Index{0});
+  data.arrays.points = rows_of(data.arrays.points, rows);
+  data.original_ids.resize(own);
 }
 
 SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
@@ -247,12 +266,17 @@ SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
     Stopwatch watch;
-    Mesh mesh = from.surface.mesh;
+    // Edges are split as they were before creases, and creases are found again.
+    const std::size_t own = from.surface.own_vertex_count();
+    Mesh mesh = joined_mesh(from.surface.mesh, from.surface.creases);
+    mesh.positions.resize(own);
+    if (!from.surface.creases.empty()) drop_copies(own, data);
     subdivide(mesh, data.arrays, times, splitting(times, rounded).midpoints,
               progress.part(0, kSplit));
     data.load_milliseconds = watch.lap();
     data.original_ids.resize(mesh.vertex_count(), -1);
-    return finished(std::move(data), std::move(mesh), progress.part(kSplit, 1));
+    const float crease_angle = data.crease_angle;
+    return finished(std::move(data), std::move(mesh), crease_angle, progress.part(kSplit, 1));
   });
 }
 
@@ -260,12 +284,15 @@ SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
 SurfacePointer moved(const SurfaceData& from, py::handle positions) {
   const Table table = columns_of_three(positions, "vertices");
   const Mesh& mesh = from.surface.mesh;
-  check_rows(table, mesh.vertex_count(), "vertices");
+  const bool own = table.view.rows() == from.surface.own_vertex_count();
+  if (!own) check_rows(table, mesh.vertex_count(), "vertices");
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
     Mesh moved_mesh = make_mesh(table.view, {});
+    if (own) add_rows_of_copies(from.surface.creases, moved_mesh.positions);
     moved_mesh.triangles = mesh.triangles;
-    return finished(std::move(data), std::move(moved_mesh), progress);
+    return finished(std::move(data), std::move(moved_mesh), Creases(from.surface.creases),
+                    progress);
   });
 }
 
@@ -447,9 +474,11 @@ void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
       .def_property_readonly(
           "triangle_count",
           [](const SurfaceData& data) { return data.surface.mesh.triangle_count(); })
-      .def_property_readonly(
-          "edge_count",
-          [](const SurfaceData& data) { return data.surface.neighborhood->edge_count(); })
+      .def_property_readonly("edge_count",
+                             [](const SurfaceData& data) {
+                               return data.surface.neighborhood->edge_count() -
+                                      data.surface.creases.edges.size();
+                             })
       .def_property_readonly(
           "diagonal",
           [](const SurfaceData& data) { return bounding_box(data.surface.mesh).diagonal(); })
@@ -505,6 +534,12 @@ void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
                                const auto& rows = data_of(self).vertex_of_row;
                                return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
                              })
+      .def_property_readonly("crease_vertices",
+                             [](py::handle self) {
+                               const auto& copied = data_of(self).surface.creases.copied;
+                               return indices(copied, {static_cast<py::ssize_t>(copied.size())},
+                                              self);
+                             })
       .def_property_readonly("kept_triangles",
                              [](py::handle self) {
                                const auto& rows = data_of(self).kept_triangles;
@@ -532,20 +567,23 @@ void bind_surfaces(py::module_& module) {
       .def("array_named", array_named, py::arg("name"))
       .def("moved_to_points", moved_to_points, py::arg("name"), py::arg("cells"));
   module.def("surface_of_arrays", from_arrays, py::arg("vertices"), py::arg("triangles"),
-             py::arg("point_data"), py::arg("cell_data"), py::arg("repair"));
+             py::arg("point_data"), py::arg("cell_data"), py::arg("repair"),
+             py::arg("crease_angle"));
   module.def("surface_of_points", from_point_arrays, py::arg("points"),
              py::arg("normals").none(true), py::arg("neighbors"), py::arg("point_data"));
   module.def(
       "read",
       [](const std::string& path, std::optional<bool> points, int neighbors, int times,
-         bool rounded, const py::object& progress) {
-        return from_file(path, points, neighbors, splitting(times, rounded), progress);
+         bool rounded, float crease_angle, const py::object& progress) {
+        return from_file(path, points, neighbors, splitting(times, rounded), crease_angle,
+                         progress);
       },
       py::arg("path"), py::arg("points"), py::arg("neighbors"), py::arg("subdivide"),
-      py::arg("rounded"), py::arg("progress"));
+      py::arg("rounded"), py::arg("crease_angle"), py::arg("progress"));
   module.def("triangles_of_polygons", triangles_of_polygons, py::arg("vertices"),
              py::arg("offsets"), py::arg("corners"));
-  module.def("shape", from_shape, py::arg("spec"), py::arg("subdivide"), py::arg("rounded"));
+  module.def("shape", from_shape, py::arg("spec"), py::arg("subdivide"), py::arg("rounded"),
+             py::arg("crease_angle"));
   module.def("shape_names", shape_names);
   module.def("shape_help", shape_help);
 }

@@ -208,8 +208,9 @@ TEST_F(MeshOutput, AllArraysOfTheInputAreKeptBitForBit) {
   DataArrays input{all_kinds(torus.vertex_count(), "p "), all_kinds(torus.triangle_count(), "c ")};
   input.points[0].name = "<\"heat\"> & more";
   write_mesh(folder / "in.vtp", torus, input.points, input.cells);
-  runs({"stripe", "in.vtp", "-o", "out.vtp"});
-  runs({"stripe", "out.vtp", "-o", "again.vtp"});
+  // Of so coarse a torus every ring would be a face of its own, with vertices of its own.
+  runs({"stripe", "in.vtp", "--crease-angle", "180", "-o", "out.vtp"});
+  runs({"stripe", "out.vtp", "--crease-angle", "180", "-o", "again.vtp"});
   for (const char* name : {"out.vtp", "again.vtp"}) {
     const WrittenVtp file = vtp(name);
     input.points[0].name = "&lt;&quot;heat&quot;&gt; &amp; more";

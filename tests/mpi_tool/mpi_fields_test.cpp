@@ -97,8 +97,10 @@ struct MpiToolFields : MpiTool {
   }
 
   LoadedMesh run_alone(const std::string& input, const Words& options) const {
-    Words tool = {"100",      BRINDLE_TOOL_ALONE, "stripe",    input,    "--output",
-                  "tool.vtp", "--report",         "tool.json", "--quiet"};
+    // Ranks have one wave a vertex.
+    Words tool = {"100",      BRINDLE_TOOL_ALONE, "stripe",   input,
+                  "--output", "tool.vtp",         "--report", "tool.json",
+                  "--quiet",  "--crease-angle",   "180"};
     tool.insert(tool.end(), options.begin(), options.end());
     const auto result = test::run_tool(tool, folder);
     EXPECT_EQ(result.exit_code, 0) << result.err;

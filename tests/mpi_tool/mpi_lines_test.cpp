@@ -24,8 +24,9 @@ struct MpiToolLines : MpiTool {
     return nlohmann::json::parse(content(folder / name));
   }
 
-  /// What 'brindle' makes of the same.
+  /// What 'brindle' makes of the same, with one wave a vertex.
   void run_alone(Words arguments) const {
+    arguments.insert(arguments.end(), {"--crease-angle", "180"});
     arguments.insert(arguments.begin(), {"1000", BRINDLE_TOOL_ALONE});
     const ToolResult result = test::run_tool(arguments, folder);
     ASSERT_EQ(result.exit_code, 0) << result.err;

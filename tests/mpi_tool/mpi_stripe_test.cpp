@@ -90,7 +90,8 @@ TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
     mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
     ASSERT_EQ(on(1, mine).exit_code, 0);
     tools.insert(tools.begin(), {"1000", BRINDLE_TOOL_ALONE, "stripe"});
-    tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+    tools.insert(tools.end(),
+                 {"--crease-angle", "180", "--output", "tool.vtp", "--report", "tool.json"});
     ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
     const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
     // `global_id` is the one that the tool does not have.
@@ -129,7 +130,8 @@ TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
   Words mine = words, tools = words;
   mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
   tools.insert(tools.begin(), {"1000", BRINDLE_TOOL_ALONE, "stripe"});
-  tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+  tools.insert(tools.end(),
+               {"--crease-angle", "180", "--output", "tool.vtp", "--report", "tool.json"});
   write_calm(folder / "calm.csv", make_shape("torus,resolution=40").vertex_count());
   ASSERT_EQ(on(1, mine).exit_code, 0);
   ASSERT_EQ(run_tool(tools, folder).exit_code, 0);

@@ -103,6 +103,7 @@ const std::map<std::string_view, std::string_view> kGroupsWithoutProperty = {
 const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"subdivide", "the filter Subdivide"},
     {"rounded", "there are filters that smooth meshes"},
+    {"crease-angle", "results are arrays of the input's points, which have one wave each"},
     {"points", "the filter takes surfaces"},
     {"neighbors", "the same"},
     {"up", "ParaView has the camera"},

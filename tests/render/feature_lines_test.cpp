@@ -59,8 +59,7 @@ TEST(FeatureLines, CreasesAreBordersAndSharpEdges) {
   for (Vec3& p : fold.positions) p.z() = std::abs(p.x() - 0.5f);  // by 90 degrees
   const Surface surface = make_surface(fold);
   const auto length = [&](float degrees) {
-    const Polylines lines =
-        crease_lines(surface.mesh, surface.normals, *surface.neighborhood, degrees);
+    const Polylines lines = crease_lines(surface.mesh, surface.normals, degrees);
     double sum = 0;
     for (std::size_t line = 0; line < lines.count(); ++line) sum += length_of(lines, line);
     return sum;
@@ -73,7 +72,7 @@ TEST(FeatureLines, CreasesAreBordersAndSharpEdges) {
 TEST(FeatureLines, DashesLieWhereThePatternHasStrokes) {
   StripedSurface s = plane_wave(square(8), Vec3::UnitX(), 5);
   const Surface surface = make_surface(s.mesh);
-  const Polylines border = crease_lines(surface.mesh, surface.normals, *surface.neighborhood, 45);
+  const Polylines border = crease_lines(surface.mesh, surface.normals, 45);
   const Polylines dashes = dashes_of(border, s.mesh, s.waves, s.z, 0.3f);
   double along = 0;
   for (std::size_t line = 0; line < dashes.count(); ++line) {
@@ -92,7 +91,7 @@ TEST(FeatureLines, WithoutWavesLinesAreWhole) {
   StripedSurface s = plane_wave(square(4), Vec3::UnitX(), 5);
   for (Vec3& direction : s.waves.directions) direction = Vec3::Zero();
   const Surface surface = make_surface(s.mesh);
-  const Polylines border = crease_lines(surface.mesh, surface.normals, *surface.neighborhood, 45);
+  const Polylines border = crease_lines(surface.mesh, surface.normals, 45);
   const Polylines dashes = dashes_of(border, s.mesh, s.waves, s.z, 0.3f);
   ASSERT_EQ(dashes.count(), 1u);
   EXPECT_NEAR(length_of(dashes, 0), 4, 0.02);

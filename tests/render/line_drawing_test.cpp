@@ -221,9 +221,7 @@ TEST(LineDrawing, CanBeCancelledAtEveryReport) {
   const std::vector<std::function<void(const Progress&)>> jobs = {
       [&](const Progress& p) { Visibility(torus.mesh, view, 800, 600, p); },
       [&](const Progress& p) { outline(torus.mesh, torus.normals, view, 400, 300, p); },
-      [&](const Progress& p) {
-        crease_lines(torus.mesh, torus.normals, *torus.neighborhood, 1, p);
-      },
+      [&](const Progress& p) { crease_lines(torus.mesh, torus.normals, 1, p); },
       [&](const Progress& p) {
         static const Visibility seen(torus.mesh, view, 400, 300);
         static const std::vector<Pen> pens(8'000, Pen{"p", {}, 1, seen.strokes(bounds)});

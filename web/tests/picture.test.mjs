@@ -122,7 +122,7 @@ const brindle = await createBrindle();
 /** What the tool is asked for; its picture, and the mesh with its pattern. */
 function toolOf(name, mesh, { azimuth, elevation, zoom = 1, up = 'z', words }) {
   const picture = `${name}.png`, written = join(scratch, `${name}.ply`);
-  const stripe = (...more) => execFileSync(tool, ['stripe', mesh, ...more, '--quiet'], { stdio: 'pipe' });
+  const stripe = (...more) => execFileSync(tool, ['stripe', mesh, ...more, '--crease-angle', '180', '--quiet'], { stdio: 'pipe' });
   stripe(...words, '--camera', `${azimuth},${elevation},${zoom}`, '--up', up, '--size', `${width}x${height}`, '--quality', 'interactive',
          '--transparent', '--colors', '#1c325a,#f4efe5', '--output', join(scratch, picture));
   stripe(...words.filter((word, i) => !/^--(texture|oriented|tiles)$/.test(word) && !/^--(texture|tiles)$/.test(words[i - 1])), '--output', written);

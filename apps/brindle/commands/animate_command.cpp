@@ -279,18 +279,19 @@ AnimationReport play_scene(const AnimateArguments& arguments, const Device& devi
   const std::string loading = "loading " + arguments.surface.mesh;
   display.plan({{loading, 2}, {"surface", 1}, {"frames", 2 + 0.5 * arguments.animation.frames}});
   display.stage(loading);
-  LoadedMesh loaded = load_mesh(arguments.surface, display.progress());
+  LoadedSurface loaded = load_mesh(arguments.surface, display.progress());
   display.note(describe(loaded));
   const std::vector<Index> vertex_of_row = std::move(loaded.vertex_of_row);
-  const DataArrays arrays = std::move(loaded.arrays);
   display.stage("surface");
-  const Surface surface = make_surface(std::move(loaded.mesh), display.progress());
+  Creases creases = split_at_creases(arguments.surface, loaded);
+  const DataArrays arrays = std::move(loaded.arrays);
+  const Surface surface =
+      make_surface(std::move(loaded.mesh), std::move(creases), display.progress());
   AnimationOptions animation = arguments.animation;
   animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
   animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
   animation.along = arguments.waves.along;
-  animation.animator.slack =
-      make_slack(arguments.slack, surface.mesh.vertex_count(), vertex_of_row);
+  animation.animator.slack = make_slack(arguments.slack, surface, vertex_of_row);
   // A row for every vertex of the file says nothing of vertices that were added.
   const bool rows = arguments.surface.subdivide == 0;
   const FrameData data{surface, arrays, arguments.surface.mesh,

@@ -97,4 +97,20 @@ std::optional<CsvField> read_csv_field(const CsvFieldName& name) {
   return field;
 }
 
+FieldFile read_rows(const Surface& surface, const std::string& path,
+                    std::span<const Index> vertex_of_row) {
+  FieldFile file = read_field_csv(path, surface.own_vertex_count(), vertex_of_row);
+  add_rows_of_copies(surface.creases, file.vectors);
+  if (!file.frequencies.empty()) add_rows_of_copies(surface.creases, file.frequencies);
+  if (!file.frequencies_v.empty()) add_rows_of_copies(surface.creases, file.frequencies_v);
+  return file;
+}
+
+DataArray with_copies(const Surface& surface, const DataArray& array) {
+  if (surface.creases.empty() || array.rows() != surface.own_vertex_count()) return array;
+  DataArrays arrays{{array}, {}};
+  add_rows_of_copies(surface.creases, arrays);
+  return arrays.points.front();
+}
+
 }  // namespace brindle::tool

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "brindle/data_arrays.h"
+#include "brindle/files.h"
+#include "brindle/surface.h"
 
 namespace brindle::tool {
 
@@ -28,5 +31,12 @@ struct CsvField {
 /// components in order, and at most two numbers behind it. Throws Error, naming all arrays, for
 /// another name, and if there are several vectors and no name.
 std::optional<CsvField> read_csv_field(const CsvFieldName& name);
+
+/// `read_field_csv`, with the rows of vertices that creases have split for all their copies.
+FieldFile read_rows(const Surface& surface, const std::string& path,
+                    std::span<const Index> vertex_of_row);
+
+/// An array of a file's vertices, with rows for copies at creases.
+DataArray with_copies(const Surface& surface, const DataArray& array);
 
 }  // namespace brindle::tool

@@ -24,7 +24,7 @@ using Field = BaseField;
 
 Field rows_field(const Surface& surface, const std::string& path,
                  std::span<const Index> vertex_of_row) {
-  FieldFile file = read_field_csv(path, surface.mesh.vertex_count(), vertex_of_row);
+  FieldFile file = read_rows(surface, path, vertex_of_row);
   const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
                                        [](const Vec3& vector) { return !vector.allFinite(); });
   Field field;
@@ -73,10 +73,11 @@ Field array_field(const Surface& surface, const DataArray& array, const ArrayOpt
 Field file_field(const Surface& surface, const WaveOptions& options, const FileData& data) {
   const CsvFieldName name = csv_field_name(options.field);
   if (const std::optional<CsvField> csv = read_csv_field(name)) {
-    const DataArray array = csv->of_globe ? globe_vectors(surface.mesh, csv->array) : csv->array;
+    const DataArray rows = with_copies(surface, csv->array);
+    const DataArray array = csv->of_globe ? globe_vectors(surface.mesh, rows) : rows;
     Field field = array_field(surface, array, options.arrays);
     if (!csv->frequency) return field;
-    field.frequencies = frequencies_of(*csv->frequency, field.directions);
+    field.frequencies = frequencies_of(with_copies(surface, *csv->frequency), field.directions);
     field.may_have_gaps = true;
     return field;
   }

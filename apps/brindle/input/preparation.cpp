@@ -41,11 +41,15 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListene
   if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
   // A row of a field for every vertex of the file says nothing of vertices that were added.
   if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
-  result.arrays = std::move(loaded.arrays);
   result.load_milliseconds = watch.lap();
   listener.stage(kNeighborhood);
-  result.surface = of_file(
-      options.mesh, [&] { return make_surface(std::move(loaded.mesh), listener.progress()); });
+  result.surface = of_file(options.mesh, [&] {
+    check_mesh(loaded.mesh);
+    Creases creases = split_at_creases(options, loaded);
+    return make_surface(std::move(loaded.mesh), std::move(creases), listener.progress());
+  });
+  add_rows_of_copies(result.surface.creases, result.original_ids);
+  result.arrays = std::move(loaded.arrays);
   result.topology_milliseconds = watch.lap();
 }
 

@@ -7,6 +7,7 @@
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "brindle/windings.h"
+#include "input/csv_field.h"
 
 namespace brindle::tool {
 
@@ -23,8 +24,7 @@ WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& opti
     waves.directions =
         rotated(first.waves.directions, surface.normals, std::numbers::pi_v<float> / 2);
   } else {
-    FieldFile file =
-        read_field_csv(options.field, surface.mesh.vertex_count(), first.vertex_of_row);
+    FieldFile file = read_rows(surface, options.field, first.vertex_of_row);
     waves.directions = tangent_directions(file.vectors, surface.normals);
     if (!file.frequencies.empty()) waves.frequencies = std::move(file.frequencies);
   }

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/surface.h"
 #include "brindle/yielding_frequency.h"
 #include "input/used_files.h"
 
@@ -34,7 +35,7 @@ void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs)
 /// in the one that its first row names calm. A row stands for a vertex or, if there are as many as
 /// entries in `vertex_of_row`, for a vertex of the mesh's file; of the rows of one vertex the
 /// largest counts. Throws Error naming the file, the line and the remedy.
-Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
+Slack make_slack(const SlackOptions& options, const Surface& surface,
                  std::span<const Index> vertex_of_row);
 
 }  // namespace brindle::tool

@@ -24,8 +24,7 @@ AnimatorOptions frame_options(const StripeOptions& stripes) {
 
 StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared) {
   StripeOptions stripes = options.stripes;
-  stripes.slack =
-      make_slack(options.slack, prepared.surface.mesh.vertex_count(), prepared.vertex_of_row);
+  stripes.slack = make_slack(options.slack, prepared.surface, prepared.vertex_of_row);
   return stripes;
 }
 

@@ -62,6 +62,7 @@ void add_surface_options(CLI::App& app, SurfaceOptions& options) {
       });
   app.add_option("--subdivide", options.subdivide);
   app.add_flag("--rounded", options.rounded);
+  add_field(app, "--crease-angle", options.crease_angle);
 }
 
 void add_point_options(CLI::App& app, SurfaceOptions& options) {
@@ -97,6 +98,9 @@ LoadedPoints load_points(const SurfaceOptions& options) {
   check_exists(options);
   if (options.subdivide > 0) {
     throw CLI::ValidationError("--subdivide", "points have no triangles to split");
+  }
+  if (options.crease_angle) {
+    throw CLI::ValidationError("--crease-angle", "points have no edges");
   }
   return is_shape(options) ? make_point_cloud(make_named_shape(options, {}).positions)
                            : file_of(options).points();
@@ -138,6 +142,13 @@ LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress)
   }
   stages.finish();
   return loaded;
+}
+
+Creases split_at_creases(const SurfaceOptions& options, LoadedSurface& loaded) {
+  Creases creases =
+      brindle::split_at_creases(loaded.mesh, options.crease_angle.value_or(kCreaseAngle));
+  add_rows_of_copies(creases, loaded.arrays);
+  return creases;
 }
 
 }  // namespace brindle::tool

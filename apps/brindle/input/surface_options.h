@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/creases.h"
 #include "brindle/files.h"
 
 namespace brindle::tool {
@@ -15,12 +16,13 @@ namespace brindle::tool {
 constexpr int kDefaultNeighbors = 8;
 
 struct SurfaceOptions {
-  std::string mesh;                   ///< a file or shape:NAME,...
-  int subdivide = 0;                  ///< how often every triangle is split in four
-  bool rounded = false;               ///< whether triangles that are split bend (`Midpoints`)
-  bool points = false;                ///< the vertices alone
-  std::optional<int> neighbors = {};  ///< of a point, instead of `kDefaultNeighbors`
-  Vec3 moved = Vec3::Zero();          ///< the mesh, after it was read
+  std::string mesh;                        ///< a file or shape:NAME,...
+  int subdivide = 0;                       ///< how often every triangle is split in four
+  bool rounded = false;                    ///< whether triangles that are split bend (`Midpoints`)
+  std::optional<float> crease_angle = {};  ///< degrees, instead of `kCreaseAngle`
+  bool points = false;                     ///< the vertices alone
+  std::optional<int> neighbors = {};       ///< of a point, instead of `kDefaultNeighbors`
+  Vec3 moved = Vec3::Zero();               ///< the mesh, after it was read
   /// The mesh's file, as far as it was read to answer `is_points`.
   mutable std::shared_ptr<SurfaceFile> file = {};
 
@@ -68,5 +70,8 @@ struct LoadedSurface : LoadedMesh {
 /// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a shape that is not
 /// spelt right and for neighbours of points, Error if a file cannot be read.
 LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress = {});
+
+/// Splits what was loaded, and its arrays, at creases.
+Creases split_at_creases(const SurfaceOptions& options, LoadedSurface& loaded);
 
 }  // namespace brindle::tool

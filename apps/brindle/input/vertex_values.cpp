@@ -197,7 +197,9 @@ VertexValues vertex_values(const std::string& option, const std::string& text,
         parse_place(option, text.substr(kDistance.size())) - surface.mesh.origin;
     return distances_to(relative.cast<float>(), surface, "distance");
   }
-  return csv_values(option, text, surface.mesh.vertex_count(), source.vertex_of_row);
+  VertexValues values = csv_values(option, text, surface.own_vertex_count(), source.vertex_of_row);
+  add_rows_of_copies(surface.creases, values.values);
+  return values;
 }
 
 }  // namespace brindle::tool

@@ -52,6 +52,7 @@ std::vector<CurveFigure> end_figures(const CurveEnds& ends, const std::string& f
   figures.part("ends.boundary", "at the boundary", end(CurveEnd::boundary));
   figures.part("ends.no_wave", "where no wave is", end(CurveEnd::no_wave));
   figures.part("ends.nonmanifold", "at triple edges", end(CurveEnd::nonmanifold));
+  figures.part("ends.crease", "at creases", end(CurveEnd::crease));
   figures.part("ends.branch", "at branches", end(CurveEnd::branch));
   figures.part("ends.singularity", "at singularities", end(CurveEnd::singularity));
   return figures.take();
@@ -238,9 +239,9 @@ std::string line_of_ends(const CurveEnds& ends) {
   const auto end = [&](CurveEnd kind) { return ends[static_cast<std::size_t>(kind)]; };
   return formatted(
       "ends: %zu at the boundary, %zu at branches, %zu at singularities, %zu beside vertices "
-      "without wave, %zu at edges of three triangles or more\n",
+      "without wave, %zu at edges of three triangles or more, %zu at creases\n",
       end(CurveEnd::boundary), end(CurveEnd::branch), end(CurveEnd::singularity),
-      end(CurveEnd::no_wave), end(CurveEnd::nonmanifold));
+      end(CurveEnd::no_wave), end(CurveEnd::nonmanifold), end(CurveEnd::crease));
 }
 
 void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json) {

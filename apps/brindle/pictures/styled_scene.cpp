@@ -278,10 +278,8 @@ class LineInk {
       add(lines, progress);
     }
   }
-  void add_creases(const StyledSurface& surface, const Adjacency& neighborhood,
-                   const Progress& progress) {
-    add(crease_lines(surface.mesh, surface.normals, neighborhood, *style_.crease_deg,
-                     progress.part(0, 0.5)),
+  void add_creases(const StyledSurface& surface, const Progress& progress) {
+    add(crease_lines(surface.mesh, surface.normals, *style_.crease_deg, progress.part(0, 0.5)),
         progress.part(0.5, 1));
   }
 
@@ -337,12 +335,11 @@ LineInk lines_of(const StyledScene& scene, std::span<const StyledSurface> surfac
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const bool main = i == 0;
     const double begin = kSeen + static_cast<double>(i) * share, middle = begin + 0.5 * share;
-    const Surface& surface = main ? scene.surface : scene.others[i - 1].surface;
     if (style.outline != OutlineStyle::none || (!main && style.others[i - 1].outlined)) {
       lines.add_outline(surfaces[i], main ? &scene.pattern : nullptr, progress.part(begin, middle));
     }
     if (style.crease_deg) {
-      lines.add_creases(surfaces[i], *surface.neighborhood, progress.part(middle, begin + share));
+      lines.add_creases(surfaces[i], progress.part(middle, begin + share));
     }
   }
   return lines;

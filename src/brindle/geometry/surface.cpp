@@ -5,8 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/geometry/joined_edges.h"
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
@@ -29,13 +31,15 @@ void check_triangles(const Mesh& mesh) {
 
 /// How many boundary edges are at exactly the place of another.
 std::size_t coinciding_boundary_edges(const Surface& surface) {
-  const std::vector<Index> first = first_at_each_place(surface.mesh.positions);
+  // Copies at creases are none of it.
+  const std::vector<Index> first =
+      first_at_each_place(std::span(surface.mesh.positions).first(surface.own_vertex_count()));
   bool any = false;
   for (Index v = 0; v < first.size(); ++v) {
     any = any || (first[v] != v && !surface.neighborhood->of(v).empty());
   }
   if (!any) return 0;
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
+  const MeshEdges edges = joined_edges(surface);
   std::vector<std::array<Index, 2>> places;
   for (Index e = 0; e < edges.count(); ++e) {
     if (edges.triangle_count(e) != 1) continue;
@@ -68,7 +72,51 @@ void check_mesh(const Mesh& mesh) {
   check_triangles(mesh);
 }
 
+namespace {
+
+/// Vertices at one place on the two sides of a crease, each pair once.
+std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
+  std::vector<std::array<Index, 2>> links;
+  for (const CreaseEdge& edge : creases.edges) {
+    for (int end = 0; end < 2; ++end) {
+      const auto [low, high] = std::minmax(edge.first[end], edge.second[end]);
+      if (low != high) links.push_back({low, high});
+    }
+  }
+  ranges::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+/// The neighbourhood with links over creases.
+Adjacency with_links(const Adjacency& neighborhood, const Creases& creases) {
+  const std::vector<std::array<Index, 2>> links = links_of(creases);
+  auto rows = compressed_rows<Index>(neighborhood.node_count(), [&](const auto& add) {
+    for (Index v = 0; v < neighborhood.node_count(); ++v) {
+      for (const Index neighbor : neighborhood.of(v)) add(v, neighbor);
+    }
+    for (const auto& [a, b] : links) {
+      add(a, b);
+      add(b, a);
+    }
+  });
+  for (std::size_t v = 0; v < rows.size(); ++v) ranges::sort(rows.of(v).begin(), rows.of(v).end());
+  return {std::move(rows.offsets), std::move(rows.entries)};
+}
+
+}  // namespace
+
+MeshEdges joined_edges(const Surface& surface, const Progress& progress) {
+  if (surface.creases.empty()) return mesh_edges(surface.mesh, *surface.neighborhood, progress);
+  const Mesh joined = joined_mesh(surface.mesh, surface.creases);
+  return mesh_edges(joined, vertex_neighborhood(joined), progress);
+}
+
 Surface make_surface(Mesh mesh, const Progress& progress) {
+  return make_surface(std::move(mesh), Creases(), progress);
+}
+
+Surface make_surface(Mesh mesh, Creases creases, const Progress& progress) {
   JobStages stages(progress, {{"corners", 3}, {"neighborhood", 5}, {"normals", 4}});
   const Progress corners = stages.begin("corners");
   check_mesh(mesh);
@@ -79,8 +127,12 @@ Surface make_surface(Mesh mesh, const Progress& progress) {
       vertex_neighborhood(mesh, around, stages.begin("neighborhood")));
   check_edge_lengths(edge_lengths(mesh.positions, *surface.neighborhood));
   surface.normals = vertex_normals(mesh, around, stages.begin("normals"));
+  if (!creases.empty()) {
+    surface.linked = std::make_shared<const Adjacency>(with_links(*surface.neighborhood, creases));
+  }
   stages.finish();
   surface.mesh = std::move(mesh);
+  surface.creases = std::move(creases);
   return surface;
 }
 

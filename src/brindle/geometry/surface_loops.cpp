@@ -13,11 +13,12 @@ namespace {
 
 constexpr Index kNowhere = std::numeric_limits<Index>::max();
 
+/// A mesh as it was before creases split it.
 class LoopFinder {
  public:
-  explicit LoopFinder(const Surface& surface)
-      : mesh_(surface.mesh),
-        neighborhood_(*surface.neighborhood),
+  LoopFinder(const Mesh& mesh, const Adjacency& neighborhood)
+      : mesh_(mesh),
+        neighborhood_(neighborhood),
         edges_(mesh_edges(mesh_, neighborhood_)),
         component_(mesh_.vertex_count(), kNowhere),
         ways_(mesh_.vertex_count()) {}
@@ -215,7 +216,10 @@ class LoopFinder {
 
 std::vector<SurfaceLoop> surface_loops(const Surface& surface) {
   if (surface.mesh.triangles.empty()) return {};
-  return LoopFinder(surface).find();
+  if (surface.creases.empty()) return LoopFinder(surface.mesh, *surface.neighborhood).find();
+  // Faces belong together across their creases.
+  const Mesh joined = joined_mesh(surface.mesh, surface.creases);
+  return LoopFinder(joined, vertex_neighborhood(joined)).find();
 }
 
 }  // namespace brindle

@@ -31,6 +31,7 @@ enum Binding : unsigned {
   kLoadedTurnedPhases = 7,
   kCoupledWaves = 5,
   kCoupledLastPhases = 6,
+  kCoupledNormals = 7,
   kFinishedLastPhases = 5,
   kPhasesByNode = 7
 };
@@ -39,6 +40,7 @@ constexpr GLint kLast = 0;                                 // of load_waves
 constexpr int kNoLast = 0, kByLastWaves = 1, kByNode = 2;  // what it is
 constexpr GLint kLambda = 0;                               // of couple
 constexpr GLint kTrapezoid = 1;                            // of couple
+constexpr GLint kLinked = 2;                               // of couple
 
 /// One list of the caller's input on both sides.
 template <class Item>
@@ -110,6 +112,7 @@ std::vector<Item> read_buffer(GLuint buffer, std::size_t count) {
 struct GpuAnimator::State {
   std::shared_ptr<const GpuKernels> kernels;
   std::shared_ptr<const Adjacency> neighborhood;
+  std::shared_ptr<const Adjacency> coupled;  ///< with links over creases; else the same
   AnimatorOptions options;
   double topology_milliseconds = 0;
 
@@ -125,6 +128,9 @@ struct GpuAnimator::State {
   Input input;
   YieldingFrames yielding;
   NormalsInPlace in_place;
+  bool linked = false;   ///< whether there are links over creases
+  MovingNormals moving;  ///< for these
+  GlBuffer normals;      ///< for these, by node
   bool has_frame = false;   ///< whether a frame has come to its end
   bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
@@ -140,6 +146,7 @@ struct GpuAnimator::State {
   std::size_t dispatches = 0;
 
   void build(const FrameInput& first, const Progress& progress);
+  void upload_normals(const FrameInput& next);
   void allocate();
   void load_waves(const WaveBuffers& buffers);
   void couple();
@@ -153,19 +160,26 @@ namespace {
 
 /// The hierarchy of the first frame, on which all later ones are solved: that of StripeAnimator.
 Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
-                          PhaseShiftKind kind, const Progress& progress) {
+                          std::span<const Vec3> normals, PhaseShiftKind kind,
+                          const Progress& progress) {
   if (kind == PhaseShiftKind::common_source) {
     const WaveSet waves{{input.positions.begin(), input.positions.end()},
                         {input.directions.begin(), input.directions.end()},
                         {input.frequencies.begin(), input.frequencies.end()}};
-    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind), progress);
+    return build_hierarchy(
+        build_phase_graph(std::move(neighborhood), waves, kind, {}, {}, normals), progress);
   }
   Hierarchy hierarchy = finest_level(*neighborhood);
   Level& finest = hierarchy.levels[0];
   std::vector<SlicedWave> waves;
   brindle::load_waves(finest.layout(), input.positions, input.directions, input.frequencies, waves);
-  std::vector<float> degree(finest.layout().slot_count());
-  brindle::couple(finest.layout(), waves, kind, {}, finest.couplings, degree);
+  std::vector<float> degree(finest.layout().slot_count()), weights;
+  std::vector<LinkedEntry> linked;
+  if (!normals.empty()) {
+    linked = take_linked_entries(finest.layout(), *neighborhood, input.positions, weights);
+  }
+  brindle::couple(finest.layout(), waves, kind, weights, finest.couplings, degree);
+  couple_linked(finest.layout(), linked, waves, normals, finest.couplings, degree);
   coarsen(hierarchy, progress);
   return hierarchy;
 }
@@ -176,11 +190,20 @@ void GpuAnimator::State::build(const FrameInput& first, const Progress& progress
   if (hierarchy) return;
   if (!topology) {
     Stopwatch watch;
-    const Hierarchy built = first_hierarchy(neighborhood, first, options.phase_shift, progress);
+    const std::span<const Vec3> of_links =
+        linked ? normals_of(first, in_place, moving) : std::span<const Vec3>();
+    const Hierarchy built =
+        first_hierarchy(coupled, first, of_links, options.phase_shift, progress);
     topology = topology_of(built, options.sweeps);
     topology_milliseconds = watch.lap();
   }
   allocate();
+}
+
+void GpuAnimator::State::upload_normals(const FrameInput& next) {
+  if (!linked) return;
+  const std::span<const Vec3> of_links = normals_of(next, in_place, moving);
+  normals = make_buffer(of_links.size_bytes(), of_links.data(), "normals");
 }
 
 void GpuAnimator::State::allocate() {
@@ -218,9 +241,11 @@ void GpuAnimator::State::couple() {
   hierarchy->bind();
   bind_storage(kCoupledWaves, next_waves);
   bind_storage(kCoupledLastPhases, turned_z);
+  if (linked) bind_storage(kCoupledNormals, normals);
   const bool paper = options.phase_shift == PhaseShiftKind::common_source;
   const ShaderProgram& kernel = paper ? kernels->couple_common_source : kernels->couple;
   const bool anchored = follows() && options.solver == FrameSolver::multilevel;
+  glProgramUniform1i(kernel.name(), kLinked, linked ? 1 : 0);
   glProgramUniform1f(kernel.name(), kLambda, anchored ? options.lambda : 0);
   if (!paper) {
     const bool trapezoid = options.phase_shift == PhaseShiftKind::trapezoid;
@@ -291,13 +316,18 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
         "animator options: the GPU knows no edge weights; leave them out, or take StripeAnimator");
   }
   state_->kernels = std::move(kernels);
-  state_->neighborhood = std::move(neighborhood);
+  state_->neighborhood = state_->coupled = std::move(neighborhood);
   state_->options = options;
 }
 
 GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surface& surface,
                          const AnimatorOptions& options)
-    : GpuAnimator(std::move(kernels), surface.neighborhood, without_slack(options)) {
+    : GpuAnimator(std::move(kernels), surface.coupled(), without_slack(options)) {
+  if (surface.linked) {
+    state_->neighborhood = surface.neighborhood;
+    state_->linked = true;
+    state_->moving = MovingNormals(surface.mesh);
+  }
   state_->yielding = YieldingFrames(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
@@ -326,6 +356,7 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   solve(progress, [&] {
     s.build(yielded, progress);
     s.timer.start();
+    s.upload_normals(input);
     return s.input.upload(yielded);
   });
   s.input.keep(yielded);
@@ -346,6 +377,7 @@ void GpuAnimator::frame(const WaveBuffers& input, const Progress& progress) {
       check_gl("reading the buffers of the first frame");
       check_values({positions, directions, frequencies}, *s.neighborhood, {});
       s.build({positions, directions, frequencies}, progress);
+      s.upload_normals({positions, directions, frequencies});
     }
     s.timer.start();
     return input;
@@ -420,6 +452,9 @@ GpuAnimator GpuAnimator::sibling() const {
   auto state = std::make_unique<State>();
   state->kernels = state_->kernels;
   state->neighborhood = state_->neighborhood;
+  state->coupled = state_->coupled;
+  state->linked = state_->linked;
+  state->moving = state_->moving;
   state->options = state_->options;
   state->topology = state_->topology;
   state->is_sibling = state->topology != nullptr;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/creases.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/pattern/stripe_pieces.h"
 #include "brindle/progress.h"
@@ -18,6 +19,7 @@ struct WavePattern {
   const WaveSet& waves;
   std::span<const Complex> z;  ///< exp(i Phi), one per vertex
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
+  std::span<const CreaseEdge> creases = {};  ///< of the mesh
 };
 
 class LiftedWaves {

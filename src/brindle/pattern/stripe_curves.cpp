@@ -33,8 +33,11 @@ constexpr Link kFirstEnd = 0x80000000;  // beyond: numbers of inner ends, then t
 constexpr Link kNoWave = 0xffffffff;
 constexpr Link kBoundary = 0xfffffffe;
 constexpr Link kNonmanifold = 0xfffffffd;
+constexpr Link kCrease = 0xfffffffc;
 constexpr Link kLastInnerEnd = 0xfffffff0;
 constexpr std::size_t kMostNodes = kFirstEnd / 2;
+// Crossings on the two sides of a crease are one curve if they are nearer than this, in periods.
+constexpr double kMeetingPeriods = 0.25;
 constexpr double kTracedBeforeTrim = 0.8;  // of the time,
 constexpr double kBeforeFair = 0.5;        // and of all
 
@@ -168,6 +171,7 @@ class Tracer {
     if (options_.join) end_walks_.emplace(lifted_);
     number_nodes(stages_.begin("crossings"));
     link_triangles(stages_.begin("pieces"));
+    for (const CreaseEdge& crease : pattern_.creases) link_over(crease);
     if (!links_.empty()) directions_ = directions_alike(lifted_, stages_.begin("directions"));
     walk(stages_.begin("curves"));
     stages_.finish();
@@ -297,6 +301,56 @@ class Tracer {
     }
   }
 
+  /// Crossings of one side of a crease, from its first end to its second.
+  struct Side {
+    Index edge;
+    bool forward;  ///< as the edge runs
+  };
+
+  std::optional<Side> side_of(const std::array<Index, 2>& ends) const {
+    const Index edge = pattern_.edges.between(ends[0], ends[1]);
+    if (pattern_.edges.triangle_count(edge) != 1) return std::nullopt;
+    return Side{edge, pattern_.edges.vertices[edge][0] == ends[0]};
+  }
+
+  Index node_on(const Side& side, Index n) const {
+    const Index count = crossings(side.edge);
+    return first_node_[side.edge] + (side.forward ? n : count - 1 - n);
+  }
+
+  double share_of(const Side& side, Index n) const {
+    const double share = share_along(node_on(side, n), side.edge);
+    return side.forward ? share : 1 - share;
+  }
+
+  /// Turns of the phase along a side.
+  double turns_along(const Side& side) const {
+    const auto [a, b] = pattern_.edges.vertices[side.edge];
+    const Turns turns = lifted_end(lifted_.edge(side.edge), lifted_.turns(b)) - lifted_.turns(a);
+    return std::abs(static_cast<double>(turns)) / static_cast<double>(kWholeTurn);
+  }
+
+  /// Curves go on over a crease where those of the other side come near enough. Both sides have
+  /// their crossings in the same order.
+  void link_over(const CreaseEdge& crease) {
+    const auto a = side_of(crease.first), b = side_of(crease.second);
+    if (!a || !b) return;
+    const Index in_a = crossings(a->edge), in_b = crossings(b->edge);
+    for (Index n = 0; n < in_a; ++n) links_[node_on(*a, n)][1] = kCrease;
+    for (Index n = 0; n < in_b; ++n) links_[node_on(*b, n)][1] = kCrease;
+    const double turns = std::max(turns_along(*a), turns_along(*b));
+    for (Index n = 0, m = 0; n < in_a && m < in_b;) {
+      const double ahead = share_of(*b, m) - share_of(*a, n);
+      if (std::abs(ahead) * turns <= kMeetingPeriods) {
+        join(2 * node_on(*a, n++) + 1, 2 * node_on(*b, m++) + 1);
+      } else if (ahead > 0) {
+        ++n;
+      } else {
+        ++m;
+      }
+    }
+  }
+
   Link edge_slot(std::size_t t, const PieceEnd& end) const {
     const Index edge = pattern_.edges.of_triangle[t][end.side];
     const std::span<const Index> along = pattern_.edges.half_edges.of(edge);
@@ -326,14 +380,19 @@ class Tracer {
     return point_in_triangle(pattern_, {static_cast<Index>(t), barycentric});
   }
 
+  /// Where along its edge a node is, 0 to 1.
+  double share_along(Index node, Index edge) const {
+    const auto [a, b] = pattern_.edges.vertices[edge];
+    const Turns start = lifted_.turns(a);
+    const Turns end = lifted_end(lifted_.edge(edge), lifted_.turns(b));
+    return crossing_position(start, end, (node - first_node_[edge]) % crossings(edge));
+  }
+
   CurvePoint point_of(Index node) const {
     if (node >= edge_of_node_.size()) return inner_points_[node - edge_of_node_.size()];
     const Index edge = edge_of_node_[node];
     const auto [a, b] = pattern_.edges.vertices[edge];
-    const Turns start = lifted_.turns(a);
-    const Turns end = lifted_end(lifted_.edge(edge), lifted_.turns(b));
-    const Index number = (node - first_node_[edge]) % crossings(edge);
-    const auto t = static_cast<float>(crossing_position(start, end, number));
+    const auto t = static_cast<float>(share_along(node, edge));
     const Vec3& from = pattern_.mesh.positions[a];
     const Vec3 way = pattern_.mesh.positions[b] - from;
     const double share = t;
@@ -405,6 +464,7 @@ class Tracer {
   CurveEnd end_at(Link link) {
     if (link == kBoundary) return CurveEnd::boundary;
     if (link == kNonmanifold) return CurveEnd::nonmanifold;
+    if (link == kCrease) return CurveEnd::crease;
     if (link == kNoWave) return CurveEnd::no_wave;
     const InnerEnd& end = inner_ends_[link - kFirstEnd];
     curve_.push_back(end.point);

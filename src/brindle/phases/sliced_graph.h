@@ -132,6 +132,8 @@ struct SlicedCouplings {
   }
   /// B of an entry, zero where there is none.
   Complex reflecting_at(const SlicedLayout& layout, Index slice, std::size_t entry) const;
+  /// Sets B of an entry, at its place in the list of a slice.
+  void set_reflecting(const SlicedLayout& layout, Index slice, const ReflectingCoupling& coupling);
   /// Appends to the list of a slice; entries must come in ascending order.
   void append_reflecting(const SlicedLayout& layout, Index slice,
                          const ReflectingCoupling& coupling) {

@@ -35,6 +35,24 @@ void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> t
 std::vector<float> sliced_weights(const SlicedLayout& layout, const Adjacency& adjacency,
                                   std::span<const float> edge_weights);
 
+/// An entry between two nodes at one place, on the two sides of a crease.
+struct LinkedEntry {
+  std::size_t entry;
+  Index slot, other;
+  float weight;
+};
+
+/// All of them, in ascending order. Their weight by entry becomes 0, so that `couple` leaves them
+/// to `couple_linked`; `entry_weights` are made if there are none.
+std::vector<LinkedEntry> take_linked_entries(const SlicedLayout& layout, const Adjacency& adjacency,
+                                             std::span<const Vec3> positions,
+                                             std::vector<float>& entry_weights);
+
+/// Couples linked entries behind `couple`, as `build_phase_graph` does with `normals` (by node).
+void couple_linked(const SlicedLayout& layout, std::span<const LinkedEntry> linked,
+                   std::span<const SlicedWave> waves, std::span<const Vec3> normals,
+                   SlicedCouplings& couplings, std::span<float> degree);
+
 /// The couplings of `build_phase_graph` and `load_couplings`, but for rounding. `entry_weights` is
 /// empty or has one weight per entry. `degree` receives the sum of weights of every slot's row.
 /// `kind` is aligned or trapezoid; throws Error for the paper's common source, which needs a
@@ -43,10 +61,10 @@ void couple(const SlicedLayout& layout, std::span<const SlicedWave> waves, Phase
             std::span<const float> entry_weights, SlicedCouplings& couplings,
             std::span<float> degree);
 
-/// The same for waves by node, with `edge_weights` as in `build_phase_graph`. Throws Error for what
-/// `build_phase_graph` rejects, too.
+/// The same for waves by node, with `edge_weights` and `normals` as in `build_phase_graph`. Throws
+/// Error for what `build_phase_graph` rejects, too.
 void couple_waves(const SlicedLayout& layout, const Adjacency& adjacency, const WaveSet& waves,
                   PhaseShiftKind kind, std::span<const float> edge_weights,
-                  SlicedCouplings& couplings);
+                  std::span<const Vec3> normals, SlicedCouplings& couplings);
 
 }  // namespace brindle

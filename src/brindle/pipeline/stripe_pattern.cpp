@@ -37,7 +37,12 @@ std::vector<float> positive_areas(const Mesh& mesh) {
 std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights,
                                 const Progress& progress) {
   if (weights == EdgeWeights::paper) return {};
-  return cotangent_weights(surface.mesh, *surface.neighborhood, progress);
+  return cotangent_weights(surface.mesh, *surface.coupled(), progress);
+}
+
+/// For `build_phase_graph`.
+std::span<const Vec3> normals_of_links(const Surface& surface) {
+  return surface.linked ? std::span<const Vec3>(surface.normals) : std::span<const Vec3>();
 }
 
 SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
@@ -48,7 +53,7 @@ SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
   constexpr int kLevels = 10;
   return {
       {},
-      averaged_levels(*surface.neighborhood, waves, {surface.normals, positive_areas(surface.mesh)},
+      averaged_levels(*surface.coupled(), waves, {surface.normals, positive_areas(surface.mesh)},
                       kind, kLevels, edge_weights, progress)};
 }
 
@@ -95,8 +100,8 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
   JobStages stages(progress, {{"couple", 1}, {"levels", 1}, {"solve", 8}});
   const Progress coupling = stages.begin("couple");
   Stopwatch watch;
-  PhaseGraph graph =
-      build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights, coupling);
+  PhaseGraph graph = build_phase_graph(surface.coupled(), waves, options.phase_shift, weights,
+                                       coupling, normals_of_links(surface));
   if (is_followed(options)) anchor_phases(graph, options.last_phases, options.lambda);
   if (!options.fixed_phases.empty()) add_fixed_phases(graph, options.fixed_phases);
   result.milliseconds.couple = watch.lap();
@@ -120,11 +125,11 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
       options.phase_shift != PhaseShiftKind::common_source) {
     const auto couple = [&](Level& finest) {
       watch.lap();
-      couple_waves(finest.layout(), *surface.neighborhood, waves, options.phase_shift, weights,
-                   finest.couplings);
+      couple_waves(finest.layout(), *surface.coupled(), waves, options.phase_shift, weights,
+                   normals_of_links(surface), finest.couplings);
       result.milliseconds.couple = watch.lap();
     };
-    result.solution = solve_multilevel(*surface.neighborhood, couple, options.solver, {}, progress);
+    result.solution = solve_multilevel(*surface.coupled(), couple, options.solver, {}, progress);
   } else {
     solve_as_graph(surface, waves, options, weights, progress, result);
   }

@@ -5,6 +5,7 @@
 
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/orientation.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/point_sampling.h"
@@ -19,8 +20,10 @@ struct StripeTracer::State {
   MeshEdges edges;
 
   WavePattern waves_of(const StripePattern& pattern) const {
-    return {surface.mesh,       edges, surface.normals, pattern.waves, pattern.solution.z,
-            pattern.phase_shift};
+    return {surface.mesh,         edges,
+            surface.normals,      pattern.waves,
+            pattern.solution.z,   pattern.phase_shift,
+            surface.creases.edges};
   }
 };
 
@@ -89,8 +92,23 @@ std::vector<Sample> StripeTracer::crossings(const StripePattern& u, const Stripe
                       sampled_waves(lifted_v), progress.part(0.4, 1));
 }
 
+namespace {
+
+/// Turns waves round so that they run alike over creases, too.
+void run_alike(const Surface& surface, StripePattern& pattern) {
+  const std::vector<Vec3> before = pattern.waves.directions;
+  orient_alike(surface, pattern.waves.directions);
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    Complex& z = pattern.solution.z[v];
+    if (pattern.waves.directions[v].dot(before[v]) < 0) z = -std::conj(z);
+  }
+}
+
+}  // namespace
+
 std::size_t shift_stripes(const Surface& surface, float periods, StripePattern& pattern) {
   check_belongs(surface, pattern);
+  if (surface.linked) run_alike(surface, pattern);
   return shift_phases(*surface.neighborhood, periods, pattern.waves, pattern.solution.z);
 }
 

@@ -133,9 +133,14 @@ void print_frequency(std::ostream& out, const FrequencyReport& report) {
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const StripePattern& pattern, Solver solver) {
   Report report;
-  report.vertices = surface.mesh.vertex_count();
+  report.vertices = surface.own_vertex_count();
   report.triangles = surface.mesh.triangle_count();
-  report.edges = surface.neighborhood->edge_count();
+  report.edges = surface.neighborhood->edge_count() - surface.creases.edges.size();
+  report.crease_vertices = surface.creases.copied.size();
+  // Stripes of a cross field lie on a mesh that is cut otherwise.
+  if (pattern.solution.z.size() == surface.mesh.vertex_count()) {
+    report.slip = crease_slip(surface, pattern.waves, pattern.solution.z);
+  }
   report.vertices_joined = prepared.vertices_joined;
   report.solver = solver;
   report.threads = ThreadLimit::current();
@@ -243,6 +248,7 @@ nlohmann::ordered_json to_json(const Report& report) {
       {"triangles", report.triangles},
       {"edges", report.edges},
       {"vertices_joined", report.vertices_joined},
+      {"crease_vertices", report.crease_vertices},
       {"solver", name_of(report.solver)},
       {"threads", report.threads},
       {"iterations", report.iterations},
@@ -260,6 +266,10 @@ nlohmann::ordered_json to_json(const Report& report) {
         {"solve", time.solve},
         {"pattern", time.pattern}}},
       {"device", report.device}});
+  if (report.slip) {
+    json["crease_slip_mean_deg"] = report.slip->mean_deg;
+    json["crease_slip_share"] = report.slip->share;
+  }
   json.update(to_json(report.waves, report.field_rows_nonfinite));
   if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;
   if (report.draw_milliseconds) {
@@ -299,6 +309,12 @@ void print_report(std::ostream& out, const Report& report) {
   if (report.frequency_v) print_frequency(out, *report.frequency_v);
   out << formatted("energy    %.6f\n", report.energy);
   print_branches(out, report);
+  if (report.slip) {
+    out << formatted(
+        "creases   %zu vertices more; phases differ by %.1f degrees on average, by more than %.0f "
+        "along %.1f %%\n",
+        report.crease_vertices, report.slip->mean_deg, kSlipDegrees, 100 * report.slip->share);
+  }
   out << formatted(
       "errors    angle %.2f degrees on average, above 5 degrees in %.1f %%, "
       "spacing %.1f %%\n",

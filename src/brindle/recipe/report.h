@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "brindle/crease_slip.h"
 #include "brindle/pattern_of.h"
 #include "brindle/recipe/wave_report.h"
 #include "brindle/samples.h"
@@ -56,7 +57,9 @@ struct Report {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
-  std::size_t vertices_joined = 0;  ///< with others at their place, when the file was read
+  std::size_t crease_vertices = 0;      ///< more than `vertices`, at creases
+  std::optional<CreaseSlip> slip = {};  ///< along these
+  std::size_t vertices_joined = 0;      ///< with others at their place, when the file was read
   Solver solver = Solver::multilevel;
   int threads = 0;
   int iterations = 0;

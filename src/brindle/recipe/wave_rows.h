@@ -24,6 +24,16 @@ constexpr auto kSurfaceRows = in_group(
       .help =
           "--subdivide: bend triangles as the normals at their corners do, so that outlines of "
           "coarse meshes are round; edges where the surface bends by more than 40 degrees stay"},
+     {.name = "crease-angle",
+      .words = "creases from",
+      .kind = OptionKind::number,
+      .form = "DEG",
+      .unit = "degrees",
+      .standard = "40",
+      .range = {.least = 0, .most = 180},
+      .slider = {0, 180},
+      .help = "bend from which an edge is a crease: its vertices have a wave for each side, so "
+              "that stripes run straight on every face of a part (default 40; 180: none)"},
      {.name = "points",
       .words = "points alone",
       .kind = OptionKind::flag,

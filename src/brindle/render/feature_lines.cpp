@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
@@ -74,8 +75,8 @@ float fine_spacing(const WaveSet& waves) {
 
 /// Where values of vertices, linear between them, pass zero. If they are `of_normals`, they have
 /// the other sign where the normal has: on a surface with one side, normals are turned somewhere.
-Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vector<double> values,
-                     bool of_normals) {
+std::vector<LineSegment> zero_segments(const Mesh& mesh, std::span<const Vec3> normals,
+                                       std::vector<double> values, bool of_normals) {
   for (double& value : values) {
     if (value == 0) value = 1e-12;  // a line through a vertex passes beside it
   }
@@ -98,7 +99,58 @@ Polylines zero_lines(const Mesh& mesh, std::span<const Vec3> normals, std::vecto
     }
     if (found == 2) segments.push_back(segment);
   }
-  return joined_lines(mesh, normals, segments);
+  return segments;
+}
+
+/// A triangle at an edge whose ends stand where those of another one do.
+struct PlacedSide {
+  std::array<Index, 2> places;  ///< the first vertex at each end, the lower number first
+  Index triangle;
+  std::array<int, 2> corners;
+};
+
+/// All edges at which a mesh was split: the sides of one edge stand beside each other.
+std::vector<PlacedSide> split_sides(const Mesh& mesh) {
+  const std::vector<Index> first = first_at_each_place(mesh.positions);
+  std::vector<std::uint8_t> is_split(first.size());
+  for (Index v = 0; v < first.size(); ++v) {
+    if (first[v] != v) is_split[v] = is_split[first[v]] = 1;
+  }
+  std::vector<PlacedSide> sides;
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3;
+      const Index from = mesh.triangles[t][a], to = mesh.triangles[t][b];
+      if (is_split[from] == 0 && is_split[to] == 0) continue;
+      PlacedSide side{{first[from], first[to]}, t, {a, b}};
+      if (side.places[1] < side.places[0]) side = {{first[to], first[from]}, t, {b, a}};
+      sides.push_back(side);
+    }
+  }
+  ranges::sort(sides.begin(), sides.end(), [](const PlacedSide& a, const PlacedSide& b) {
+    return std::pair(a.places, a.triangle) < std::pair(b.places, b.triangle);
+  });
+  return sides;
+}
+
+/// Where a surface was split and one side is turned to the viewer, the other away. Nodes are
+/// numbered from `first_node`.
+void add_split_silhouettes(const Mesh& mesh, std::span<const double> facing, Index first_node,
+                           std::vector<LineSegment>& segments) {
+  const std::vector<PlacedSide> sides = split_sides(mesh);
+  const auto is_seen = [&](const PlacedSide& side) {
+    const Triangle& corners = mesh.triangles[side.triangle];
+    return facing[corners[side.corners[0]]] + facing[corners[side.corners[1]]] > 0;
+  };
+  for (std::size_t k = 1; k < sides.size(); ++k) {
+    if (sides[k].places != sides[k - 1].places || is_seen(sides[k]) == is_seen(sides[k - 1])) {
+      continue;
+    }
+    LineSegment segment{
+        {first_node + sides[k].places[0], first_node + sides[k].places[1]}, sides[k].triangle, {}};
+    for (int i = 0; i < 2; ++i) segment.barycentric[i][sides[k].corners[i]] = 1;
+    segments.push_back(segment);
+  }
 }
 
 }  // namespace
@@ -110,7 +162,9 @@ Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, cons
     const Vec3 view = eye - mesh.positions[v];
     facing[v] = static_cast<double>(normals[v].dot(view.normalized()));
   }
-  return zero_lines(mesh, normals, std::move(facing), true);
+  std::vector<LineSegment> segments = zero_segments(mesh, normals, facing, true);
+  add_split_silhouettes(mesh, facing, static_cast<Index>(3 * mesh.triangle_count()), segments);
+  return joined_lines(mesh, normals, segments);
 }
 
 Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
@@ -122,15 +176,18 @@ Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
   for (std::size_t v = 0; v < beyond.size(); ++v) {
     beyond[v] = static_cast<double>(slice.signedDistance(mesh.positions[v]) + within);
   }
-  return zero_lines(mesh, normals, std::move(beyond), false);
+  return joined_lines(mesh, normals, zero_segments(mesh, normals, std::move(beyond), false));
 }
 
-Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals,
-                       const Adjacency& neighborhood, float angle_deg, const Progress& heard) {
-  check_normals(mesh, normals);
+Polylines crease_lines(const Mesh& split, std::span<const Vec3> normals, float angle_deg,
+                       const Progress& heard) {
+  check_normals(split, normals);
+  Mesh mesh = split;
+  join_vertices(mesh);
   JobStages stages(heard, {{"creases", 1}});
   const Progress progress = stages.begin("creases");
-  const MeshEdges edges = mesh_edges(mesh, neighborhood, progress.part(0, 0.4));
+  const Adjacency neighborhood = vertex_neighborhood(mesh, progress.part(0, 0.2));
+  const MeshEdges edges = mesh_edges(mesh, neighborhood, progress.part(0.2, 0.4));
   const auto features = feature_edges(mesh, edges, angle_deg, progress.part(0.4, 0.6));
   std::map<std::array<Index, 2>, std::optional<LineSegment>> of_edge;
   for (const auto& [from, to] : features) of_edge[{std::min(from, to), std::max(from, to)}];

@@ -5,7 +5,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/error.h"
-#include "brindle/geometry/topology.h"
+#include "brindle/geometry/joined_edges.h"
 
 namespace brindle {
 namespace {
@@ -16,7 +16,7 @@ constexpr float kAcross = 0.7f;  // cosine of 45 degrees
 /// Unit vectors from boundary vertices into the surface; zero at others.
 std::vector<Vec3> ways_inwards(const Surface& surface) {
   const Mesh& mesh = surface.mesh;
-  const MeshEdges edges = mesh_edges(mesh, *surface.neighborhood);
+  const MeshEdges edges = joined_edges(surface);
   std::vector<Vec3> inwards(mesh.vertex_count(), Vec3::Zero());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const Triangle& triangle = mesh.triangles[t];

@@ -108,6 +108,23 @@ PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjac
   return graph;
 }
 
+PhaseGraph direction_graph_of(const Surface& surface, int symmetry, const Progress& progress) {
+  if (!surface.linked) {
+    return build_direction_graph(surface.neighborhood, surface.normals, symmetry, progress);
+  }
+  constexpr float kAcrossCreases = 0.02f;
+  const Adjacency& linked = *surface.linked;
+  std::vector<float> weights(linked.directed_edge_count(), 1);
+  for (Index i = 0; i < linked.node_count(); ++i) {
+    for (Index edge = linked.offsets[i]; edge < linked.offsets[i + 1]; ++edge) {
+      const Index j = linked.neighbors[edge];
+      if (surface.mesh.positions[i] == surface.mesh.positions[j]) weights[edge] = kAcrossCreases;
+    }
+  }
+  return build_weighted_direction_graph(surface.linked, surface.normals, symmetry, weights,
+                                        progress);
+}
+
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) {
   if (direction.isZero(0)) return 0;
   const float theta = angle_of(direction, tangent_basis(normal));

@@ -7,6 +7,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
 #include "brindle/progress.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 
@@ -41,6 +42,11 @@ PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjac
                                           std::span<const Vec3> normals, int symmetry,
                                           std::span<const float> weights,
                                           const Progress& progress = {});
+
+/// The graph of a surface's vertices. Those on the two sides of a crease are linked weakly, so that
+/// faces choose alike among fields that are equally calm on each; with full weights the rims of
+/// holes would turn the field of flat faces.
+PhaseGraph direction_graph_of(const Surface& surface, int symmetry, const Progress& progress = {});
 
 /// u = exp(i N theta) of a tangent direction; zero for a zero direction.
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry);

@@ -4,28 +4,21 @@
 #include <vector>
 
 #include "brindle/base/parallel.h"
+#include "brindle/waves/crease_links.h"
 
 namespace brindle {
 namespace {
 
 enum class Visit : std::uint8_t { not_yet, queued, done };
 
-/// By the sum of signed agreements with the neighbours that are done.
-bool runs_against_neighbors(const Adjacency& neighborhood, std::span<const Vec3> directions,
-                            const std::vector<Visit>& visits, Index vertex) {
-  float agreement = 0;
-  for (const Index neighbor : neighborhood.of(vertex)) {
-    if (visits[neighbor] == Visit::done) agreement += directions[vertex].dot(directions[neighbor]);
-  }
-  return agreement < 0;
-}
-
 /// Visits vertices breadth-first.
 class OrientationWalk {
  public:
+  /// `creased` has normals and positions where neighbours may be on two sides of a crease.
   OrientationWalk(const Adjacency& neighborhood, std::span<Vec3> directions,
-                  const Progress& progress)
+                  const Progress& progress, const Surface* creased = nullptr)
       : neighborhood_(neighborhood),
+        creased_(creased),
         directions_(directions),
         progress_(progress),
         visits_(directions.size(), Visit::not_yet) {
@@ -51,7 +44,7 @@ class OrientationWalk {
     for (; next_ < queue_.size(); ++next_) {
       if (next_ % kReportSlice == 0) progress_.tick();
       const Index vertex = queue_[next_];
-      if (runs_against_neighbors(neighborhood_, directions_, visits_, vertex)) {
+      if (runs_against_neighbors(vertex)) {
         directions_[vertex] = -directions_[vertex];
       }
       visits_[vertex] = Visit::done;
@@ -60,7 +53,25 @@ class OrientationWalk {
   }
 
  private:
+  float agreement(Index i, Index j) const {
+    if (creased_ == nullptr || creased_->mesh.positions[i] != creased_->mesh.positions[j]) {
+      return directions_[i].dot(directions_[j]);
+    }
+    return cosine_across(directions_[j], creased_->normals[j], directions_[i],
+                         creased_->normals[i]);
+  }
+
+  /// By the sum of signed agreements with the neighbours that are done.
+  bool runs_against_neighbors(Index vertex) const {
+    float sum = 0;
+    for (const Index neighbor : neighborhood_.of(vertex)) {
+      if (visits_[neighbor] == Visit::done) sum += agreement(vertex, neighbor);
+    }
+    return sum < 0;
+  }
+
   const Adjacency& neighborhood_;
+  const Surface* creased_;
   std::span<Vec3> directions_;
   const Progress& progress_;
   std::vector<Visit> visits_;
@@ -81,6 +92,12 @@ void walk_all(OrientationWalk& walk, std::size_t count) {
 void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
                   const Progress& progress) {
   OrientationWalk walk(neighborhood, directions, progress);
+  walk_all(walk, directions.size());
+}
+
+void orient_alike(const Surface& surface, std::span<Vec3> directions, const Progress& progress) {
+  OrientationWalk walk(*surface.coupled(), directions, progress,
+                       surface.linked ? &surface : nullptr);
   walk_all(walk, directions.size());
 }
 

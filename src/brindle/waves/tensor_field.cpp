@@ -128,7 +128,7 @@ TensorField tensor_field_of(const Surface& surface, const DataArray& tensors, Te
   field.near_normal = counts.near_normal;
   field.isotropic = counts.isotropic;
   field.not_symmetric = counts.not_symmetric;
-  orient_alike(*surface.neighborhood, field.directions);
+  orient_alike(surface, field.directions);
   return field;
 }
 

@@ -339,7 +339,7 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
 
 /// Like the neighbours in the first frame, then like the frame before.
 void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& progress) const {
-  if (directions.empty()) return orient_alike(*surface.neighborhood, field, progress);
+  if (directions.empty()) return orient_alike(surface, field, progress);
   std::vector<std::uint8_t> settled(count());
   parallel_for(count(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

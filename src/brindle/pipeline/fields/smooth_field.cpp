@@ -139,8 +139,7 @@ std::optional<SeenField> field_from_afar(Surface& seen, std::vector<std::vector<
     seen.normals = std::move(normals.back());
     normals.pop_back();
     JobStages stages(progress.part(done / steps, (done + 1) / steps), stages_of(options));
-    PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
-                                             stages.begin("transport"));
+    PhaseGraph graph = direction_graph_of(seen, options.symmetry, stages.begin("transport"));
     add_all_anchors(graph, seen, options, stages);
     const LowestPhases u = solved(seen, graph, std::move(field), options, stages.begin("solve"));
     field = {seen.normals,
@@ -154,8 +153,7 @@ std::optional<SeenField> field_from_afar(Surface& seen, std::vector<std::vector<
 /// it begins with, if any.
 DirectionField field_of(const Surface& surface, const Surface& seen, std::optional<SeenField> from,
                         const SmoothFieldOptions& options, JobStages& stages) {
-  PhaseGraph graph = build_direction_graph(seen.neighborhood, seen.normals, options.symmetry,
-                                           stages.begin("transport"));
+  PhaseGraph graph = direction_graph_of(seen, options.symmetry, stages.begin("transport"));
   std::vector<float> of_curvature = add_all_anchors(graph, seen, options, stages);
   if (!options.last.directions.empty()) {
     DirectionField field =
@@ -171,7 +169,7 @@ DirectionField field_of(const Surface& surface, const Surface& seen, std::option
     const CurlSums sums = curl_sums(surface.mesh, field, surface.normals);
     turn_to_least_curl(sums, u.is_lower, surface.normals, field);
   }
-  orient_alike(*surface.neighborhood, field, stages.begin("orient"));
+  orient_alike(surface, field, stages.begin("orient"));
   return field;
 }
 

@@ -54,8 +54,7 @@ SmoothFieldAnimator::SmoothFieldAnimator(const Surface& surface,
   s.options = options;
   s.neighborhood = surface.neighborhood;
   s.normals = surface.normals;
-  const PhaseGraph graph =
-      build_direction_graph(surface.neighborhood, surface.normals, options.symmetry);
+  const PhaseGraph graph = direction_graph_of(surface, options.symmetry);
   s.starts = starts_of_field(graph, !surface.mesh.triangles.empty());
   s.hierarchy = build_hierarchy(graph, progress);
 }

@@ -38,6 +38,21 @@ void check_frame_input(const FrameInput& input, std::size_t vertices) {
               std::to_string(vertices) + " vertices, and as many normals, or none");
 }
 
+MovingNormals::MovingNormals(const Mesh& mesh) : mesh_(mesh), around_(vertex_triangles(mesh)) {}
+
+std::span<const Vec3> MovingNormals::at(std::span<const Vec3> positions) {
+  mesh_.positions.assign(positions.begin(), positions.end());
+  fill_vertex_normals(mesh_, around_, angles_, normals_);
+  return normals_;
+}
+
+std::span<const Vec3> normals_of(const FrameInput& input, const NormalsInPlace& in_place,
+                                 MovingNormals& moving) {
+  if (!input.normals.empty()) return input.normals;
+  if (ranges::equal(input.positions, in_place.positions)) return in_place.normals;
+  return moving.at(input.positions);
+}
+
 void check_values(const FrameInput& input, const Adjacency& neighborhood,
                   const NormalsInPlace& in_place) {
   check_waves(input.positions, input.directions, input.frequencies);

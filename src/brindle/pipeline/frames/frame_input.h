@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/geometry/normals_around.h"
+#include "brindle/geometry/topology.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/waves/yielding_solver.h"
 
@@ -23,6 +25,26 @@ void check_frame_input(const FrameInput& input, std::size_t vertices);
 struct NormalsInPlace {
   std::vector<Vec3> positions, normals;  ///< empty: nothing is known
 };
+
+/// The normals of vertices wherever they stand, for links over creases.
+class MovingNormals {
+ public:
+  MovingNormals() = default;
+  explicit MovingNormals(const Mesh& mesh);
+
+  /// Valid until the next call.
+  std::span<const Vec3> at(std::span<const Vec3> positions);
+
+ private:
+  Mesh mesh_;
+  VertexTriangles around_;
+  std::vector<TriangleAngles> angles_;
+  std::vector<Vec3> normals_;
+};
+
+/// Those that are given, or those in place, or what `moving` makes of the positions.
+std::span<const Vec3> normals_of(const FrameInput& input, const NormalsInPlace& in_place,
+                                 MovingNormals& moving);
 
 /// Throws Error for what `check_waves` and `check_fineness` refuse, and for what `check_tangent`
 /// does, where the input has normals or vertices stand in place.

@@ -73,8 +73,18 @@ bool FramePhases::load(const Level& finest, const FrameInput& input) {
   return true;
 }
 
+void FramePhases::load_normals(std::span<const Vec3> normals_by_node) {
+  if (!linked.empty()) next_normals.assign(normals_by_node.begin(), normals_by_node.end());
+}
+
+void FramePhases::couple_to(Level& finest, std::span<const SlicedWave> of,
+                            std::span<const Vec3> normals_of) {
+  couple(finest.layout(), of, phase_shift, weights, finest.couplings, degree);
+  couple_linked(finest.layout(), linked, of, normals_of, finest.couplings, degree);
+}
+
 void FramePhases::couple_next(Level& finest) {
-  couple(finest.layout(), next_waves(), phase_shift, weights, finest.couplings, degree);
+  couple_to(finest, next_waves(), next_normals);
   const bool anchored = has_last && lambda > 0 && solver == FrameSolver::multilevel;
   if (anchored) {
     set_anchors(degree, last_z, lambda, finest.couplings.anchor);
@@ -104,6 +114,7 @@ void FramePhases::keep(const Level& finest) {
   to_nodes(layout, last_z, z_by_node);
   given_z.clear();
   if (may_be_taken_back) std::swap(waves, cancellable_waves);
+  std::swap(normals, next_normals);
   has_frame = has_last = true;
 }
 
@@ -112,7 +123,7 @@ void FramePhases::take_back(Level& finest) {
   if (!has_frame) return;
   turn_phases(waves, next_waves(), last_z);
   turn_phases(waves, next_waves(), momentum.m);
-  couple(finest.layout(), waves, phase_shift, weights, finest.couplings, degree);
+  couple_to(finest, waves, normals);
   to_slots(finest.layout(), z_by_node, finest.z);
 }
 

@@ -47,6 +47,9 @@ struct FramePhases {
   /// whether anything has changed.
   bool load(const Level& finest, const FrameInput& input);
 
+  /// The normals of the next waves, where there are links over creases.
+  void load_normals(std::span<const Vec3> normals_by_node);
+
   /// Couples the next waves, and anchors them to the last phases where there are any.
   void couple_next(Level& finest);
 
@@ -79,7 +82,9 @@ struct FramePhases {
   std::vector<SlicedWave> cancellable_waves;  ///< of the frame that is solved, if it may be taken
                                               ///< back
   std::vector<float> weights;                 ///< of edges by entry; empty: 1
-  std::vector<float> degree;                  ///< sum of weights by slot
+  std::vector<LinkedEntry> linked;            ///< over creases
+  std::vector<Vec3> normals, next_normals;  ///< by node, of the last and the next waves, for these
+  std::vector<float> degree;                ///< sum of weights by slot
   std::vector<Complex> last_z;
   std::vector<Complex> given_z;  ///< by node: what the next frame follows instead; empty: none
   std::vector<Complex> z_by_node;
@@ -88,6 +93,7 @@ struct FramePhases {
   bool has_iterated = false;           ///< whether it has
 
  private:
+  void couple_to(Level& finest, std::span<const SlicedWave> of, std::span<const Vec3> normals_of);
   std::vector<SlicedWave>& next_waves() { return may_be_taken_back ? cancellable_waves : waves; }
 };
 

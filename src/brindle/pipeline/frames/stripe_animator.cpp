@@ -16,6 +16,7 @@ namespace brindle {
 
 struct StripeAnimator::State {
   std::shared_ptr<const Adjacency> neighborhood;
+  std::shared_ptr<const Adjacency> coupled;  ///< with links over creases; else the same
   AnimatorOptions options;
   double topology_milliseconds = 0;
 
@@ -25,6 +26,7 @@ struct StripeAnimator::State {
   bool has_yielded = false;  ///< whether frequencies of the frame that is solved are new
   YieldingFrames yielding = {};
   NormalsInPlace in_place = {};
+  MovingNormals moving = {};  ///< of a surface with links over creases
 
   Level& finest() { return hierarchy.levels[0]; }
 };
@@ -63,11 +65,13 @@ void check_options(const std::shared_ptr<const Adjacency>& neighborhood,
 StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options) {
   check_options(neighborhood, options);
-  state_ = std::make_unique<State>(State{std::move(neighborhood), options});
+  state_ = std::make_unique<State>(State{neighborhood, neighborhood, options});
 }
 
 StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& options)
-    : StripeAnimator(surface.neighborhood, without_slack(options)) {
+    : StripeAnimator(surface.coupled(), without_slack(options)) {
+  state_->neighborhood = surface.neighborhood;
+  if (surface.linked) state_->moving = MovingNormals(surface.mesh);
   state_->yielding = YieldingFrames(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
@@ -107,6 +111,7 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   start(progress.part(0.3, 0.4));
   watch.lap();
   if (!s.phases.load(s.finest(), yielded)) return unchanged_result();
+  if (s.coupled != s.neighborhood) s.phases.load_normals(normals_of(input, s.in_place, s.moving));
   FrameResult result;
   try {
     result.milliseconds = solve_next(watch, progress.part(0.4, 1));
@@ -144,7 +149,7 @@ void StripeAnimator::start(const Progress& progress) {
   if (!phases.degree.empty()) return;
   Stopwatch watch;
   const bool builds = s.hierarchy.levels.empty();
-  if (builds) s.hierarchy = finest_level(*s.neighborhood, progress);
+  if (builds) s.hierarchy = finest_level(*s.coupled, progress);
   const SlicedLayout& layout = s.finest().layout();
   phases.waves.reserve(layout.slot_count());
   if (phases.may_be_taken_back) phases.cancellable_waves.reserve(layout.slot_count());
@@ -153,7 +158,10 @@ void StripeAnimator::start(const Progress& progress) {
   phases.has_last = false;
   phases.z_by_node.resize(layout.slot_of.size());
   if (!s.options.edge_weights.empty()) {
-    phases.weights = sliced_weights(layout, *s.neighborhood, s.options.edge_weights);
+    phases.weights = sliced_weights(layout, *s.coupled, s.options.edge_weights);
+  }
+  if (s.coupled != s.neighborhood) {
+    phases.linked = take_linked_entries(layout, *s.coupled, s.in_place.positions, phases.weights);
   }
   if (s.options.solver == FrameSolver::relaxation) phases.momentum.m.resize(layout.slot_count());
   phases.degree.resize(layout.slot_count());
@@ -215,12 +223,14 @@ double StripeAnimator::energy() const {
 }
 
 StripeAnimator StripeAnimator::sibling() const {
-  auto state = std::make_unique<State>(State{state_->neighborhood, state_->options});
+  auto state =
+      std::make_unique<State>(State{state_->neighborhood, state_->coupled, state_->options});
   state->hierarchy = brindle::sibling(state_->hierarchy);
   state->is_sibling = !state->hierarchy.levels.empty();
   state->phases.may_be_taken_back = state_->phases.may_be_taken_back;
   state->yielding = state_->yielding.sibling();
   state->in_place = state_->in_place;
+  state->moving = state_->moving;
   return StripeAnimator(std::move(state));
 }
 

@@ -240,8 +240,10 @@ class OutlineSegments {
 
 }  // namespace
 
-Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
+Polylines outline(const Mesh& split, std::span<const Vec3> normals, const CameraView& view,
                   int width, int height, const Progress& heard) {
+  Mesh mesh = split;
+  join_vertices(mesh);
   JobStages stages(heard, {{"outline", 1}});
   const Progress progress = stages.begin("outline");
   const Camera camera = framed_camera(points_of_triangles(mesh), view, width, height);

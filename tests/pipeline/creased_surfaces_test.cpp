@@ -1,0 +1,190 @@
+// Patterns of parts with flat faces and sharp edges: a wave for every face at a vertex.
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "brindle/crease_slip.h"
+#include "brindle/direction_field.h"
+#include "brindle/error.h"
+#include "brindle/frequency_field.h"
+#include "brindle/quality.h"
+#include "brindle/smooth_field.h"
+#include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
+#include "brindle/stripe_tracer.h"
+#include "brindle/windings.h"
+#include "extruded.h"
+
+namespace brindle {
+namespace {
+
+struct Part {
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<Part> parts() {
+  return {{"box", extruded(square_round(4, 1), 2)},
+          {"prism", extruded(toothed_circle(6, 1), 2)},
+          {"gear with 24 teeth", extruded(toothed_circle(48, 1, 0.85f), 0.3f)},
+          {"plate with a hole", extruded_ring(square_round(32, 3), toothed_circle(32, 1), 0.4f)}};
+}
+
+StripePattern stripes_along(const Surface& surface, const Vec3& axis, float stripes,
+                            const StripeOptions& options = {}) {
+  return stripe_pattern(surface, projected_direction_field(axis, surface.normals),
+                        frequency_of_stripes(stripes, bounding_box(surface.mesh).diagonal()),
+                        options);
+}
+
+/// Of the triangles of faces that look up or down.
+float largest_error_of_caps(const Surface& surface, const StripePattern& pattern) {
+  const std::vector<float> errors = angle_errors_deg(surface.mesh, pattern.waves, pattern.corners);
+  float largest = 0;
+  for (std::size_t t = 0; t < errors.size(); ++t) {
+    if (std::abs(surface.normals[surface.mesh.triangles[t][0]].z()) < 0.9f) continue;
+    largest = std::max(largest, errors[t]);
+  }
+  return largest;
+}
+
+class CreasedPart : public testing::TestWithParam<int> {
+ protected:
+  Part part = parts()[static_cast<std::size_t>(GetParam())];
+  Surface surface = with_creases(part.mesh);
+};
+
+TEST_P(CreasedPart, HasStraightStripesAlongItsFaces) {
+  for (const float stripes : {20.0f, 40.0f, 100.0f}) {
+    const StripePattern pattern = stripes_along(surface, {1, 0, 0}, stripes);
+    EXPECT_EQ(pattern.quality.branches, 0u) << part.name << stripes;
+    EXPECT_LT(pattern.quality.angle_error_mean_deg, 0.5) << part.name << stripes;
+    EXPECT_LT(largest_error_of_caps(surface, pattern), 0.5f) << part.name << stripes;
+  }
+}
+
+TEST_P(CreasedPart, IsTheSameAsAPhaseGraphAndWhicheverWayDirectionsPoint) {
+  const StripePattern direct = stripes_along(surface, {1, 2, 3}, 20);
+  StripeOptions as_graph;
+  as_graph.solve = solve_phases;
+  const StripePattern graph = stripes_along(surface, {1, 2, 3}, 20, as_graph);
+  EXPECT_NEAR(direct.solution.energy, graph.solution.energy, 1e-3);
+  EXPECT_EQ(direct.quality.branches, graph.quality.branches);
+  DirectionField field = projected_direction_field({1, 2, 3}, surface.normals);
+  for (std::size_t v = 0; v < field.size(); v += 3) field[v] = -field[v];
+  const StripePattern turned = stripe_pattern(
+      surface, field, frequency_of_stripes(20, bounding_box(surface.mesh).diagonal()));
+  EXPECT_NEAR(turned.solution.energy, direct.solution.energy, 1e-3);
+  EXPECT_EQ(turned.quality.branches, direct.quality.branches);
+}
+
+TEST_P(CreasedPart, HasOtherSolversThatAgree) {
+  const StripePattern direct = stripes_along(surface, {1, 0, 0}, 20);
+  for (const Solver solver : {Solver::averaged, Solver::relaxation}) {
+    StripeOptions options;
+    options.solver.solver = solver;
+    EXPECT_LE(stripes_along(surface, {1, 0, 0}, 20, options).quality.angle_error_mean_deg,
+              direct.quality.angle_error_mean_deg + 3)
+        << part.name << name_of(solver);
+  }
+}
+
+TEST_P(CreasedPart, HasACalmSmoothField) {
+  const DirectionField field = smooth_direction_field(surface);
+  const StripePattern pattern = stripe_pattern(
+      surface, field, frequency_of_stripes(40, bounding_box(surface.mesh).diagonal()));
+  EXPECT_EQ(pattern.quality.branches, 0u) << part.name;
+  // On flat faces it is constant.
+  for (const Triangle& t : surface.mesh.triangles) {
+    if (std::abs(surface.normals[t[0]].z()) < 0.9f) continue;
+    EXPECT_GT(std::abs(field[t[0]].dot(field[t[1]])), 0.99f) << part.name;
+  }
+}
+
+TEST_P(CreasedPart, MovesAsARigidBody) {
+  StripeAnimator animator(surface, {.lambda = 0});
+  const DirectionField field = projected_direction_field({1, 2, 3}, surface.normals);
+  const FrequencyField frequencies = constant_frequency_field(
+      frequency_of_stripes(20, bounding_box(surface.mesh).diagonal()), surface.mesh.vertex_count());
+  const FrameResult first = animator.frame({surface.mesh.positions, field, frequencies});
+  const std::vector<Complex> still(first.z.begin(), first.z.end());
+  const double energy = animator.energy();
+  // A third of a turn exchanges axes exactly.
+  const auto turned = [](std::vector<Vec3> vectors) {
+    for (Vec3& v : vectors) v = {v.z(), v.x(), v.y()};
+    return vectors;
+  };
+  animator.restart();
+  const std::vector<Vec3> positions = turned(surface.mesh.positions), directions = turned(field);
+  animator.frame({positions, directions, frequencies});
+  EXPECT_NEAR(animator.energy(), energy, 1e-3) << part.name;
+}
+
+TEST_P(CreasedPart, FramesAreStills) {
+  StripeAnimator animator(surface, {.lambda = 0});
+  const StripePattern still = stripes_along(surface, {1, 2, 3}, 20);
+  animator.frame({still.waves.positions, still.waves.directions, still.waves.frequencies});
+  EXPECT_NEAR(animator.energy(), still.solution.energy, 1e-3) << part.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, CreasedPart, testing::Range(0, 4),
+                         [](const auto& info) { return "Part" + std::to_string(info.param); });
+
+// What one wave a vertex makes of the same: else the tests above would show nothing.
+TEST(CreasedParts, SwirlWithoutCreases) {
+  for (const std::size_t i : {std::size_t{2}, std::size_t{3}}) {
+    const StripePattern pattern = stripes_along(make_surface(parts()[i].mesh), {1, 0, 0}, 40);
+    EXPECT_GT(pattern.quality.branches, 10u) << parts()[i].name;
+    EXPECT_GT(pattern.quality.angle_error_mean_deg, 1) << parts()[i].name;
+  }
+}
+
+TEST(CreasedCurves, RunRoundAPrismOverItsEdges) {
+  const Surface surface = with_creases(extruded(toothed_circle(6, 1), 4));
+  StripePattern pattern = stripes_along(surface, {0, 0, 1}, 20);
+  // Away from the rims, on all faces the same way.
+  shift_stripes(surface, 0.3f, pattern);
+  const StripeCurves curves = stripe_curves(surface, pattern);
+  EXPECT_GT(curves.lines.count(), 10u);
+  // Stripes meet at all six edges: rings, but at the caps, which have no wave.
+  for (std::size_t line = 0; line < curves.lines.count(); ++line) {
+    EXPECT_NE(curves.lines.closed[line], 0) << line;
+  }
+  const auto slip = crease_slip(surface, pattern.waves, pattern.solution.z);
+  ASSERT_TRUE(slip);
+  EXPECT_LT(slip->mean_deg, 5);
+  EXPECT_EQ(slip->share, 0);
+}
+
+TEST(CreasedCurves, EndAtCreasesWherePhasesDoNotMeet) {
+  const Surface surface = with_creases(extruded(square_round(4, 1), 2));
+  const StripePattern pattern = stripes_along(surface, {1, 2, 3}, 40);
+  const auto slip = crease_slip(surface, pattern.waves, pattern.solution.z);
+  ASSERT_TRUE(slip);
+  EXPECT_GT(slip->share, 0.05);
+  EXPECT_LE(slip->share, 1);
+  const StripeCurves curves = stripe_curves(surface, pattern);
+  const auto ends = curves.end_counts();
+  EXPECT_GT(ends[static_cast<std::size_t>(CurveEnd::crease)], 10u);
+  EXPECT_EQ(ends[static_cast<std::size_t>(CurveEnd::boundary)], 0u);
+  EXPECT_EQ(
+      crease_slip(make_surface(extruded(square_round(4, 1), 2)), pattern.waves, pattern.solution.z),
+      std::nullopt);
+}
+
+TEST(CreasedWindings, AreNoneWhereALoopPassesACrease) {
+  const Surface surface =
+      with_creases(extruded_ring(square_round(32, 3), toothed_circle(32, 1), 0.4f));
+  const StripePattern pattern = stripes_along(surface, {1, 0, 0}, 20);
+  const std::vector<SurfaceLoop> loops = surface_loops(surface);
+  ASSERT_EQ(loops.size(), 2u);
+  for (const Winding& winding : windings(surface, loops, pattern)) EXPECT_EQ(winding, std::nullopt);
+  EXPECT_THROW(wind(surface, pattern, {}), Error);
+}
+
+}  // namespace
+}  // namespace brindle
