@@ -128,9 +128,9 @@ struct GpuAnimator::State {
   Input input;
   YieldingFrames yielding;
   NormalsInPlace in_place;
-  bool linked = false;   ///< whether there are links over creases
-  MovingNormals moving;  ///< for these
-  GlBuffer normals;      ///< for these, by node
+  bool linked = false;      ///< whether there are links over creases
+  MovingNormals moving;     ///< for these
+  GlBuffer normals;         ///< for these, by node
   bool has_frame = false;   ///< whether a frame has come to its end
   bool is_sibling = false;  ///< whether the topology was there before
   bool has_last = false;
@@ -166,8 +166,8 @@ Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const F
     const WaveSet waves{{input.positions.begin(), input.positions.end()},
                         {input.directions.begin(), input.directions.end()},
                         {input.frequencies.begin(), input.frequencies.end()}};
-    return build_hierarchy(
-        build_phase_graph(std::move(neighborhood), waves, kind, {}, {}, normals), progress);
+    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind, {}, {}, normals),
+                           progress);
   }
   Hierarchy hierarchy = finest_level(*neighborhood);
   Level& finest = hierarchy.levels[0];
