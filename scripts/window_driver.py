@@ -3,6 +3,7 @@ window's log (brindle view --log) for where widgets are and what has been drawn.
 
 import json
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -40,7 +41,8 @@ class Display:
     def __init__(self):
         reading, writing = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-noreset", "-nolisten", "tcp",
+             "-r"],  # where the machine is busy, keys would repeat themselves
             pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as line:
@@ -65,8 +67,11 @@ class Window:
         self.marks = 0  # that were asked for
         self.seen_marks = 0
         self.size = size
-        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(folder / "config"),
-                                XDG_CACHE_HOME=str(folder / "cache"), **(environment or {}))
+        # Shaders that Mesa has compiled for others before are the one thing that windows share.
+        shaders = os.environ.get("XDG_CACHE_HOME", str(pathlib.Path.home() / ".cache"))
+        self.environment = {"MESA_SHADER_CACHE_DIR": shaders, **os.environ, "DISPLAY": display,
+                            "XDG_CONFIG_HOME": str(folder / "config"), "XDG_CACHE_HOME": str(folder / "cache"),
+                            **(environment or {})}
         self.log_path.unlink(missing_ok=True)  # of a window before
         self.errors = open(folder / "errors.txt", "w+")
         self.process = subprocess.Popen(
