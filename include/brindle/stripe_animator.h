@@ -124,6 +124,7 @@ class StripeAnimator {
   explicit StripeAnimator(std::unique_ptr<State> state);
   void allow_take_back();
   FrameResult solve(const FrameInput& input, const Progress& progress);
+  void sew(const FrameInput& input);
   void keep(const FrameInput& input, FrameResult& solved);
   void take_back(const FrameResult& solved);
   void start(const Progress& progress);

@@ -14,6 +14,7 @@
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/measured_pattern.h"
+#include "brindle/pipeline/sewn_faces.h"
 #include "brindle/pipeline/yielded_stripes.h"
 #include "brindle/waves/averaged_levels.h"
 #include "brindle/waves/fineness.h"
@@ -132,6 +133,14 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
     result.solution = solve_multilevel(*surface.coupled(), couple, options.solver, {}, progress);
   } else {
     solve_as_graph(surface, waves, options, weights, progress, result);
+  }
+  if (surface.linked && !is_anchored(options)) {
+    watch.lap();
+    sew_faces(surface, waves, result.solution.z);
+    const PhaseGraph graph = build_phase_graph(surface.coupled(), waves, options.phase_shift,
+                                               weights, {}, surface.normals);
+    result.solution.energy = energy(graph, result.solution.z);
+    result.solution.solve_milliseconds += watch.lap();
   }
   result.milliseconds.couple += weigh_milliseconds;
   result.milliseconds.topology += result.solution.topology_milliseconds;

@@ -10,6 +10,7 @@
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/pipeline/frames/frame_phases.h"
+#include "brindle/pipeline/sewn_faces.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -119,10 +120,23 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
     take_phases_back();
     throw;
   }
+  if (s.coupled != s.neighborhood && !s.phases.has_last) sew(yielded);
   result.phase_step = s.phases.steps(s.finest()).mean();
   result.milliseconds.solve = watch.lap();
   result.milliseconds.frequency = yield_milliseconds;
   return result;
+}
+
+/// Lays faces against each other; later frames follow this one.
+void StripeAnimator::sew(const FrameInput& input) {
+  State& s = *state_;
+  const Surface surface{{}, s.neighborhood, s.phases.next_normals, {}, s.coupled};
+  const WaveSet waves{{input.positions.begin(), input.positions.end()},
+                      {input.directions.begin(), input.directions.end()},
+                      {input.frequencies.begin(), input.frequencies.end()}};
+  std::vector<Complex> z = to_nodes(s.finest().layout(), s.finest().z);
+  sew_faces(surface, waves, z);
+  to_slots(s.finest().layout(), z, s.finest().z);
 }
 
 /// Makes the frame that was just solved the last one. Cannot fail.

@@ -1,0 +1,139 @@
+#include "brindle/pipeline/sewn_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "brindle/base/compressed_rows.h"
+#include "brindle/waves/crease_links.h"
+
+namespace brindle {
+namespace {
+
+constexpr int kRounds = 50;
+
+/// A link from a face to another one, between waves that run as their faces' do.
+struct FaceLink {
+  Index other;
+  Complex own, theirs;
+  float weight;     ///< 0 to 1
+  bool reflecting;  ///< the other face's waves run against this one's
+};
+
+class FaceSewing {
+ public:
+  FaceSewing(const Surface& surface, const WaveSet& waves, std::span<Complex> z)
+      : surface_(surface), waves_(waves), z_(z), face_(z.size(), 0), sense_(z.size(), 0) {
+    find_faces();
+    find_links();
+  }
+
+  void sew() {
+    shift_.assign(oriented_.size(), Complex(1));
+    std::vector<std::uint8_t> placed(oriented_.size());
+    // Every face is laid against those that lie already.
+    for (Index first = 0; first < placed.size(); ++first) {
+      if (placed[first] != 0) continue;
+      std::vector<Index> queue = {first};
+      placed[first] = 1;
+      for (std::size_t next = 0; next < queue.size(); ++next) {
+        if (next > 0) move(queue[next], [&](Index other) { return placed[other] == 2; });
+        placed[queue[next]] = 2;
+        for (const FaceLink& link : links_.of(queue[next])) {
+          if (placed[link.other] != 0) continue;
+          placed[link.other] = 1;
+          queue.push_back(link.other);
+        }
+      }
+    }
+    for (int round = 0; round < kRounds; ++round) {
+      for (Index face = 0; face < shift_.size(); ++face) move(face, [](Index) { return true; });
+    }
+    for (std::size_t v = 0; v < z_.size(); ++v) {
+      if (sense_[v] == 0) continue;
+      const Complex shift = shift_[face_[v]];
+      z_[v] *= sense_[v] > 0 ? shift : std::conj(shift);
+    }
+  }
+
+ private:
+  /// Walks every face, and finds which way its waves run against its first.
+  void find_faces() {
+    const Adjacency& neighborhood = *surface_.neighborhood;
+    std::vector<Index> queue;
+    for (Index first = 0; first < z_.size(); ++first) {
+      if (sense_[first] != 0 || waves_.directions[first].isZero(0)) continue;
+      const auto face = static_cast<Index>(oriented_.size());
+      bool oriented = true;
+      queue.assign(1, first);
+      sense_[first] = 1;
+      for (std::size_t next = 0; next < queue.size(); ++next) {
+        const Index v = queue[next];
+        face_[v] = face;
+        for (const Index w : neighborhood.of(v)) {
+          const float cosine = waves_.directions[v].dot(waves_.directions[w]);
+          if (waves_.directions[w].isZero(0)) continue;
+          const auto sense = static_cast<std::int8_t>(cosine < 0 ? -sense_[v] : sense_[v]);
+          if (sense_[w] == 0) {
+            sense_[w] = sense;
+            queue.push_back(w);
+          } else {
+            oriented = oriented && sense_[w] == sense;
+          }
+        }
+      }
+      oriented_.push_back(oriented ? 1 : 0);
+    }
+  }
+
+  /// The phase of a wave that runs as its face's first does.
+  Complex phase(Index v) const { return sense_[v] < 0 ? -std::conj(z_[v]) : z_[v]; }
+
+  void find_links() {
+    links_ = compressed_rows<FaceLink>(oriented_.size(), [&](const auto& add) {
+      for (Index i = 0; i < z_.size(); ++i) {
+        for (const Index j : surface_.linked->of(i)) {
+          const bool links = waves_.positions[i] == waves_.positions[j] && sense_[i] != 0 &&
+                             sense_[j] != 0 && face_[i] != face_[j];
+          if (!links) continue;
+          const float cosine = cosine_across(waves_.directions[j], surface_.normals[j],
+                                             waves_.directions[i], surface_.normals[i]);
+          const bool against = (cosine < 0) != (sense_[i] != sense_[j]);
+          add(face_[i], {face_[j], phase(i), phase(j), std::abs(cosine), against});
+        }
+      }
+    });
+  }
+
+  /// The best shift of a face while all others stay.
+  template <class Counts>
+  void move(Index face, const Counts& counts) {
+    if (oriented_[face] == 0) return;
+    Complex sum = 0;
+    for (const FaceLink& link : links_.of(face)) {
+      if (!counts(link.other)) continue;
+      const Complex theirs = shift_[link.other] * link.theirs;
+      sum += link.weight * std::conj(link.own) * (link.reflecting ? -std::conj(theirs) : theirs);
+    }
+    const float length = std::sqrt(std::norm(sum));
+    if (length > 1e-6f) shift_[face] = sum / length;
+  }
+
+  const Surface& surface_;
+  const WaveSet& waves_;
+  std::span<Complex> z_;
+  std::vector<Index> face_;
+  std::vector<std::int8_t> sense_;      ///< 0: no wave
+  std::vector<std::uint8_t> oriented_;  ///< by face
+  CompressedRows<FaceLink> links_;      ///< by face
+  std::vector<Complex> shift_;          ///< by face
+};
+
+}  // namespace
+
+void sew_faces(const Surface& surface, const WaveSet& waves, std::span<Complex> z) {
+  if (surface.linked) FaceSewing(surface, waves, z).sew();
+}
+
+}  // namespace brindle
