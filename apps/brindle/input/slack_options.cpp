@@ -13,13 +13,19 @@ void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs)
   if (!options.calm.empty()) inputs.push_back({"--calm", options.calm});
 }
 
-Slack make_slack(const SlackOptions& options, const Surface& surface,
+Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
                  std::span<const Index> vertex_of_row) {
   Slack slack = options.slack;
   if (!options.calm.empty()) {
-    slack.calm = read_calm_csv(options.calm, surface.own_vertex_count(), vertex_of_row);
-    add_rows_of_copies(surface.creases, slack.calm);
+    slack.calm = read_calm_csv(options.calm, vertex_count, vertex_of_row);
   }
+  return slack;
+}
+
+Slack make_slack(const SlackOptions& options, const Surface& surface,
+                 std::span<const Index> vertex_of_row) {
+  Slack slack = make_slack(options, surface.own_vertex_count(), vertex_of_row);
+  if (!slack.calm.empty()) add_rows_of_copies(surface.creases, slack.calm);
   return slack;
 }
 

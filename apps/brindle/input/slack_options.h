@@ -35,6 +35,10 @@ void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs)
 /// in the one that its first row names calm. A row stands for a vertex or, if there are as many as
 /// entries in `vertex_of_row`, for a vertex of the mesh's file; of the rows of one vertex the
 /// largest counts. Throws Error naming the file, the line and the remedy.
+Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
+                 std::span<const Index> vertex_of_row);
+
+/// The same for a surface that creases may have split.
 Slack make_slack(const SlackOptions& options, const Surface& surface,
                  std::span<const Index> vertex_of_row);
 
