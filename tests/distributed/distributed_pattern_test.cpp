@@ -331,8 +331,8 @@ TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
       }
     }
   }
-  // All sorts of ends have been there.
-  EXPECT_EQ(std::ranges::count(std::span(ends).subspan(1), 0u), 0);
+  // All sorts of ends have been there, but those at creases, which ranks do not have.
+  EXPECT_EQ(std::ranges::count(std::span(ends).subspan(1, 5), 0u), 0);
 }
 
 TEST(DistributedCurves, RefuseOptionsThatContradictEachOther) {

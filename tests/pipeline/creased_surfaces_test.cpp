@@ -99,21 +99,6 @@ TEST_P(CreasedPart, HasOtherSolversThatAgree) {
   }
 }
 
-// Along x all faces of a plate ask for the same spacing, but for the walls of holes.
-TEST_P(CreasedPart, HasStripesThatMeetAtItsEdges) {
-  for (const float stripes : {13.0f, 20.0f, 40.0f}) {
-    const StripePattern pattern = stripes_along(surface, {1, 0, 0}, stripes);
-    const auto slip = crease_slip(surface, pattern.waves, pattern.solution.z);
-    ASSERT_TRUE(slip);
-    EXPECT_LT(slip->share, 0.35) << part.name << stripes;
-    StripeAnimator animator(surface);
-    const FrameResult frame = animator.frame(
-        {pattern.waves.positions, pattern.waves.directions, pattern.waves.frequencies});
-    const auto of_frame = crease_slip(surface, pattern.waves, frame.z);
-    EXPECT_NEAR(of_frame->share, slip->share, 0.1) << part.name << stripes;
-  }
-}
-
 TEST_P(CreasedPart, HasACalmSmoothField) {
   const DirectionField field = smooth_direction_field(surface);
   const StripePattern pattern = stripe_pattern(
@@ -161,6 +146,22 @@ TEST(CreasedParts, SwirlWithoutCreases) {
     const StripePattern pattern = stripes_along(make_surface(parts()[i].mesh), {1, 0, 0}, 40);
     EXPECT_GT(pattern.quality.branches, 10u) << parts()[i].name;
     EXPECT_GT(pattern.quality.angle_error_mean_deg, 1) << parts()[i].name;
+  }
+}
+
+// Along x all faces of a plate ask for the same spacing along their edges, but the wall of the
+// hole.
+TEST(CreasedParts, HaveStripesThatMeetAtTheirEdges) {
+  const Surface surface = with_creases(parts()[3].mesh);
+  for (const float stripes : {13.0f, 20.0f, 40.0f}) {
+    const StripePattern pattern = stripes_along(surface, {1, 0, 0}, stripes);
+    const auto slip = crease_slip(surface, pattern.waves, pattern.solution.z);
+    ASSERT_TRUE(slip);
+    EXPECT_LT(slip->share, 0.15) << stripes;
+    StripeAnimator animator(surface);
+    const FrameResult frame = animator.frame(
+        {pattern.waves.positions, pattern.waves.directions, pattern.waves.frequencies});
+    EXPECT_LT(crease_slip(surface, pattern.waves, frame.z)->share, 0.15) << stripes;
   }
 }
 
