@@ -1,4 +1,4 @@
-/// The schedules by which couplings are summed over aggregates: docs/method.md, "Multilevel solver".
+/// The order in which couplings are summed over aggregates (docs/method.md, "Multilevel solver").
 #pragma once
 
 #include <span>
