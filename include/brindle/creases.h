@@ -3,11 +3,8 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
-#include <string>
 #include <vector>
 
-#include "brindle/arrays.h"
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
@@ -46,20 +43,20 @@ struct Creases {
 /// corner of a box has three normals and three waves. Triangles keep their numbers.
 ///
 /// A crease is an edge of two triangles that bend by more than `angle_deg` degrees (0 to 180; 180:
-/// none), also when each side is averaged over the triangles that touch it, so that noise is none.
-/// Edges of three triangles or more part those that bend by more. Throws Error for another angle,
-/// and Cancelled if `progress` asks for it.
+/// none), also when each side is averaged over the triangles near by, so that noise is none, and
+/// that is part of a chain which closes or runs from boundary to boundary. Edges of three triangles
+/// or more part those that bend by more. Throws Error for another angle, and Cancelled if
+/// `progress` asks for it.
 Creases split_at_creases(Mesh& mesh, float angle_deg = kCreaseAngle, const Progress& progress = {});
-
-/// Throws Error unless the angle is a number from 0 to 180.
-void check_crease_angle(float angle_deg);
 
 /// The same mesh with triangles between the vertices from before the split; copies stay, in none.
 Mesh joined_mesh(const Mesh& mesh, const Creases& creases);
 
-/// A row for every vertex that was added: that of the vertex which it is a copy of.
+/// A row for every vertex that was added: that of the vertex which it is a copy of. A list without
+/// rows stays so.
 template <class Row>
 void add_rows_of_copies(const Creases& creases, std::vector<Row>& rows) {
+  if (rows.empty()) return;
   rows.reserve(rows.size() + creases.copied.size());
   for (const Index vertex : creases.copied) rows.push_back(rows[vertex]);
 }

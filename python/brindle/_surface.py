@@ -115,7 +115,7 @@ class Surface:
                  cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
         self._core = _core.surface_of_arrays(vertices, triangles, dict(point_data or {}),
                                              dict(cell_data or {}), flag(repair, "repair"),
-                                             _angle(crease_angle))
+                                             number(crease_angle, "crease_angle"))
         self._source: Any = None
         if not repair:
             warn(self._core.split_warning)
@@ -468,7 +468,7 @@ def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdiv
         points = flag(points, "points")
     return Surface._of(_core.read(path_of(path), points, whole_number(neighbors, "neighbors"),
                                   _times(subdivide), _rounded(rounded, subdivide),
-                                  _angle(crease_angle), progress))
+                                  number(crease_angle, "crease_angle"), progress))
 
 
 def shape(name: str, *, subdivide: int = 0, rounded: bool = False, crease_angle: float = 40,
@@ -482,7 +482,7 @@ def shape(name: str, *, subdivide: int = 0, rounded: bool = False, crease_angle:
             raise TypeError(f"{key}: expected a number, got {value!r}")
         spec += f",{key}={value}"
     return Surface._of(_core.shape(spec, _times(subdivide), _rounded(rounded, subdivide),
-                                   _angle(crease_angle)))
+                                   number(crease_angle, "crease_angle")))
 
 
 def points(positions: "ArrayLike", normals: "Optional[ArrayLike]" = None, *, neighbors: int = 8,
@@ -510,13 +510,6 @@ def _times(subdivide: Any) -> int:
     if not 0 <= times <= 10:
         raise Error(f"subdivide: {times} is not in 0 .. 10")
     return times
-
-
-def _angle(crease_angle: Any) -> float:
-    degrees = number(crease_angle, "crease_angle")
-    if not 0 <= degrees <= 180:
-        raise Error(f"crease_angle: {degrees:g} is not in 0 .. 180")
-    return degrees
 
 
 def _rounded(rounded: Any, subdivide: int) -> bool:

@@ -104,8 +104,13 @@ Mesh take_repaired(RepairedMesh&& repaired, SurfaceData& data) {
   return std::move(repaired.mesh);
 }
 
+void check_crease_angle(float degrees) {
+  saying_in_pythons_words([&] { check_number("--crease-angle", degrees); });
+}
+
 SurfacePointer from_arrays(py::handle vertices, py::handle triangles, const py::dict& point_arrays,
                            const py::dict& cell_arrays, bool repair, float crease_angle) {
+  check_crease_angle(crease_angle);
   const Table positions = columns_of_three(vertices, "vertices");
   refuse_masked(triangles, "triangles");
   const Table corners = columns_of_three(triangles, "triangles");
@@ -208,6 +213,7 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
   SurfaceData data;
   data.name = path.string();
   check_neighbors(neighbors);
+  check_crease_angle(crease_angle);
   return Job(callback).run([&](const Progress& progress) {
     SurfaceFile file(path);
     if (!(points ? *points : !file.has_faces(progress))) {
@@ -223,6 +229,7 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
 }
 
 SurfacePointer from_shape(const std::string& spec, int times, bool rounded, float crease_angle) {
+  check_crease_angle(crease_angle);
   SurfaceData data;
   data.name = std::string(kShapePrefix) + spec;
   data.stands_on_z = true;

@@ -101,8 +101,8 @@ FieldFile read_rows(const Surface& surface, const std::string& path,
                     std::span<const Index> vertex_of_row) {
   FieldFile file = read_field_csv(path, surface.own_vertex_count(), vertex_of_row);
   add_rows_of_copies(surface.creases, file.vectors);
-  if (!file.frequencies.empty()) add_rows_of_copies(surface.creases, file.frequencies);
-  if (!file.frequencies_v.empty()) add_rows_of_copies(surface.creases, file.frequencies_v);
+  add_rows_of_copies(surface.creases, file.frequencies);
+  add_rows_of_copies(surface.creases, file.frequencies_v);
   return file;
 }
 

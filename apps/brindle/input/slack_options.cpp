@@ -25,7 +25,7 @@ Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
 Slack make_slack(const SlackOptions& options, const Surface& surface,
                  std::span<const Index> vertex_of_row) {
   Slack slack = make_slack(options, surface.own_vertex_count(), vertex_of_row);
-  if (!slack.calm.empty()) add_rows_of_copies(surface.creases, slack.calm);
+  add_rows_of_copies(surface.creases, slack.calm);
   return slack;
 }
 

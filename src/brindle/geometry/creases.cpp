@@ -14,8 +14,8 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/normals.h"
 
 namespace brindle {
 namespace {
@@ -101,24 +101,29 @@ class CreaseFinder {
   bool goes_on(Index a, Index b) const {
     const Index edge = edges_.of_triangle[a / 3][a % 3];
     if (crease_[edge] == 0) return true;
-    return edges_.triangle_count(edge) > 2 && bends_less(areas_[a / 3], turned(a, b), cosine_);
+    return edges_.triangle_count(edge) > 2 && bends_less(areas_[a / 3], turned_area(a, b), cosine_);
   }
 
   bool is_crease(Index edge) const { return crease_[edge] != 0; }
 
  private:
-  /// The area of b's triangle as seen from a's: two that are wound alike run along their edge in
-  /// opposite ways.
-  Vec3 turned(Index a, Index b) const {
-    const bool against = vertex_at(mesh_.triangles, a) == vertex_at(mesh_.triangles, b);
-    return against ? Vec3(-areas_[b / 3]) : areas_[b / 3];
+  /// Whether the triangles of two half-edges of one edge are wound against each other: those that
+  /// are wound alike run along it in opposite ways.
+  bool run_against(Index a, Index b) const {
+    return vertex_at(mesh_.triangles, a) == vertex_at(mesh_.triangles, b);
   }
+
+  /// A vector of b's triangle as seen from a's.
+  Vec3 turned(Index a, Index b, const Vec3& vector) const {
+    return run_against(a, b) ? Vec3(-vector) : vector;
+  }
+  Vec3 turned_area(Index a, Index b) const { return turned(a, b, areas_[b / 3]); }
 
   bool is_sharp(Index edge) const {
     const std::span<const Index> along = edges_.half_edges.of(edge);
     for (std::size_t k = 1; k < along.size(); ++k) {
-      if (!bends_less(areas_[along[k - 1] / 3], turned(along[k - 1], along[k]), cosine_))
-        return true;
+      const Index a = along[k - 1];
+      if (!bends_less(areas_[a / 3], turned_area(a, along[k]), cosine_)) return true;
     }
     return false;
   }
@@ -129,7 +134,7 @@ class CreaseFinder {
     bool alike;
   };
 
-  /// The mean normal, of any length, of the triangles that touch this one and are reached from it
+  /// The mean normal, of any length, of the triangles nearest to this one that are reached from it
   /// over edges that are not sharp.
   Vec3 side(Index triangle) const {
     std::vector<SideTriangle> reached = {{triangle, true}};
@@ -144,9 +149,7 @@ class CreaseFinder {
         const auto is_same = [&](const SideTriangle& s) { return s.triangle == beyond; };
         if (std::any_of(reached.begin(), reached.end(), is_same)) continue;
         const std::span<const Index> along = edges_.half_edges.of(edge);
-        const bool against =
-            vertex_at(mesh_.triangles, along[0]) == vertex_at(mesh_.triangles, along[1]);
-        reached.push_back({beyond, against ? !alike : alike});
+        reached.push_back({beyond, alike != run_against(along[0], along[1])});
       }
     }
     return sum;
@@ -158,10 +161,9 @@ class CreaseFinder {
       for (Index e = static_cast<Index>(begin); e < end; ++e) {
         if (crease_[e] == 0 || edges_.triangle_count(e) != 2) continue;
         const std::span<const Index> along = edges_.half_edges.of(e);
-        const bool against =
-            vertex_at(mesh_.triangles, along[0]) == vertex_at(mesh_.triangles, along[1]);
-        const Vec3 a = side(along[0] / 3), b = side(along[1] / 3);
-        if (bends_less(a, against ? Vec3(-b) : b, averaged_cosine_)) kept[e] = 0;
+        const Vec3 a = side(along[0] / 3);
+        const Vec3 b = turned(along[0], along[1], side(along[1] / 3));
+        if (bends_less(a, b, averaged_cosine_)) kept[e] = 0;
       }
     });
     crease_ = std::move(kept);
@@ -313,8 +315,7 @@ class Splitter {
   }
 
   Index now_at(const std::vector<Triangle>& before, Index t, Index v) const {
-    const auto corner = std::find(before[t].begin(), before[t].end(), v) - before[t].begin();
-    return mesh_.triangles[t][static_cast<std::size_t>(corner)];
+    return mesh_.triangles[t][static_cast<std::size_t>(corner_of(before[t], v))];
   }
 
   Mesh& mesh_;
@@ -327,13 +328,10 @@ class Splitter {
 
 }  // namespace
 
-void check_crease_angle(float angle_deg) {
-  if (angle_deg >= 0 && angle_deg <= 180) return;
-  throw Error("the angle of creases must be from 0 to 180 degrees (180: none)");
-}
-
 Creases split_at_creases(Mesh& mesh, float angle_deg, const Progress& progress) {
-  check_crease_angle(angle_deg);
+  if (!(angle_deg >= 0 && angle_deg <= 180)) {
+    throw Error("the angle of creases must be from 0 to 180 degrees (180: none)");
+  }
   if (angle_deg == 180) return {};
   const std::vector<Vec3> areas = area_vectors(mesh);
   progress.tick();

@@ -116,11 +116,11 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   FrameResult result;
   try {
     result.milliseconds = solve_next(watch, progress.part(0.4, 1));
+    if (s.coupled != s.neighborhood && !s.phases.has_last) sew(yielded);
   } catch (...) {
     take_phases_back();
     throw;
   }
-  if (s.coupled != s.neighborhood && !s.phases.has_last) sew(yielded);
   result.phase_step = s.phases.steps(s.finest()).mean();
   result.milliseconds.solve = watch.lap();
   result.milliseconds.frequency = yield_milliseconds;
