@@ -2,7 +2,8 @@
 """Measures Brindle beside what a user would take instead, on the same meshes and in one run, and prints
 one table.
 
-    scripts/peers.py build/release/apps/brindle/brindle [--sources FOLDER] [--csv ALL.csv] [MESH...]
+    scripts/peers.py build/release/apps/brindle/brindle [--sources FOLDER] [--task WORDS] [--csv ALL.csv]
+                     [MESH...]
 
 FOLDER holds the sources of geometry-central, instant-meshes and libigl, those that are there; they are
 built outside of it, with drivers of ours (peers/), and stay as they are. Without it, only ParaView's
@@ -49,6 +50,8 @@ SOURCES = {
     "libigl": ("include/igl/principal_curvature.h",),
 }
 PARAVIEW = "paraview"
+TASKS = ("stripes, smooth field", "the same, geometry-central's field", "stripes, a frame", "crosses",
+         "stripes, curvature", "a picture")
 
 
 class Failed(Exception):
@@ -300,18 +303,20 @@ def picture(quality):
     return measure
 
 
-def plan(drivers):
-    """Tasks in the order in which they run: a field is made before others take it."""
+def plan(drivers, tasks):
+    """Tasks in the order in which they run: a field is made before others take it. Only those of one of
+    these names, if any are named."""
     steps = []
 
     def add(task, by, measure):
-        steps.append((task, by, measure))
+        if not tasks or task in tasks:
+            steps.append((task, by, measure))
 
-    smooth, theirs = "stripes, smooth field", "the same, geometry-central's field"
     if "geometry-central" in drivers:
-        add(smooth, "geometry-central", of_geometry_central)
-    add(smooth, "Brindle", striped())
+        add("stripes, smooth field", "geometry-central", of_geometry_central)
+    add("stripes, smooth field", "Brindle", striped())
     if "geometry-central" in drivers:
+        theirs = "the same, geometry-central's field"
         add(theirs, "Brindle, `--solver global`", along_field_of("geometry-central", "--solver", "global"))
         add(theirs, "Brindle", along_field_of("geometry-central"))
     add("stripes, a frame", "Brindle", frame)
@@ -363,7 +368,7 @@ def measure_mesh(arguments, drivers, mesh, folder):
     except Failed as failed:
         return [{"mesh": name, "task": "", "by": "Brindle", "outcome": failed.outcome,
                  "why": failed.why}]
-    steps = plan(drivers)
+    steps = plan(drivers, arguments.task)
     runs, ended = [[] for _ in steps], {}
     for turn in range(arguments.repeat):
         (folder / "bench.json").unlink(missing_ok=True)
@@ -480,6 +485,8 @@ def parsed(words):
                         help=f"where the folders {', '.join(SOURCES)} are; those that are there are built")
     parser.add_argument("--peer", action="append", choices=names, metavar="NAME",
                         help=f"only this one, of {', '.join(names)}; repeatable")
+    parser.add_argument("--task", action="append", choices=TASKS, metavar="WORDS",
+                        help=f"only this one, of {'; '.join(TASKS)}; repeatable")
     parser.add_argument("--stripes", type=positive, default=40.0, metavar="N",
                         help="along the diagonal of the bounding box (default 40)")
     parser.add_argument("--repeat", type=count, default=3, metavar="N",

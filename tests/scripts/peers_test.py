@@ -101,7 +101,8 @@ class Peers(unittest.TestCase):
 
     def test_figures_are_those_of_the_tool(self):
         table, report = self.folder / "all.csv", self.folder / "cross.json"
-        self.peers(SHAPE, "--repeat", 1, "--stripes", 25, "--peer", "libigl", "--csv", table)
+        self.peers(SHAPE, "--repeat", 1, "--stripes", 25, "--peer", "libigl", "--task", "crosses",
+                   "--csv", table)
         subprocess.run([TOOL, "stripe", SHAPE, "--cross", "--stripes", "25", "-q", "--report", report],
                        check=True)
         wanted = json.loads(report.read_text())
@@ -117,6 +118,7 @@ class Peers(unittest.TestCase):
         self.refused("--sources", self.sources, "--peer", "paraview", says="no effect")
         self.refused("--peer", "blender", says="blender")
         self.refused("--repeat", 0, SHAPE, says="--repeat")
+        self.refused("--task", "paint", SHAPE, says="stripes, a frame")
         self.refused("--threads", 1000, SHAPE, says="--threads 1000: there are")
         self.refused("--stripes", "many", says="--stripes")
         self.refused("--csv", self.folder / "no" / "all.csv", says="no folder")
@@ -130,7 +132,7 @@ class Peers(unittest.TestCase):
     def test_help(self):
         done = self.peers("--help")
         self.assertEqual(done.returncode, 0)
-        for word in ("--sources", "--repeat", "--csv", "--json", "--threads", "--peer"):
+        for word in ("--sources", "--task", "--repeat", "--csv", "--json", "--threads", "--peer"):
             self.assertIn(word, done.stdout)
 
     def test_what_is_missing_is_named(self):
@@ -142,7 +144,7 @@ class Peers(unittest.TestCase):
             (home / name).write_text("")
         (home / ".gitmodules").write_text('[submodule "ext/pcg32"]\n\tpath = ext/pcg32\n')
         done = self.peers(SHAPE, "--repeat", 1, "--sources", self.sources, "--peer", "instant-meshes",
-                          "--peer", "geometry-central", "--peer", "libigl")
+                          "--peer", "geometry-central", "--peer", "libigl", "--task", "stripes, curvature")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn(f"geometry-central is missing: no folder {self.sources}/geometry-central",
                       done.stdout)
@@ -154,14 +156,14 @@ class Peers(unittest.TestCase):
         self.fake()
         table = self.folder / f"{does}.csv"
         done = self.peers(SHAPE, "--repeat", 1, "--seconds", seconds, "--sources", self.sources, "--peer",
-                          "libigl", "--csv", table, FAKE_PEER=does)
+                          "libigl", "--task", "stripes, curvature", "--csv", table, FAKE_PEER=does)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         self.assertNotIn("Traceback", done.stderr)
         rows = {row["by"]: row for row in csv.DictReader(table.read_text().splitlines())}
         self.assertEqual(rows["libigl, then Brindle"]["outcome"], outcome)
         self.assertIn(why, rows["libigl, then Brindle"]["why"])
         self.assertIn(f"{outcome}: ", done.stdout)
-        self.assertEqual(rows["Brindle, `--cross`"]["outcome"], "measured")
+        self.assertEqual(rows["Brindle, `curvature`"]["outcome"], "measured")
 
     def test_peers_that_end_badly(self):
         self.peer_that("crash", "crashed", "SIGSEGV", 1)
@@ -175,24 +177,25 @@ class Peers(unittest.TestCase):
             path = self.folder / name
             path.write_text(f"#!/bin/sh\n{text}\n")
             path.chmod(0o755)
-        done = self.peers(SHAPE, "--repeat", 1, "--peer", "paraview",
+        done = self.peers(SHAPE, "--repeat", 1, "--peer", "paraview", "--task", "a picture",
                           PATH=f"{self.folder}:{os.environ['PATH']}")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("ParaView, Surface LIC | crashed: signal SIGSEGV", done.stdout)
 
     def test_sources_that_do_not_compile(self):
         self.fake("#error this is no source\n")
-        done = self.peers(SHAPE, "--repeat", 1, "--sources", self.sources, "--peer", "libigl")
+        done = self.peers(SHAPE, "--repeat", 1, "--sources", self.sources, "--peer", "libigl",
+                          "--task", "stripes, curvature")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("libigl is not built: ", done.stdout)
         self.assertIn("this is no source", done.stdout)
         self.assertIn(str(self.folder / "build" / "libigl.log"), done.stdout)
-        self.assertIn("Brindle, `--cross`", done.stdout)
+        self.assertIn("Brindle, `curvature`", done.stdout)
 
     def test_a_mesh_that_cannot_be_read(self):
         torn = self.folder / "torn|\x1b[31m.obj"
         torn.write_text("v 0 0 0\nf 1 2 3\n")
-        done = self.peers(torn, SHAPE, "--repeat", 1, "--peer", "libigl")
+        done = self.peers(torn, SHAPE, "--repeat", 1, "--task", "stripes, smooth field")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("refused: ", done.stdout)
         self.assertNotIn("\x1b", done.stdout)
