@@ -764,7 +764,7 @@ TEST_F(MeshIo, RandomBytesAreAnErrorWithEveryExtension) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       std::string noise(3000, ' ');
       for (std::size_t i = 0; i < noise.size(); ++i) {
-        noise[i] = static_cast<char>(random_number(seed, i) * 256);
+        noise[i] = static_cast<char>(static_cast<unsigned char>(random_number(seed, i) * 256));
       }
       EXPECT_NE(error_of(name, noise), "") << name;
     }
