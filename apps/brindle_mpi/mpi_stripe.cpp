@@ -169,8 +169,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     report.milliseconds.couple = frame.milliseconds.couple;
     report.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
     report.milliseconds.pattern = watch.lap();
-    display.note(branch_warning(report.waves, report.quality.branches,
-                                report.quality.field_singularities, report.triangles));
+    display.note(quality_warning(report.waves, report.quality, report.triangles));
     if (!arguments.output.empty()) {
       stage("writing");
       const std::vector<float> branches =

@@ -11,6 +11,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/frequency_field.h"
+#include "brindle/pattern_warnings.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
@@ -133,15 +134,12 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   };
   if (with_u) patterns.u = make(waves.waves);
   if (with_v) patterns.v = make(across);
-  std::size_t branches = 0, singularities = 0;
+  PatternQuality quality;
   for (const auto& solved : {&patterns.u, &patterns.v}) {
-    if (!*solved) continue;
-    branches = std::max(branches, (*solved)->quality.branches);
-    singularities = std::max(singularities, (*solved)->quality.field_singularities);
+    if (*solved) quality = worse_of(quality, (*solved)->quality);
   }
   patterns.figures.measured = is_measured(arguments.waves);
-  display.note(branch_warning(patterns.figures, branches, singularities,
-                              patterns.surface->triangle_count()));
+  display.note(quality_warning(patterns.figures, quality, patterns.surface->triangle_count()));
   return patterns;
 }
 

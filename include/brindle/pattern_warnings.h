@@ -1,21 +1,37 @@
 /// What is probably not meant by a pattern, in the words that every program of brindle has for it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "brindle/export.h"
 #include "brindle/measured_field.h"
+#include "brindle/quality.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/wave_figures.h"
 
 namespace BRINDLE_EXPORT brindle {
 
-/// `surface_warnings`, and `wave_warnings` and `branch_warnings` of the waves that were asked for:
-/// a sentence each without a full stop, empty if there is nothing to say. `surface` is the one that
-/// the pattern was made for.
+/// `surface_warnings`, and `wave_warnings` of the waves that were asked for, and
+/// `quality_warnings`: a sentence each without a full stop, empty if there is nothing to say.
+/// `surface` is the one that the pattern was made for.
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
                                           const WarningWords& words = {});
+
+/// The same of branches in triangles with more than 10 % of the area; else of stripes that run more
+/// than 5 degrees off their field on more than a third of the area. Where the waves are too fine,
+/// `wave_warnings` says so, and these say nothing.
+std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
+                                          std::size_t triangles, const WarningWords& words = {});
+
+/// Of two patterns of one surface what warnings look at: the larger numbers and shares of the area.
+PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v);
+
+/// The same of a measured field, used without smoothing, that is singular in more than 1 % of the
+/// triangles.
+std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
+                                        const WarningWords& words = {});
 
 /// The same of more singularities than `FieldDetailOptions::singularities` asks for.
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,

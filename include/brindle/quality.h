@@ -16,6 +16,7 @@ namespace BRINDLE_EXPORT brindle {
 struct PatternQuality {
   std::size_t branches = 0;             ///< triangles of kind branch or field_singularity
   std::size_t field_singularities = 0;  ///< triangles of kind field_singularity
+  double branch_area_share = 0;         ///< of `branches` in the area of these and the regular ones
   // Regular triangles, weighted by area: how a surface is cut into triangles must not matter. 0 if
   // there are none, or none with an area.
   double angle_error_mean_deg = 0;         ///< gradient against mean direction

@@ -24,6 +24,9 @@ struct WaveFigures {
   // Below two, neighbours are more than half a period apart. 0 if no edge runs along any wave.
   double edges_per_period_min = 0;
   double edges_per_period_median = 0;
+
+  /// Whether half of the vertices have fewer than two edges a period.
+  bool are_too_fine() const;
 };
 
 /// `waves` has one entry per vertex.
@@ -58,15 +61,6 @@ struct WarningWords {
 /// Warnings of likely mistakes, one sentence each without a full stop: more than 1 % of the
 /// vertices without a wave; stripes finer than the mesh can resolve.
 std::vector<std::string> wave_warnings(const WaveFigures& figures, const WarningWords& words = {});
-
-/// A warning of branches in more than 10 % of the triangles, unless stripes are too fine anyway.
-std::vector<std::string> branch_warnings(const WaveFigures& figures, std::size_t branches,
-                                         std::size_t triangles, const WarningWords& words = {});
-
-/// A warning of a measured field, used without smoothing, that is singular in more than 1 % of the
-/// triangles.
-std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
-                                        const WarningWords& words = {});
 
 /// Throws Error if no vertex has a wave, with `why` after the reason, or if half of them have at
 /// most 1e-4 edges per period.

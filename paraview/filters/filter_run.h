@@ -36,8 +36,7 @@ struct vtkBrindleFilter::Run {
   const brindle::StripePattern& pattern() {
     const brindle::StripePattern& made =
         series->next(surface(), waves, options, follows, progress(0.4, 0.8));
-    figures.branches = made.quality.branches;
-    figures.field_singularities = made.quality.field_singularities;
+    figures.quality = made.quality;
     return made;
   }
 };

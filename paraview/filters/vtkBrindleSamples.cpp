@@ -9,6 +9,7 @@
 #include <brindle/direction_field.h>
 #include <brindle/distributed_pattern.h>
 #include <brindle/error.h>
+#include <brindle/pattern_warnings.h>
 #include <brindle/samples.h>
 #include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
@@ -118,7 +119,7 @@ void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
   const brindle::StripePattern& u = run.pattern();
   const brindle::StripePattern& v = this->Second->series.next(
       run.surface(), std::move(crossing), run.options, run.follows, run.progress(0.7, 0.8));
-  run.figures.branches = std::max(u.quality.branches, v.quality.branches);
+  run.figures.quality = worse_of(u.quality, v.quality);
   run.begin(0.8, 0.9, "samples");
   const std::vector<Sample> samples = crossings_of(*run.input, u, v);
   run.ranks.together([&] {

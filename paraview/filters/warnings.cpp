@@ -56,9 +56,9 @@ std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSur
     }
   };
   if (figures.crossing) add(wave_warnings(*figures.crossing, words));
-  add(branch_warnings(finest(figures), figures.branches, triangle_count(surface), words));
+  add(quality_warnings(finest(figures), figures.quality, triangle_count(surface), words));
   if (figures.measured) {
-    add(noise_warnings(figures.field_singularities, triangle_count(surface), words));
+    add(noise_warnings(figures.quality.field_singularities, triangle_count(surface), words));
   }
   if (figures.detail) add(detail_warnings(*figures.detail, words));
   return sentences;

@@ -8,6 +8,7 @@
 
 #include <brindle/measured_field.h>
 #include <brindle/phase_graph.h>
+#include <brindle/quality.h>
 #include <brindle/wave_figures.h>
 
 #include "pattern_series.h"
@@ -20,10 +21,9 @@ WaveFigures wave_figures(const PatternSurface& surface, const WaveSet& waves);
 /// What is known of a run's waves and patterns, the same on all ranks.
 struct RunFigures {
   WaveFigures waves;
-  std::optional<WaveFigures> crossing;  ///< of waves across these, if there are others
-  std::size_t branches = 0;             ///< of the pattern that has most
-  bool measured = false;                ///< the field is an array, taken as it is
-  std::size_t field_singularities = 0;
+  std::optional<WaveFigures> crossing;       ///< of waves across these, if there are others
+  PatternQuality quality;                    ///< of two patterns what is worse (`worse_of`)
+  bool measured = false;                     ///< the field is an array, taken as it is
   std::optional<FieldDetailFigures> detail;  ///< of an array seen at the scale of its stripes
 };
 

@@ -58,7 +58,7 @@ struct TextureData {
   std::vector<Index> triangle_origins;  ///< of a cross field: in the surface that was handed over
   std::vector<Index> singular;          ///< of a cross field: triangles of that surface
   brindle::WaveReport figures;
-  std::size_t branches = 0, field_singularities = 0;
+  brindle::PatternQuality quality;  ///< what warnings look at
   std::optional<brindle::MergedBranches> merged;
   nlohmann::ordered_json report;  ///< without the invocation
 

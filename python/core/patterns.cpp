@@ -204,9 +204,8 @@ std::string making_of(const StripesData& data) {
 // Lines about what is probably not meant.
 std::string warnings_of(const StripesData& data, const std::string& source) {
   return brindle::warnings(data.prepared.figures, source) +
-         brindle::branch_warning(data.prepared.figures, data.pattern.quality.branches,
-                                 data.pattern.quality.field_singularities,
-                                 data.surface->surface.mesh.triangle_count());
+         brindle::quality_warning(data.prepared.figures, data.pattern.quality,
+                                  data.surface->surface.mesh.triangle_count());
 }
 
 py::object frequency_change_of(const StripesData& data) {

@@ -69,8 +69,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
     made->surface = surface;
     made->merged = laid.making.merged;
     made->figures = in.prepared.figures;
-    made->branches = pattern.u.quality.branches;
-    made->field_singularities = pattern.u.quality.field_singularities;
+    made->quality = pattern.u.quality;
     made->phase_shift = pattern.phase_shift;
     made->waves = std::move(pattern.waves);
     made->u = stripes_data(surface, std::move(pattern.u), in.prepared, solver);
@@ -136,8 +135,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
         brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver));
     made->merged = laid.making.merged;
     made->figures = in.prepared.figures;
-    made->branches = cross.quality.branches;
-    made->field_singularities = cross.quality.field_singularities;
+    made->quality = cross.quality;
     made->phase_shift = options.phase_shift;
     made->waves = std::move(texture.pattern.waves);
     made->triangle_origins = cross.cover.base;
@@ -305,8 +303,8 @@ void bind_textures(py::module_& module) {
       .def("warnings",
            [](const TextureData& data, const std::string& source) {
              return brindle::warnings(data.figures, source) +
-                    brindle::branch_warning(data.figures, data.branches, data.field_singularities,
-                                            data.surface->surface.mesh.triangle_count());
+                    brindle::quality_warning(data.figures, data.quality,
+                                             data.surface->surface.mesh.triangle_count());
            })
       .def("report", [](const TextureData& data, const std::string& invocation) {
         nlohmann::ordered_json json = nlohmann::ordered_json::parse(invocation);

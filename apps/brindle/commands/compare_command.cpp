@@ -55,9 +55,8 @@ std::vector<Report> reports_of_all(const CompareArguments& arguments) {
     reports.push_back(make_report(prepared.surface, prepared, pattern, solver));
   }
   // Of the last solver alone: all see the same waves.
-  display.note(branch_warning(prepared.figures, reports.back().quality.branches,
-                              reports.back().quality.field_singularities,
-                              reports.back().triangles));
+  display.note(
+      quality_warning(prepared.figures, reports.back().quality, reports.back().triangles));
   return reports;
 }
 

@@ -118,8 +118,7 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
       styled.emplace(StyleJob{std::move(*style), std::move(patterns)});
     }
     job.report.invocation = invocation_of(command);
-    display.note(branch_warning(job.report.waves, job.report.quality.branches,
-                                job.report.quality.field_singularities, job.report.triangles));
+    display.note(quality_warning(job.report.waves, job.report.quality, job.report.triangles));
     write_outputs(command, outputs, job, styled, arguments, display);
     report = job.report;
   }

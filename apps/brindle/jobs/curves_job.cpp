@@ -96,8 +96,8 @@ CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job,
       pattern_of(surface, std::move(waves), {PatternKind::stripes, job.options, std::move(making)},
                  listener.progress());
   StripePattern& pattern = std::get<StripePattern>(made.of);
-  listener.note(branch_warning(job.prepared.figures, pattern.quality.branches,
-                               pattern.quality.field_singularities, surface.mesh.triangle_count()));
+  listener.note(
+      quality_warning(job.prepared.figures, pattern.quality, surface.mesh.triangle_count()));
   CurveFamily family = traced_family(arguments, surface, tracer, name, std::move(pattern),
                                      CurveFigures::all, listener);
   family.making = std::move(made.making);

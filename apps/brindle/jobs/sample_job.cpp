@@ -11,6 +11,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/files.h"
+#include "brindle/pattern_warnings.h"
 #include "brindle/points.h"
 #include "brindle/stripe_tracer.h"
 #include "outputs/carried_arrays.h"
@@ -65,9 +66,8 @@ SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listene
   job.u = stripe_pattern(surface, std::move(prepared.waves), options, listener.progress());
   listener.stage("stripes of v");
   job.v = stripe_pattern(surface, std::move(waves_v), options, listener.progress());
-  listener.note(branch_warning(prepared.figures,
-                               std::max(job.u.quality.branches, job.v.quality.branches),
-                               job.u.quality.field_singularities, surface.mesh.triangle_count()));
+  listener.note(quality_warning(prepared.figures, worse_of(job.u.quality, job.v.quality),
+                                surface.mesh.triangle_count()));
   job.taken = taken_samples(arguments, surface, job.u, job.v, listener);
   return job;
 }

@@ -435,8 +435,7 @@ class StageUpdate {
     auto made = std::make_shared<SolvedPattern>(std::move(pattern));
     const Report& report = made->job.report;
     add_times(report, times_);
-    listener_.note(branch_warning(report.waves, report.quality.branches,
-                                  report.quality.field_singularities, report.triangles));
+    listener_.note(quality_warning(report.waves, report.quality, report.triangles));
     stages_.pattern = {key_of_pattern(), std::move(made), listener_.take()};
     ++stages_.patterns;
     ++stages_.changes;

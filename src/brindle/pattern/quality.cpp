@@ -37,6 +37,7 @@ void add_triangle(QualitySums& sums, TriangleKind kind, const ErrorLanes& errors
   sums.branches += is_branch(kind);
   sums.field_singularities += kind == TriangleKind::field_singularity;
   const double triangle_area = errors.area[lane];
+  if (is_branch(kind)) sums.branch_area += triangle_area;
   if (kind != TriangleKind::regular || triangle_area == 0) return;
   const float angle_deg = degrees(errors.angle[lane]);
   sums.area += triangle_area;
@@ -91,6 +92,9 @@ PatternQuality quality_of(const QualitySums& sums) {
   PatternQuality quality;
   quality.branches = sums.branches;
   quality.field_singularities = sums.field_singularities;
+  if (sums.branch_area > 0) {
+    quality.branch_area_share = sums.branch_area / (sums.branch_area + sums.area);
+  }
   quality.angle_error_mean_deg = mean(sums.angle);
   quality.angle_error_share_over_5deg = mean(sums.over_5deg);
   quality.spacing_error_mean = mean(sums.spacing);

@@ -12,6 +12,7 @@ namespace brindle {
 struct QualitySums {
   std::size_t branches = 0, field_singularities = 0, without_wave = 0;
   double area = 0, over_5deg = 0, angle = 0, spacing = 0;  ///< of regular triangles
+  double branch_area = 0;
 
   QualitySums operator+(const QualitySums& o) const {
     return {branches + o.branches,
@@ -20,7 +21,8 @@ struct QualitySums {
             area + o.area,
             over_5deg + o.over_5deg,
             angle + o.angle,
-            spacing + o.spacing};
+            spacing + o.spacing,
+            branch_area + o.branch_area};
   }
 };
 

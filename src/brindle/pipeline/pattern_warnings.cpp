@@ -1,10 +1,18 @@
 #include "brindle/pattern_warnings.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "brindle/base/text.h"
 
 namespace brindle {
+namespace {
+
+constexpr double kMostBranches = 0.1;         // share of the area
+constexpr double kMostSingular = 0.01;        // share of the triangles
+constexpr double kMostOffTheField = 1.0 / 3;  // share of the area
+
+}  // namespace
 
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
                                           const WarningWords& words) {
@@ -21,8 +29,44 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
     for (std::string& sentence : more) result.push_back(std::move(sentence));
   };
   add(wave_warnings(figures, words));
-  add(branch_warnings(figures, pattern.quality.branches, surface.mesh.triangle_count(), words));
+  add(quality_warnings(figures, pattern.quality, surface.mesh.triangle_count(), words));
   return result;
+}
+
+std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
+                                          std::size_t triangles, const WarningWords& words) {
+  if (figures.are_too_fine()) return {};
+  const std::string remedies = "; " + words.fewer + "; or a smoother " + words.field;
+  if (quality.branch_area_share > kMostBranches) {
+    return {formatted("stripes begin or end in %zu of %zu triangles, on %.0f %% of the area",
+                      quality.branches, triangles, 100 * quality.branch_area_share) +
+            remedies};
+  }
+  const double off = quality.angle_error_share_over_5deg;
+  if (off <= kMostOffTheField) return {};
+  return {formatted("on %.0f %% of the area stripes run more than 5 degrees off their field",
+                    100 * off) +
+          remedies + "; or " + words.subdivide + " 1"};
+}
+
+PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v) {
+  PatternQuality worse;
+  worse.branches = std::max(u.branches, v.branches);
+  worse.field_singularities = std::max(u.field_singularities, v.field_singularities);
+  worse.branch_area_share = std::max(u.branch_area_share, v.branch_area_share);
+  worse.angle_error_share_over_5deg =
+      std::max(u.angle_error_share_over_5deg, v.angle_error_share_over_5deg);
+  return worse;
+}
+
+std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
+                                        const WarningWords& words) {
+  const auto singular = static_cast<double>(field_singularities);
+  const auto all = static_cast<double>(triangles);
+  if (singular <= kMostSingular * all) return {};
+  return {formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; ",
+                    field_singularities, triangles, 100 * singular / all) +
+          words.detail + " sees it at the scale of its stripes"};
 }
 
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,

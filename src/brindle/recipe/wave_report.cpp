@@ -70,12 +70,12 @@ std::string warnings(const WaveReport& figures, const std::string& source) {
   return text + warning_lines(wave_warnings(unexplained, words_of_options(source)));
 }
 
-std::string branch_warning(const WaveReport& figures, std::size_t branches,
-                           std::size_t field_singularities, std::size_t triangles) {
+std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,
+                            std::size_t triangles) {
   const WarningWords words = words_of_options("");
-  std::vector<std::string> sentences = branch_warnings(figures, branches, triangles, words);
+  std::vector<std::string> sentences = quality_warnings(figures, quality, triangles, words);
   if (figures.measured && !figures.detail) {
-    for (std::string& sentence : noise_warnings(field_singularities, triangles, words)) {
+    for (std::string& sentence : noise_warnings(quality.field_singularities, triangles, words)) {
       sentences.push_back(std::move(sentence));
     }
   }

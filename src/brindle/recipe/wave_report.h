@@ -8,6 +8,7 @@
 
 #include "brindle/carried_field.h"
 #include "brindle/measured_field.h"
+#include "brindle/quality.h"
 #include "brindle/wave_figures.h"
 #include "brindle/waves_of.h"
 
@@ -48,9 +49,8 @@ void check_wave_report(const WaveReport& figures, const std::string& source);
 /// another reason at more than a vertex in a hundred, stripes too fine for the mesh. May be empty.
 std::string warnings(const WaveReport& figures, const std::string& source);
 
-/// Warnings of more branches than a triangle in ten, unless stripes are too fine anyway; and of a
-/// measured field without smoothing that is singular in more than a triangle in a hundred.
-std::string branch_warning(const WaveReport& figures, std::size_t branches,
-                           std::size_t field_singularities, std::size_t triangles);
+/// `quality_warnings`; and those of noise, of a measured field without smoothing.
+std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,
+                            std::size_t triangles);
 
 }  // namespace brindle

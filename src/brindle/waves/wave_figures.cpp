@@ -12,14 +12,7 @@ namespace {
 
 constexpr double kFewestEdges = 2;         // a period
 constexpr double kMostWithoutWave = 0.01;  // share of the vertices
-constexpr double kMostBranches = 0.1;      // share of the triangles
-constexpr double kMostSingular = 0.01;     // share of the triangles
 constexpr int kMostSubdivisions = 3;       // that are worth proposing
-
-bool is_too_fine(const WaveFigures& figures) {
-  const double edges = figures.edges_per_period_median;
-  return edges > 0 && edges < kFewestEdges;
-}
 
 std::string rounded_text(double number, int digits) { return formatted("%.*g", digits, number); }
 
@@ -34,6 +27,10 @@ std::string subdivisions_proposed(double edges_per_period, const WarningWords& w
 }
 
 }  // namespace
+
+bool WaveFigures::are_too_fine() const {
+  return edges_per_period_median > 0 && edges_per_period_median < kFewestEdges;
+}
 
 WaveTally tally_waves(const Surface& surface, const WaveSet& waves) {
   WaveTally tally;
@@ -103,31 +100,13 @@ std::vector<std::string> wave_warnings(const WaveFigures& figures, const Warning
     result.push_back(of_all(without, figures.used) + " vertices have no wave: " + words.source +
                      " is zero, not finite or normal to the surface there");
   }
-  if (is_too_fine(figures)) {
+  if (figures.are_too_fine()) {
     const double edges = figures.edges_per_period_median;
     result.push_back("at half of the vertices a wave passes " + rounded_text(edges, 3) +
                      " edges a period or fewer; below two, stripes may come out as noise; " +
                      words.fewer + subdivisions_proposed(edges, words));
   }
   return result;
-}
-
-std::vector<std::string> branch_warnings(const WaveFigures& figures, std::size_t branches,
-                                         std::size_t triangles, const WarningWords& words) {
-  if (is_too_fine(figures)) return {};
-  if (static_cast<double>(branches) <= kMostBranches * static_cast<double>(triangles)) return {};
-  return {"stripes begin or end in " + of_all(branches, triangles) + " triangles; " + words.fewer +
-          "; or a smoother " + words.field};
-}
-
-std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
-                                        const WarningWords& words) {
-  const auto singular = static_cast<double>(field_singularities);
-  const auto all = static_cast<double>(triangles);
-  if (singular <= kMostSingular * all) return {};
-  return {formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; ",
-                    field_singularities, triangles, 100 * singular / all) +
-          words.detail + " sees it at the scale of its stripes"};
 }
 
 }  // namespace brindle
