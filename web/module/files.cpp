@@ -45,16 +45,17 @@ class TemporaryFile {
   std::filesystem::path path_;
 };
 
-std::shared_ptr<SurfaceObject> surface_from_file(val bytes, std::string name) {
+std::shared_ptr<SurfaceObject> surface_from_file(val bytes, std::string name, float crease_angle) {
   return guarded([&] {
     const TemporaryFile file(bytes, name);
     LoadedMesh loaded = read_mesh(file.path());
     std::vector<std::string> notes;
     add_lines(notes, describe(loaded.repair));
     add_lines(notes, loaded.left_out);
-    auto object = surface_object(std::move(loaded.mesh), std::move(notes));
+    auto object = surface_object(std::move(loaded.mesh), crease_angle, std::move(notes));
     object->vertex_of_row = std::move(loaded.vertex_of_row);
     object->arrays = std::move(loaded.arrays);
+    add_rows_of_copies(object->surface.creases, object->arrays);
     return object;
   });
 }
@@ -99,13 +100,15 @@ val array_values(const SurfaceObject& object, std::string name) {
   });
 }
 
-/// What JavaScript has read of the surface's vertices, a row for each.
+/// What JavaScript has read of the surface's vertices, a row for each without copies at creases.
 void add_array(SurfaceObject& object, std::string name, int components, val numbers) {
   guarded([&] {
-    DataArray array = make_data_array(std::move(name), components, floats_of(numbers));
-    if (array.rows() != object.surface.mesh.vertex_count()) {
+    DataArrays arrays{{make_data_array(std::move(name), components, floats_of(numbers))}, {}};
+    DataArray& array = arrays.points.front();
+    if (array.rows() != object.surface.own_vertex_count()) {
       throw Error("array '" + array.name + "' has not a row for each vertex");
     }
+    add_rows_of_copies(object.surface.creases, arrays);
     object.arrays.points.push_back(std::move(array));
     return 0;
   });

@@ -44,8 +44,9 @@ struct AnimatorObject {
   std::vector<PatternVertex> vertices;  ///< of the last frame that somebody drew
 };
 
-/// A surface with what is to be said of it; `notes` may have more.
-std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, std::vector<std::string> notes);
+/// A surface that is split at creases, with what is to be said of it; `notes` may have more.
+std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,
+                                              std::vector<std::string> notes);
 
 /// Appends what stands on the lines, without empty ones.
 void add_lines(std::vector<std::string>& notes, const std::string& lines);

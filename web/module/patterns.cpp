@@ -1,6 +1,7 @@
 #include <emscripten/bind.h>
 
 #include "brindle/corner_phases.h"
+#include "brindle/crease_slip.h"
 #include "brindle/pattern_warnings.h"
 #include "objects.h"
 
@@ -37,6 +38,10 @@ val figures_of(const PatternObject& object) {
     put(change, "ratioMin", p.frequency_change->ratio_min);
     put(change, "ratioMax", p.frequency_change->ratio_max);
     put(figures, "frequencyChange", change);
+  }
+  if (const auto slip = crease_slip(object.surface->surface, p.waves, p.solution.z)) {
+    put(figures, "creaseSlipMean", slip->mean_deg);
+    put(figures, "creaseSlipShare", slip->share);
   }
   return figures;
 }

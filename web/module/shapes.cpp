@@ -7,8 +7,8 @@
 namespace brindle::web {
 namespace {
 
-std::shared_ptr<SurfaceObject> surface_from_shape(std::string spec) {
-  return guarded([&] { return surface_object(make_shape(spec), {}); });
+std::shared_ptr<SurfaceObject> surface_from_shape(std::string spec, float crease_angle) {
+  return guarded([&] { return surface_object(make_shape(spec), crease_angle, {}); });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <emscripten/bind.h>
 
+#include "brindle/creases.h"
 #include "brindle/error.h"
 #include "brindle/mesh.h"
 #include "objects.h"
@@ -9,15 +10,18 @@
 namespace brindle::web {
 namespace {
 
-std::shared_ptr<SurfaceObject> surface_from_arrays(val positions, val triangles, bool repair) {
+std::shared_ptr<SurfaceObject> surface_from_arrays(val positions, val triangles, bool repair,
+                                                   float crease_angle) {
   return guarded([&] {
     const Table places(positions, 3), corners(triangles, 3);
-    if (!repair) return surface_object(make_mesh(places.view(), corners.view()), {});
+    if (!repair) {
+      return surface_object(make_mesh(places.view(), corners.view()), crease_angle, {});
+    }
     RepairedMesh repaired = make_repaired_mesh(places.view(), corners.view());
     std::vector<std::string> notes;
     add_lines(notes, describe(repaired.repair));
     if (repaired.mesh.triangles.empty()) throw Error("no triangle is left after repairs");
-    auto object = surface_object(std::move(repaired.mesh), std::move(notes));
+    auto object = surface_object(std::move(repaired.mesh), crease_angle, std::move(notes));
     object->vertex_of_row = std::move(repaired.vertex_of_row);
     return object;
   });
@@ -46,9 +50,12 @@ void add_lines(std::vector<std::string>& notes, const std::string& lines) {
   }
 }
 
-std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, std::vector<std::string> notes) {
+std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,
+                                              std::vector<std::string> notes) {
+  check_mesh(mesh);
+  Creases creases = split_at_creases(mesh, crease_angle);
   auto object = std::make_shared<SurfaceObject>();
-  object->surface = make_surface(std::move(mesh));
+  object->surface = make_surface(std::move(mesh), std::move(creases));
   object->notes = std::move(notes);
   for (const std::string& warning : surface_warnings(object->surface, "join them")) {
     object->notes.push_back(warning);
@@ -76,6 +83,9 @@ void bind_surfaces() {
                 }))
       .function("vertexOfRow", optional_override([](const SurfaceObject& s) {
                   return array_of(std::span<const std::uint32_t>(s.vertex_of_row));
+                }))
+      .function("creaseVertices", optional_override([](const SurfaceObject& s) {
+                  return array_of(std::span<const std::uint32_t>(of(s).creases.copied));
                 }))
       .function("notes",
                 optional_override([](const SurfaceObject& s) { return array_of(s.notes); }))

@@ -2,7 +2,7 @@
 // textures and measured fields.
 import createModule from './module.js';
 import { readGLB, writeGLB } from './glb.js';
-import { choice, fail, floats, options } from './checks.js';
+import { choice, creased, fail, floats, options } from './checks.js';
 import { BrindleError } from './error.js';
 import { Brindle as RealtimeBrindle, frameInput, frameOptions, Owned, Pattern as RealtimePattern, stripeOptions,
          Surface as RealtimeSurface, turned } from './realtime.js';
@@ -136,6 +136,7 @@ export class TextureAnimator extends Owned {
 }
 
 const tileSide = 512;
+const creaseOption = { creaseAngle: 40 };
 
 class Brindle extends RealtimeBrindle {
   shapes() {
@@ -147,21 +148,24 @@ class Brindle extends RealtimeBrindle {
   tile(name) {
     return { side: tileSide, distances: this.module.tileDistances(String(name), tileSide) };
   }
-  shape(spec) {
-    return this.surfaceOf(this.module.surfaceFromShape(String(spec)));
+  shape(spec, given) {
+    const { creaseAngle } = creased(options(given, creaseOption, 'shape'));
+    return this.surfaceOf(this.module.surfaceFromShape(String(spec), creaseAngle));
   }
   surfaceOf(raw) {
     return new Surface(this.module, raw);
   }
-  readSurface(bytes, name) {
+  readSurface(bytes, name, given) {
+    const { creaseAngle } = creased(options(given, creaseOption, 'readSurface'));
     const content = bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes;
     if (!(content instanceof Uint8Array)) fail('a file must be an ArrayBuffer or a Uint8Array');
     if (/\.gl(b|tf)$/i.test(name)) {
-      const { positions, triangles, arrays } = readGLB(content, name), raw = this.rawSurface(positions, triangles, true);
+      const { positions, triangles, arrays } = readGLB(content, name);
+      const raw = this.rawSurface(positions, triangles, { repair: true, creaseAngle });
       for (const { name: of, components, numbers } of arrays) this.module.addArray(raw, of, components, numbers);
       return this.surfaceOf(raw);
     }
-    return this.surfaceOf(this.module.surfaceFromFile(content, name));
+    return this.surfaceOf(this.module.surfaceFromFile(content, name, creaseAngle));
   }
 }
 

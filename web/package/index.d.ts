@@ -19,6 +19,17 @@ export interface SurfaceInput {
   triangles: Numbers;
 }
 
+export interface CreaseOption {
+  /** Edges that bend by more degrees are creases: their vertices get one more for each further face, behind all others, each with
+   * a wave of its own. From 0 to 180, which is none; left out, 40 for files and shapes, and 180 for your own arrays. */
+  creaseAngle?: number;
+}
+
+export interface SurfaceOptions extends CreaseOption {
+  /** Joins vertices at one place and drops bad triangles, before creases are looked for. */
+  repair?: boolean;
+}
+
 export interface RotateOption {
   /** Degrees about the normals, counter-clockwise seen from outside; 0 if left out. */
   rotate?: number;
@@ -110,6 +121,8 @@ export class Surface extends Owned {
   triangles(): Uint32Array;
   /** Of every vertex that was handed in the one that triangles use; empty if nothing was joined. */
   vertexOfRow(): Uint32Array;
+  /** Of the last vertices those that they are copies of, at creases; empty if there are none. */
+  creaseVertices(): Uint32Array;
 
   /** A field that turns as little as possible. */
   smoothField(options?: SmoothFieldOptions): DirectionField;
@@ -174,7 +187,7 @@ export interface Curves {
   /** 1 if the curve comes back to its first point, which is not repeated. */
   closed: Uint8Array;
   /** Two a curve, at its first and its last point: 0 none, as it is closed, 1 a boundary, 2 no wave, 3 an
-   * edge of three triangles, 4 a branch, 5 a singularity of the field. */
+   * edge of three triangles, 4 a branch, 5 a singularity of the field, 6 a crease where phases do not meet. */
   ends: Uint8Array;
 }
 
@@ -207,6 +220,10 @@ export class Pattern extends Owned {
   readonly verticesWithoutWave: number;
   /** With slack: frequencies chosen over those asked for. */
   readonly frequencyChange?: { ratioMin: number; ratioMax: number };
+  /** With creases: degrees by which the phases of both sides differ on average. */
+  readonly creaseSlipMean?: number;
+  /** Of the creases' length, the share where these differ by more than 60. */
+  readonly creaseSlipShare?: number;
   readonly milliseconds: { topology: number; frequency: number; couple: number; solve: number; pattern: number };
   /** Sentences on what is probably not meant. */
   readonly warnings: string[];
@@ -353,11 +370,11 @@ export interface Brindle {
   tiles(): string[];
   tile(name: string): Tile;
   /** A built-in shape: 'torus' or 'torus,resolution=64'. */
-  shape(spec: string): Surface;
-  /** Of arrays, checked; with `repair`, vertices at one place are joined and bad triangles dropped. */
-  surface(input: SurfaceInput, options?: { repair?: boolean }): Surface;
+  shape(spec: string, options?: CreaseOption): Surface;
+  /** Of arrays, checked. */
+  surface(input: SurfaceInput, options?: SurfaceOptions): Surface;
   /** Of a file's bytes, by the extension of its name: .obj, .ply, .stl, .off, .glb, .vtk. */
-  readSurface(bytes: ArrayBuffer | Uint8Array, name: string): Surface;
+  readSurface(bytes: ArrayBuffer | Uint8Array, name: string, options?: CreaseOption): Surface;
 }
 
 export function createBrindle(): Promise<Brindle>;

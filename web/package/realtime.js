@@ -1,6 +1,6 @@
 // Stripes in real time, over either module of WebAssembly: checks what is handed in, names what comes
 // out. Results are copies: nothing refers to the module's memory.
-import { choice, corners, fail, filled, floats, options, table } from './checks.js';
+import { choice, corners, creased, fail, filled, floats, options, table } from './checks.js';
 
 // Has one object of the module, until it is disposed of.
 export class Owned {
@@ -58,6 +58,9 @@ export class Surface extends Owned {
   }
   vertexOfRow() {
     return this.raw.vertexOfRow();
+  }
+  creaseVertices() {
+    return this.raw.creaseVertices();
   }
 
   smoothField(given) {
@@ -185,11 +188,12 @@ export class Brindle {
   }
 
   surface({ positions, triangles }, given) {
-    const o = options(given, { repair: false }, 'surface');
-    return this.surfaceOf(this.rawSurface(positions, triangles, o.repair));
+    // Copies of vertices would change how many numbers a caller's own arrays must have.
+    const o = creased(options(given, { repair: false, creaseAngle: 180 }, 'surface'));
+    return this.surfaceOf(this.rawSurface(positions, triangles, o));
   }
-  rawSurface(positions, triangles, repair) {
-    return this.module.surfaceFromArrays(table(positions, 'positions'), corners(triangles), repair);
+  rawSurface(positions, triangles, { repair, creaseAngle }) {
+    return this.module.surfaceFromArrays(table(positions, 'positions'), corners(triangles), repair, creaseAngle);
   }
   surfaceOf(raw) {
     return new Surface(this.module, raw);

@@ -1,6 +1,7 @@
 import type * as whole from './index.js';
 export { BrindleError } from './index.js';
-export type { DirectionField, FieldStroke, Frame, FrameInput, Numbers, SmoothFieldOptions, StripeOptions, SurfaceInput } from './index.js';
+export type { DirectionField, FieldStroke, Frame, FrameInput, Numbers, SmoothFieldOptions, StripeOptions, SurfaceInput,
+              SurfaceOptions } from './index.js';
 
 export type Animator = whole.Animator;
 export type Pattern = Omit<whole.Pattern, 'curves' | 'curvesFile' | 'samplesWith' | 'svg'>;
@@ -12,7 +13,7 @@ export interface Surface extends Omit<whole.Surface, 'arrays' | 'array' | 'array
 /** Stripes in real time alone: the same functions as in 'brindle', with the same results. */
 export interface Brindle {
   readonly version: string;
-  surface(input: whole.SurfaceInput, options?: { repair?: boolean }): Surface;
+  surface(input: whole.SurfaceInput, options?: whole.SurfaceOptions): Surface;
 }
 
 /** `wasm`: where stripes.wasm is, its bytes, or a compiled module; left out: what is in the program. */

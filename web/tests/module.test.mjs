@@ -510,6 +510,7 @@ test('the worker gives the same results, in order, and its errors', async () => 
   assert.equal(library.version, brindle.version);
   const there = await library.shape('trefoil'), here = brindle.shape('trefoil');
   assert.equal(there.vertexCount, here.vertexCount);
+  assert.deepEqual(await there.creaseVertices(), here.creaseVertices());
   const field = here.smoothField();
   assert.deepEqual(await there.smoothField(), field);
   const pattern = await there.stripes(field, { stripes: 25 });

@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { serve } from '../serve.mjs';
+import { box, objOf } from './box.mjs';
 import { complaintsOf, openBrowser } from './browser.mjs';
 
 const shots = process.env.BRINDLE_SHOTS;
@@ -164,6 +165,16 @@ test('a mesh is dropped, and a damaged one refused with nothing lost', async () 
   await slide('stripes', 20);
   await ready();
   assert.notEqual(await figures(), said);
+  assert.deepEqual(complaints, []);
+});
+
+test('a part that is dropped has straight stripes on every face', async () => {
+  await visit({ hash: '#shape=torus&stripes=16' });
+  await drop(objOf(box(8)), 'box.obj');
+  await page.waitForFunction(() => /2,816 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await ready();
+  assert.match(await figures(), /(^|\D)0 branches/);
+  await screenshot('part');
   assert.deepEqual(complaints, []);
 });
 

@@ -8,7 +8,8 @@ import { gzipSync } from 'node:zlib';
 const weight = (folder, name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length;
 
 // A bound is no aim: what makes a part heavier says so, and what for.
-for (const [name, most] of [['stripes.wasm', 150_000], ['brindle.wasm', 385_000]]) {
+// stripes.wasm is above 150 kB for creases: a wave for every smooth sector of a vertex.
+for (const [name, most] of [['stripes.wasm', 158_000], ['brindle.wasm', 385_000]]) {
   test(`${name} is at most ${most / 1000} kB gzipped`, () => {
     const bytes = weight(process.env.BRINDLE_PACKAGE, name);
     assert.ok(bytes > 50_000 && bytes <= most, `${bytes} bytes`);

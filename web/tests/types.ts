@@ -10,7 +10,8 @@ import { Mesh, MeshStandardMaterial, TorusGeometry } from 'three';
 
 async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   const brindle = await createBrindle();
-  const surface: Surface = brindle.surface({ positions: [0, 0, 0], triangles: new Uint16Array(3) }, { repair: true });
+  const surface: Surface = brindle.surface({ positions: [0, 0, 0], triangles: new Uint16Array(3) }, { repair: true, creaseAngle: 40 });
+  const split: Uint32Array = brindle.shape('box', { creaseAngle: 30 }).creaseVertices();
   const field = surface.smoothField({ strokes: [{ points: [0, 0, 0, 1, 0, 0], radius: 1 }] });
   const pattern = surface.stripes(field, { stripes: 20, slack: 0.1 });
   const drawing = new StripeDrawing(gl);
@@ -32,6 +33,7 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   surface.stripes(field, { strips: 20 });
   // @ts-expect-error a number, not a text
   surface.stripes(field, { stripes: '20' });
+  console.log(split.length, pattern.creaseSlipMean, pattern.creaseSlipShare?.toFixed(2));
   return pattern.curves({ join: true });
 }
 
