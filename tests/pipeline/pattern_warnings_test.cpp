@@ -22,11 +22,11 @@ TEST(PatternWarnings, AreOfManyBranches) {
   EXPECT_TRUE(has(found[0], "in 73 of 722 triangles, on 11 % of the area")) << found[0];
 }
 
-TEST(PatternWarnings, AreOfStripesOffTheirField) {
+TEST(PatternWarnings, AreOfStripesOffTheirFieldInCoarseTriangles) {
   PatternQuality quality;
-  quality.angle_error_share_over_5deg = 0.33;
+  quality.coarse_share_over_5deg = 0.25;
   EXPECT_TRUE(quality_warnings({}, quality, 722).empty());
-  quality.angle_error_share_over_5deg = 0.41;
+  quality.coarse_share_over_5deg = 0.41;
   const std::vector<std::string> found = quality_warnings({}, quality, 722);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(has(found[0], "on 41 % of the area")) << found[0];
@@ -36,7 +36,7 @@ TEST(PatternWarnings, WavesThatAreTooFineAreToldOnce) {
   PatternQuality quality;
   quality.branches = 700;
   quality.branch_area_share = 0.9;
-  quality.angle_error_share_over_5deg = 1;
+  quality.coarse_share_over_5deg = 1;
   WaveFigures fine;
   fine.edges_per_period_median = 1;
   EXPECT_EQ(wave_warnings(fine).size(), 1u);

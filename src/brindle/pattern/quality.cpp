@@ -32,8 +32,15 @@ void measure(const Mesh& mesh, const WaveSet& waves, std::span<const CornerPhase
 
 float degrees(float radians) { return radians * 180 / std::numbers::pi_v<float>; }
 
-void add_triangle(QualitySums& sums, TriangleKind kind, const ErrorLanes& errors,
+/// Whether a wave passes half a period or more between two corners.
+bool is_coarse(const CornerPhases& corners) {
+  const auto [least, most] = std::ranges::minmax(corners.phase);
+  return most - least >= std::numbers::pi_v<float>;
+}
+
+void add_triangle(QualitySums& sums, const CornerPhases& corners, const ErrorLanes& errors,
                   std::size_t lane) {
+  const TriangleKind kind = corners.kind;
   sums.branches += is_branch(kind);
   sums.field_singularities += kind == TriangleKind::field_singularity;
   const double triangle_area = errors.area[lane];
@@ -41,7 +48,10 @@ void add_triangle(QualitySums& sums, TriangleKind kind, const ErrorLanes& errors
   if (kind != TriangleKind::regular || triangle_area == 0) return;
   const float angle_deg = degrees(errors.angle[lane]);
   sums.area += triangle_area;
-  if (angle_deg > 5) sums.over_5deg += triangle_area;
+  if (angle_deg > 5) {
+    sums.over_5deg += triangle_area;
+    if (is_coarse(corners)) sums.coarse += triangle_area;
+  }
   sums.angle += triangle_area * static_cast<double>(angle_deg);
   sums.spacing += triangle_area * static_cast<double>(errors.spacing[lane]);
 }
@@ -79,7 +89,7 @@ QualitySums quality_sums(const Mesh& mesh, const WaveSet& waves,
         for (std::size_t t = begin; t < end; ++t) {
           const std::size_t lane = (t - begin) % kTriangleLanes;
           if (lane == 0) measure(mesh, waves, corners, t, errors);
-          add_triangle(sum, corners[t].kind, errors, lane);
+          add_triangle(sum, corners[t], errors, lane);
         }
         return sum;
       });
@@ -97,6 +107,7 @@ PatternQuality quality_of(const QualitySums& sums) {
   }
   quality.angle_error_mean_deg = mean(sums.angle);
   quality.angle_error_share_over_5deg = mean(sums.over_5deg);
+  quality.coarse_share_over_5deg = mean(sums.coarse);
   quality.spacing_error_mean = mean(sums.spacing);
   quality.vertices_without_wave = sums.without_wave;
   return quality;

@@ -13,6 +13,7 @@ struct QualitySums {
   std::size_t branches = 0, field_singularities = 0, without_wave = 0;
   double area = 0, over_5deg = 0, angle = 0, spacing = 0;  ///< of regular triangles
   double branch_area = 0;
+  double coarse = 0;  ///< of those over 5 degrees, in which phases differ by half a period or more
 
   QualitySums operator+(const QualitySums& o) const {
     return {branches + o.branches,
@@ -22,7 +23,8 @@ struct QualitySums {
             over_5deg + o.over_5deg,
             angle + o.angle,
             spacing + o.spacing,
-            branch_area + o.branch_area};
+            branch_area + o.branch_area,
+            coarse + o.coarse};
   }
 };
 

@@ -8,9 +8,9 @@
 namespace brindle {
 namespace {
 
-constexpr double kMostBranches = 0.1;         // share of the area
-constexpr double kMostSingular = 0.01;        // share of the triangles
-constexpr double kMostOffTheField = 1.0 / 3;  // share of the area
+constexpr double kMostBranches = 0.1;   // share of the area
+constexpr double kMostSingular = 0.01;  // share of the triangles
+constexpr double kMostCoarse = 0.25;    // share of the area
 
 }  // namespace
 
@@ -36,17 +36,17 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
 std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words) {
   if (figures.are_too_fine()) return {};
-  const std::string remedies = "; " + words.fewer + "; or a smoother " + words.field;
   if (quality.branch_area_share > kMostBranches) {
     return {formatted("stripes begin or end in %zu of %zu triangles, on %.0f %% of the area",
                       quality.branches, triangles, 100 * quality.branch_area_share) +
-            remedies};
+            "; " + words.fewer + "; or a smoother " + words.field};
   }
-  const double off = quality.angle_error_share_over_5deg;
-  if (off <= kMostOffTheField) return {};
-  return {formatted("on %.0f %% of the area stripes run more than 5 degrees off their field",
-                    100 * off) +
-          remedies + "; or " + words.subdivide + " 1"};
+  const double coarse = quality.coarse_share_over_5deg;
+  if (coarse <= kMostCoarse) return {};
+  return {formatted("on %.0f %% of the area stripes run more than 5 degrees off their field, in "
+                    "triangles longer than half a period; ",
+                    100 * coarse) +
+          words.fewer + "; or " + words.subdivide + " 1"};
 }
 
 PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v) {
@@ -54,8 +54,7 @@ PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v) {
   worse.branches = std::max(u.branches, v.branches);
   worse.field_singularities = std::max(u.field_singularities, v.field_singularities);
   worse.branch_area_share = std::max(u.branch_area_share, v.branch_area_share);
-  worse.angle_error_share_over_5deg =
-      std::max(u.angle_error_share_over_5deg, v.angle_error_share_over_5deg);
+  worse.coarse_share_over_5deg = std::max(u.coarse_share_over_5deg, v.coarse_share_over_5deg);
   return worse;
 }
 
