@@ -28,7 +28,7 @@ bool everywhere(const PatternSurface& surface, bool holds) {
   return ranks_of(surface).every(holds);
 }
 
-/// What a vertex is known by at all times: its id, or its place.
+/// What a vertex is known by at all times: its id, or its place; and which copy it is of it.
 struct VertexKey {
   std::uint64_t first, second;
 
@@ -44,18 +44,27 @@ std::uint64_t hash(const VertexKey& key) {
   return h;
 }
 
+/// Of vertices that creases have split the first is 0.
+std::vector<std::uint64_t> copy_numbers(const Surface& surface) {
+  std::vector<std::uint64_t> numbers(surface.own_vertex_count());
+  std::vector<std::uint64_t> last = numbers;
+  for (const Index vertex : surface.creases.copied) numbers.push_back(++last[vertex]);
+  return numbers;
+}
+
 std::vector<VertexKey> keys_of(const PatternSurface& surface, std::span<const Vec3> positions,
                                bool by_id) {
+  const std::vector<std::uint64_t> copies = copy_numbers(*surface.surface);
   std::vector<VertexKey> keys;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (by_id) {
-      keys.push_back({(*surface.ids)[v], 0});
+      keys.push_back({(*surface.ids)[v], copies[v] << 32});
       continue;
     }
     const auto bits = [&](int k) {
       return std::uint64_t{std::bit_cast<std::uint32_t>(positions[v][k] + 0.0f)};
     };
-    keys.push_back({bits(0) << 32 | bits(1), bits(2)});
+    keys.push_back({bits(0) << 32 | bits(1), copies[v] << 32 | bits(2)});
   }
   return keys;
 }

@@ -36,7 +36,7 @@ class CornerPoints {
 
   /// The output's point for a vertex of the textured mesh, seen from a triangle of the surface.
   Index point(Index vertex, std::size_t triangle) {
-    const bool is_own = vertex < input_.vertex_of_point.size();
+    const bool is_own = vertex < input_.surface->mesh.vertex_count();
     if (is_own && !input_.joined) return vertex;
     const Triangle& corners = input_.points_of_triangle[triangle];
     const std::array<Index, 3>& origins = textured_.origins[vertex];

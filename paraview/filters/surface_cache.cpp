@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <Eigen/Core>
@@ -18,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "global_numbers.h"
+#include "outputs.h"
 #include "rank_walls.h"
 #include "vtk_arrays.h"
 
@@ -121,25 +124,72 @@ void order_vertices(std::span<const std::uint64_t> numbers, Mesh& mesh, InputSur
 void keep_ids(const PointNumbers& numbers, InputSurface& made) {
   if (!numbers.by_id) return;
   std::vector<std::uint64_t> ids;
-  for (const Index p : made.point_of_vertex) ids.push_back(numbers.of_points[p]);
+  for (const Index p : made.point_of_vertex) ids.push_back(numbers.of_points[made.source_of(p)]);
   made.ids = std::make_shared<const std::vector<std::uint64_t>>(std::move(ids));
 }
 
+/// A mesh that has only moved is split where it was before, so that its pattern can follow.
+Creases split(Mesh& mesh, float angle, KnownCreases& known) {
+  if (known.angle == angle && known.whole == mesh.triangles) {
+    mesh.triangles = known.split;
+    add_rows_of_copies(known.creases, mesh.positions);
+    return known.creases;
+  }
+  known.angle = angle;
+  known.whole = mesh.triangles;
+  known.creases = split_at_creases(mesh, angle);
+  known.split = mesh.triangles;
+  return known.creases;
+}
+
+/// Points for the vertices that creases have added: a copy of every point that is at such a corner.
+/// They are in the order of the vertices, which have the numbers of their points if none is joined.
+void add_copied_points(const Mesh& mesh, const Creases& creases, InputSurface& made) {
+  const auto first_copy = static_cast<Index>(mesh.vertex_count() - creases.copied.size());
+  std::set<std::pair<Index, Index>> copies;  // the vertex, the point that is copied
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index vertex = mesh.triangles[t][k];
+      if (vertex >= first_copy) copies.emplace(vertex, made.points_of_triangle[t][k]);
+    }
+  }
+  std::map<std::pair<Index, Index>, Index> added;
+  for (const auto& [vertex, point] : copies) {
+    const auto number = static_cast<Index>(made.vertex_of_point.size());
+    added[{vertex, point}] = number;
+    made.vertex_of_point.push_back(vertex);
+    made.copied_points.push_back(point);
+    if (made.point_of_vertex.size() == vertex) made.point_of_vertex.push_back(number);
+  }
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Index& point = made.points_of_triangle[t][k];
+      const Index vertex = mesh.triangles[t][k];
+      if (vertex >= first_copy) point = added.at({vertex, point});
+    }
+  }
+}
+
 /// The points' vertices, the triangles that can be used, and the surface of this process's own.
-InputSurface local_surface(const RawMesh& raw, Mesh mesh, const PointNumbers& numbers, bool alone) {
+/// `split` is that of a process alone; none over several ranks.
+InputSurface local_surface(const RawMesh& raw, Mesh mesh, const PointNumbers& numbers,
+                           const std::function<Creases(Mesh&)>& split) {
   InputSurface made;
   made.ids_refused = numbers.ids_refused;
   made.vertex_of_point = made.point_of_vertex = first_points(numbers.of_points);
   made.joined = join_vertices(mesh, made.vertex_of_point) > 0;
-  if (alone && numbers.by_id) order_vertices(numbers.of_points, mesh, made);
-  keep_ids(numbers, made);
-  const std::vector<Index> order = put_ghosts_last(mesh, raw.ghosts, alone);
+  if (split && numbers.by_id) order_vertices(numbers.of_points, mesh, made);
+  const std::vector<Index> order = put_ghosts_last(mesh, raw.ghosts, split != nullptr);
   repair_mesh(mesh, made.cell_of_triangle);
   for (Index& cell : made.cell_of_triangle) {
     cell = order[cell];
     made.points_of_triangle.push_back(raw.mesh.triangles[cell]);
   }
-  made.surface = std::make_shared<const Surface>(make_surface(std::move(mesh)));
+  Creases creases;
+  if (split) creases = split(mesh);
+  add_copied_points(mesh, creases, made);
+  keep_ids(numbers, made);
+  made.surface = std::make_shared<const Surface>(make_surface(std::move(mesh), std::move(creases)));
   return made;
 }
 
@@ -196,6 +246,23 @@ vtkSmartPointer<vtkPolyData> with_points(vtkSmartPointer<vtkPolyData> data) {
   return empty;
 }
 
+/// Itself, or the same with copies of points behind the others.
+vtkSmartPointer<vtkPolyData> with_copies(vtkSmartPointer<vtkPolyData> data,
+                                         std::span<const Index> copied) {
+  if (copied.empty()) return data;
+  std::vector<Index> points(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::iota(points.begin(), points.end(), Index{0});
+  points.insert(points.end(), copied.begin(), copied.end());
+  const std::vector<RowBlend> rows = whole_rows(points);
+  auto more = vtkSmartPointer<vtkPolyData>::New();
+  more->SetPoints(blended_points(*data, rows));
+  more->SetPolys(data->GetPolys());
+  carry(*data->GetPointData(), rows, *more->GetPointData());
+  more->GetCellData()->PassData(data->GetCellData());
+  more->GetFieldData()->PassData(data->GetFieldData());
+  return more;
+}
+
 }  // namespace
 
 DataArray InputSurface::array(const std::string& name, bool of_points) const {
@@ -238,7 +305,7 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
 }
 
 const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm* owner,
-                                             const Ranks& ranks) {
+                                             const Ranks& ranks, float crease_angle) {
   const bool grid = is_grid(input);
   vtkSmartPointer<vtkPolyData> triangles;
   ranks.together([&] {
@@ -262,8 +329,8 @@ const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm*
     current_ = {};  // what other ranks have read belongs to no surface
     throw;
   }
-  if (ranks.any(renewed)) derive(*triangles, ranks);
-  current_.triangles = triangles;  // with this input's arrays
+  if (ranks.any(renewed || crease_angle_ != crease_angle)) derive(*triangles, ranks, crease_angle);
+  current_.triangles = with_copies(triangles, current_.copied_points);  // with this input's arrays
   return &current_;
 }
 
@@ -283,7 +350,7 @@ bool SurfaceCache::read(vtkPolyData& triangles) {
   return true;
 }
 
-void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks) {
+void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks, float crease_angle) {
   current_ = {};
   const CommonBox box = common_box(triangles, ranks);
   const PointNumbers numbers = point_numbers(triangles, box, ranks);
@@ -294,13 +361,24 @@ void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks) {
       mesh.origin = box.origin;
       mesh.positions = positions_about(box.origin, triangles);
     }
-    made = local_surface(raw_, std::move(mesh), numbers, ranks.alone());
+    std::function<Creases(Mesh&)> split_alone;
+    if (ranks.alone()) {
+      split_alone = [&](Mesh& whole) { return split(whole, crease_angle, creases_); };
+    }
+    made = local_surface(raw_, std::move(mesh), numbers, split_alone);
     if (ranks.alone() && made.surface->mesh.triangles.empty()) {
       throw Error("the input's surface has no triangle with an area");
     }
   });
-  if (!ranks.alone()) join_ranks(made, raw_, numbers, ranks);
+  if (!ranks.alone()) {
+    join_ranks(made, raw_, numbers, ranks);
+    Mesh mesh = made.surface->mesh;
+    bool sharp = false;
+    ranks.together([&] { sharp = !split_at_creases(mesh, crease_angle).empty(); });
+    made.creases_missed = ranks.any(sharp);
+  }
   current_ = std::move(made);
+  crease_angle_ = crease_angle;
   ++surfaces_made_;
 }
 

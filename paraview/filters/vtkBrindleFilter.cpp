@@ -249,7 +249,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   if (run.ranks.any(input == nullptr)) return false;
   State& state = *this->Internals;
   run.begin(0, 0.1, "surface");
-  run.input = state.surfaces.surface_of(input, this, run.ranks);
+  run.input = state.surfaces.surface_of(input, this, run.ranks, number(this->CreaseAngle));
   run.begin(0.1, 0.4, "field");
   if (run.input == nullptr) return false;
 
@@ -295,6 +295,10 @@ void vtkBrindleFilter::WarnOf(const Run& run) {
     vtkWarningMacro(<< "the points' global ids are no numbers in the whole surface: some are "
                        "missing, below zero, or of several places. Points at exactly the same "
                        "place are one vertex; apply Generate Global Ids, or leave the array out");
+  }
+  if (run.input->creases_missed && this->Internals->warned_surface != surfaces) {
+    vtkWarningMacro(<< "vertices on creases have one wave over several ranks, and stripes bend "
+                       "there; a single rank gives each side of a crease its own");
   }
   this->Internals->warned_surface = surfaces;
   for (const std::string& sentence : bp::warnings_of(run.figures, run.surface()))

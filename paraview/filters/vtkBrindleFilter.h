@@ -58,6 +58,11 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   vtkSetMacro(Rotate, double);
   vtkGetMacro(Rotate, double);
 
+  /// Degrees by which an edge bends that is a crease, along which each side has stripes of its own:
+  /// 0 to 180, 180: none. Over several ranks there are none.
+  vtkSetMacro(CreaseAngle, double);
+  vtkGetMacro(CreaseAngle, double);
+
   /// Where frequencies come from, in the order of FrequencySource: 0 Stripes, 1 Frequency, 2 an
   /// array, 3 Stripes times a factor that follows an array.
   vtkSetClampMacro(FrequencySource, int, 0, 3);
@@ -124,6 +129,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   bool FieldArrows = false;
   int FieldSingularities = -1;
   double Rotate = 0;
+  double CreaseAngle = 40;
   int FrequencySource = 0;
   double Stripes = 40;
   double Frequency = 1;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include <brindle/creases.h>
 #include <brindle/frequency_field.h>
 #include <brindle/measured_field.h>
 #include <brindle/smooth_field.h>
@@ -41,6 +42,65 @@ TEST(BrindleStripes, HasTheLibrarysPatternBitForBit) {
               static_cast<double>(pattern.quality.branches));
     EXPECT_EQ(filter->GetSolversMade(), 1) << "a new form of the output is no new pattern";
   }
+}
+
+TEST(BrindleStripes, EachSideOfACreaseHasItsOwnWave) {
+  Mesh mesh = make_shape("box,resolution=20,fillet=0.001");
+  const auto data = polygons_of(mesh);
+  data->GetPointData()->AddArray(vectors_by("place", data->GetNumberOfPoints(), [&](vtkIdType i) {
+    return mesh.positions[static_cast<std::size_t>(i)];
+  }));
+  const std::size_t own = mesh.vertex_count();
+  Creases creases = split_at_creases(mesh);
+  ASSERT_FALSE(creases.empty());
+  const Surface surface = make_surface(std::move(mesh), std::move(creases));
+  const Vec3 direction(1, 2, 3);
+  const FrequencyField frequencies = constant_frequency_field(
+      frequency_of_stripes(12, bounding_box(surface.mesh).diagonal()), surface.mesh.vertex_count());
+  const StripePattern pattern =
+      stripe_pattern(surface, projected_direction_field(direction, surface.normals), frequencies);
+
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(data);
+  filter->SetField(kDirection);
+  filter->SetDirection(1, 2, 3);
+  filter->SetStripes(12);
+  filter->SetTextureCoordinates(false);
+  filter->Update();
+  expect_phases(*filter->GetOutput(), pattern.solution.z);
+  const std::vector<float> places = numbers(*filter->GetOutput(), "place");
+  ASSERT_EQ(places.size(), 3 * surface.mesh.vertex_count());
+  for (std::size_t v = 0; v < surface.mesh.vertex_count(); ++v) {
+    EXPECT_EQ(Vec3(&places[3 * v]), surface.mesh.positions[v]) << "at point " << v;
+  }
+  filter->SetCreaseAngle(180);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), static_cast<vtkIdType>(own));
+  Errors errors(*filter);
+  filter->SetCreaseAngle(-1);
+  filter->Update();
+  EXPECT_EQ(errors.messages.size(), 1u);
+}
+
+/// Two squares that meet at a fold.
+Mesh tent(float slope) {
+  Mesh mesh = make_shape("plane,resolution=16");
+  for (Vec3& p : mesh.positions) p.z() = -slope * std::abs(p.x());
+  return mesh;
+}
+
+TEST(BrindleStripes, CreasesStayWhereTheyAreWhileASurfaceMoves) {
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetField(kDirection);
+  filter->SetDirection(1, 2, 3);
+  filter->SetTextureCoordinates(false);
+  filter->SetInputData(polygons_of(tent(1)));
+  filter->Update();
+  const vtkIdType count = filter->GetOutput()->GetNumberOfPoints();
+  EXPECT_GT(count, static_cast<vtkIdType>(tent(1).vertex_count()));
+  filter->SetInputData(polygons_of(tent(0.1f)));
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), count);
 }
 
 /// A swirl with noise, and a hole in it.

@@ -61,6 +61,7 @@ const std::vector<Property>& properties() {
        PatternJob::stripe,
        {{"Across the Field", ""}, {"Along the Field", "--along"}}},
       {"Rotate", PatternJob::stripe, {{"", "--rotate"}}},
+      {"CreaseAngle", PatternJob::stripe, {{"", "--crease-angle"}}},
       {"SpacingBy",
        PatternJob::stripe,
        {{"Stripes", "--stripes"},
@@ -103,7 +104,6 @@ const std::map<std::string_view, std::string_view> kGroupsWithoutProperty = {
 const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"subdivide", "the filter Subdivide"},
     {"rounded", "there are filters that smooth meshes"},
-    {"crease-angle", "results are arrays of the input's points, which have one wave each"},
     {"points", "the filter takes surfaces"},
     {"neighbors", "the same"},
     {"up", "ParaView has the camera"},
