@@ -259,6 +259,7 @@ TEST(BrindleStripes, CutsPolygonsAsTheLibraryDoes) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(data);
   filter->SetField(kDirection);
+  filter->SetCreaseAngle(180);
   filter->SetTextureCoordinates(false);
   filter->Update();
   vtkPolyData& output = *filter->GetOutput();

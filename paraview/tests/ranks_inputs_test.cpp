@@ -84,6 +84,22 @@ double own_cells(vtkPolyData& data) {
   return static_cast<double>(data.GetNumberOfCells() - ghost_count(data));
 }
 
+// One rank splits the beam at its edges; several say that they do not, once.
+TEST(RankGrids, AreToldOfCreases) {
+  vtkNew<vtkBrindleStripes> filter;
+  filter->SetInputData(beam());
+  filter->SetField(kDirection);
+  filter->SetDirection(1, 0.3, 0.2);
+  Errors warnings(*filter, vtkCommand::WarningEvent);
+  filter->Update();
+  filter->SetStripes(20);
+  filter->Update();
+  const auto told = std::ranges::count_if(warnings.messages, [](const std::string& message) {
+    return message.find("vertices on creases") != std::string::npos;
+  });
+  EXPECT_EQ(sum(static_cast<double>(told)), rank_count() > 1 ? 1 : 0);
+}
+
 // The surface of a grid is that of the whole, and not the walls between ranks.
 TEST(RankGrids, HaveTheSurfaceOfTheWhole) {
   const double faces = 2.0 * (8 * 8 + 2 * 8 * 24);
@@ -92,6 +108,7 @@ TEST(RankGrids, HaveTheSurfaceOfTheWhole) {
     filter->SetInputData(data);
     filter->SetField(kDirection);
     filter->SetDirection(1, 0.3, 0.2);
+    filter->SetCreaseAngle(180);
     filter->SetTextureCoordinates(false);
     Errors errors(*filter);
     filter->Update();
@@ -164,6 +181,7 @@ vtkSmartPointer<vtkUnstructuredGrid> beam_in_pieces(const std::vector<int>& piec
 
 /// Stripes of a direction, without texture coordinates.
 void lay_level(vtkBrindleStripes& filter, vtkDataObject* data) {
+  filter.SetCreaseAngle(180);
   filter.SetInputDataObject(data);
   filter.SetField(kDirection);
   filter.SetDirection(1, 0.3, 0.2);
