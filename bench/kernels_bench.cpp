@@ -134,7 +134,7 @@ void relax(Workload& work, const Kernels& kernels) {
 
 void members(Workload& work, const Kernels& kernels) {
   Level& level = work.fine();
-  const GaugeRounds& rounds = level.aggregation().gauges;
+  const GaugeSchedule& rounds = level.aggregation().gauges;
   for (const SliceRange& groups : rounds.ranges) {
     kernels.members(level.couplings, rounds, level.gauge.data(), groups);
   }
@@ -144,7 +144,7 @@ void members(Workload& work, const Kernels& kernels) {
 // the second cache. Timed alone, each kernel meets what the other left there.
 void gauge(Workload& work, const Kernels& kernels) {
   const SlicedLayout& layout = work.fine().layout();
-  const SourceRounds& sources = work.fine().aggregation().sources;
+  const SumSchedule& sources = work.fine().aggregation().sources;
   for (Index block = 0; block < work.coarse().layout().block_count(); ++block) {
     Complex* gauged = work.gauged.data() + kLanes;
     for (const SliceRange& run : sources.runs_of(block)) {
@@ -156,7 +156,7 @@ void gauge(Workload& work, const Kernels& kernels) {
 
 void sum(Workload& work, const Kernels& kernels) {
   const SlicedLayout& coarse = work.coarse().layout();
-  const SourceRounds& sources = work.fine().aggregation().sources;
+  const SumSchedule& sources = work.fine().aggregation().sources;
   for (Index block = 0; block < coarse.block_count(); ++block) {
     kernels.sum(coarse, sources.round_begin.data(), sources.entry.data(), work.gauged.data(),
                 work.coarse().couplings.direct.get(), work.marked.data(), coarse.block(block));

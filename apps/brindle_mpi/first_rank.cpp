@@ -18,7 +18,7 @@ void together_as_used(Communicator& ranks, const std::function<void()>& work) {
     }
   };
   try {
-    ranks.together(noted);
+    ranks.throw_on_all(noted);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {

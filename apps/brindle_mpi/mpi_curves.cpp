@@ -149,7 +149,7 @@ JoinedFamily make_family(const char* name, const GatheredSurface& whole,
     family.short_curves = all - family.curves.lines.count();
   }
   if (arguments.line_width) {
-    ranks.together([&] {
+    ranks.throw_on_all([&] {
       if (!whole.is_first()) return;
       family.coverage = measure_coverage(whole.surface().mesh, family.curves.lines,
                                          arguments.line_width->on(diagonal));
@@ -267,7 +267,7 @@ void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
 MakingFigures loops_of(const GatheredSurface& whole, const PiecePattern& of_piece) {
   GatheredPattern gathered = gathered_pattern(whole, of_piece);
   MakingFigures figures;
-  whole.piece().ranks->together([&] {
+  whole.piece().ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
     const Mesh& mesh = whole.surface().mesh;
     StripePattern pattern;
@@ -340,7 +340,7 @@ void run_mpi_curves(const CLI::App& command, const MpiCurvesArguments& arguments
   }
   nlohmann::ordered_json report = to_json(ranks, patterns, extract);
   report.update(made.report);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0) tell(command, arguments, made.joined, patterns, report);
   });
 }

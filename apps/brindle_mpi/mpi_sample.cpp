@@ -151,7 +151,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
     enter_stage(ranks, display, "samples");
     Stopwatch watch;
     gathered = gather_samples(ranks, patterns, arguments);
-    ranks.together([&] {
+    ranks.throw_on_all([&] {
       if (has_point_trees()) gathered.spacing = measure_sample_spacing(gathered.samples);
     });
     extract = watch.lap();
@@ -163,7 +163,7 @@ void run_mpi_sample(const CLI::App& command, const MpiSampleArguments& arguments
   }
   nlohmann::ordered_json report = to_json(ranks, patterns, extract);
   report.update(to_json(gathered, patterns));
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0) tell(command, arguments, gathered, patterns, report, ranks.size());
   });
 }

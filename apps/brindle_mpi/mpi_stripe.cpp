@@ -107,7 +107,7 @@ void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
   check_files(mpi_inputs(ranks, arguments.surface, arguments.waves, arguments.solving), outputs);
   if (!arguments.output.empty()) check_pieces(ranks, arguments.output);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0 && !arguments.report.empty()) check_output_path(arguments.report);
   });
 }
@@ -193,7 +193,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     }
     figures = rank_figures(ranks, surface, animator);
   }
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0) tell(command, arguments, report, figures, frames);
   });
 }

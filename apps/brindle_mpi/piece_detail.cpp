@@ -28,7 +28,7 @@ FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
     if (of_triangles && found.of_cells && found.of_cells->components == 1) {
       return {"", numbers_of(found.of_cells->view(), kWeight)};
     }
-    ranks.together([&] {
+    ranks.throw_on_all([&] {
       values = scalar_values(kWeight, found.array, read.piece.mesh.vertex_count(), read.file);
     });
   } else {

@@ -56,7 +56,7 @@ PieceField tensor_field(Communicator& ranks, const DistributedSurface& surface,
     return std::vector<Vec3>(all.begin(), all.begin() + nodes);
   };
   TensorField tensor;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     const Surface of_nodes{
         {first(own.mesh.positions), {}}, own.graph.adjacency, first(own.normals)};
     tensor = tensor_field_of(of_nodes, rows_of_nodes(own, array),
@@ -106,7 +106,7 @@ PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
   PieceField field = array_field(ranks, surface, read, columns[0], options);
   field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
   if (columns.size() == 1) return field;
-  ranks.together([&] { field.frequencies = frequencies_of(columns[1], field.directions); });
+  ranks.throw_on_all([&] { field.frequencies = frequencies_of(columns[1], field.directions); });
   field.may_have_gaps = true;
   return field;
 }
@@ -160,7 +160,7 @@ DataArray piece_globe_vectors(Communicator& ranks, const ReadPiece& read,
     radii.farthest = std::max(radii.farthest, other.farthest);
   }
   DataArray vectors;
-  ranks.together([&] { vectors = globe_vectors(read.piece.mesh, east_north, radii); });
+  ranks.throw_on_all([&] { vectors = globe_vectors(read.piece.mesh, east_north, radii); });
   return vectors;
 }
 
@@ -181,7 +181,7 @@ PieceField file_field(Communicator& ranks, const DistributedSurface& surface, co
 /// What rank 0 reads, on all ranks.
 std::vector<FieldStroke> strokes_of(Communicator& ranks, const std::string& path) {
   std::vector<double> numbers;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() != 0) return;
     for (const FieldStroke& stroke : read_strokes(path)) {
       numbers.insert(numbers.end(),

@@ -32,7 +32,7 @@ DataArray frequency_values(Communicator& ranks, const DistributedSurface& surfac
     return make_data_array(value, 1, greatest_curvatures(surface));
   }
   VertexValues values;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     const Surface piece{{read.piece.mesh.positions, {}, read.piece.mesh.origin}, nullptr, {}};
     values = vertex_values(kBy, value, {piece, {}, read.file, options, {}});
   });
@@ -43,13 +43,13 @@ FrequencyField frequencies_by_values(Communicator& ranks, const DistributedSurfa
                                      const DataArray& values, float frequency,
                                      const FrequencyRange& range) {
   NumberExtent extent;
-  ranks.together([&] { extent = extent_of(values, used_own(surface)); });
+  ranks.throw_on_all([&] { extent = extent_of(values, used_own(surface)); });
   for (const NumberExtent& other : ranks.all(extent)) {
     extent.lowest = std::min(extent.lowest, other.lowest);
     extent.highest = std::max(extent.highest, other.highest);
   }
   FrequencyField frequencies;
-  ranks.together([&] { frequencies = frequencies_by(values, extent, frequency, range); });
+  ranks.throw_on_all([&] { frequencies = frequencies_by(values, extent, frequency, range); });
   return frequencies;
 }
 
@@ -61,7 +61,7 @@ FrequencyField chosen_frequencies(Communicator& ranks, const DistributedSurface&
   if (!wanted.frequency.empty()) {
     const DataArray array = field.arrays->array(wanted.frequency).array;
     FrequencyField frequencies;
-    ranks.together([&] { frequencies = frequencies_of(array, field.directions); });
+    ranks.throw_on_all([&] { frequencies = frequencies_of(array, field.directions); });
     return frequencies;
   }
   if (!wanted.frequency_by.empty()) {

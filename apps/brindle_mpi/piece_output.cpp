@@ -79,7 +79,7 @@ fs::path piece_path(const fs::path& pvtp, int rank) {
 }
 
 void check_pieces(Communicator& ranks, const fs::path& pvtp) {
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     check_output_path(piece_path(pvtp, ranks.rank()));
     if (ranks.rank() == 0) check_output_path(pvtp);
   });
@@ -102,12 +102,12 @@ void write_pieces(Communicator& ranks, const fs::path& pvtp, const Eigen::Vector
                   const DataArrays& arrays, const PieceWriter& write) {
   const fs::path path = piece_path(pvtp, ranks.rank());
   std::optional<UnfinishedFile> piece;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     piece.emplace(path);
     piece->write([&](OutputStream& out) { write(out, path); });
   });
-  ranks.together([&] { piece->finish(); });
-  ranks.together([&] {
+  ranks.throw_on_all([&] { piece->finish(); });
+  ranks.throw_on_all([&] {
     if (ranks.rank() != 0) return;
     const std::vector<fs::path> older = older_pieces(pvtp, ranks.size());
     write_index(pvtp, ranks.size(), origin, arrays);

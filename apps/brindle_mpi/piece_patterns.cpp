@@ -103,7 +103,7 @@ void check_pattern_options(const CLI::App& command, const PatternArguments& argu
   }
   check_files(mpi_inputs(ranks, arguments.surface, arguments.waves, arguments.solving), outputs);
   if (writes_pieces(arguments)) return check_pieces(ranks, arguments.output);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0 && !arguments.output.empty()) check_output_path(arguments.output);
   });
 }

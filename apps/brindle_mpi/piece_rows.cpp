@@ -42,14 +42,14 @@ PieceArrays::PieceArrays(Communicator& ranks, const DistributedSurface& surface,
     of_whole.max_distance =
         Length{kDefaultMaxDistance.on(static_cast<float>(surface.diagonal())), false};
   }
-  ranks.together(
+  ranks.throw_on_all(
       [&] { other_ = std::make_unique<ArraySource>(piece_, read.arrays, read.file, of_whole); });
 }
 
 ArrayAtVertices PieceArrays::array(const std::string& name) const {
   ArrayAtVertices result;
   if (other_) {
-    ranks_.together([&] {
+    ranks_.throw_on_all([&] {
       auto [array, rows_nonfinite, of_cells] = other_->array(name);
       result.array = std::move(array);
       result.rows_nonfinite = rows_nonfinite;
@@ -57,7 +57,7 @@ ArrayAtVertices PieceArrays::array(const std::string& name) const {
     return result;
   }
   ArrayChoice choice;
-  ranks_.together([&] { choice = choice_of(read_.arrays, name, read_.file); });
+  ranks_.throw_on_all([&] { choice = choice_of(read_.arrays, name, read_.file); });
   const DataArray& array = *choice.array;
   if (!choice.of_cells) {
     return {array, ranks_.sum(nonfinite_rows(own_rows(surface_, array))), std::nullopt};

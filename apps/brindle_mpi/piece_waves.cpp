@@ -39,13 +39,13 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   field.missing.too_far = field.arrays->drop_too_far(field.directions);
   MeasuredField measured = piece_measured(ranks, surface, read, options, field);
   choose_piece_frequencies(ranks, surface, read, options, field);
-  FoundWaves found{std::move(field.directions), std::move(field.frequencies)};
+  WaveInput found{std::move(field.directions), std::move(field.frequencies)};
   found.may_have_gaps = field.may_have_gaps || says_frequencies(options);
   found.is_near = [&](Index v) { return field.arrays->is_near(v); };
   found.missing = field.missing;
   found.measured = std::move(measured);
-  MadeWaves seen = waves_of(PieceSurface(surface, read.piece.mesh), wave_wishes(options),
-                            std::move(found), listener.progress());
+  WaveResult seen = waves_of(PieceSurface(surface, read.piece.mesh), wave_request(options),
+                             std::move(found), listener.progress());
   listener.note(field.notes);
   made.waves = std::move(seen.waves);
   made.field_rows_nonfinite = field.rows_nonfinite;
@@ -54,7 +54,7 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   made.figures.measured = is_measured(options);
   made.figures.detail = seen.detail;
   made.figures.frequency_detail = seen.frequency_detail;
-  ranks.together([&] { check_wave_report(made.figures, source_of(options)); });
+  ranks.throw_on_all([&] { check_wave_report(made.figures, source_of(options)); });
   listener.note(warnings(made.figures, source_of(options)));
   made.milliseconds = watch.lap();
   return made;

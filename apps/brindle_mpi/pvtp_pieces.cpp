@@ -279,7 +279,7 @@ class PieceReader {
 /// Either all pieces have ids or none.
 bool have_ids(Communicator& ranks, const RankRows& rows) {
   const bool any = ranks.any(rows.with_ids.has_value());
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (!any || !rows.without_ids) return;
     throw Error(rows.without_ids->string() +
                 ": has no global ids of its points, which other pieces have; export the pieces "
@@ -315,7 +315,7 @@ Eigen::Vector3d common_origin(Communicator& ranks, std::span<const Eigen::Vector
 void agree_on_arrays(Communicator& ranks, const std::string& path, RankRows& rows) {
   const DataArrays own = {heads_of(rows.arrays.points), heads_of(rows.arrays.cells)};
   DataArrays agreed = agreed_heads(ranks, own);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (rows.any) check_alike(path, own, agreed);
   });
   if (!rows.any) rows.arrays = std::move(agreed);
@@ -444,7 +444,7 @@ std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path
   std::vector<UsedFile> files = {{"MESH", path}};
   check_same_files(ranks, {path});
   std::vector<fs::path> looked_at;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     const std::vector<fs::path> pieces = read_pvtp(path).pieces;
     for (const fs::path& piece : pieces) files.push_back({"MESH", piece});
     // Nobody reads another's pieces. So each looks at the next one as well: then two neighbours
@@ -463,7 +463,7 @@ ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, const W
                            JobListener& listener) {
   PieceReader reader(path, wanted, listener);
   RankRows rows;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     listener.stage("loading " + path);
     rows = reader.read(ranks.rank(), ranks.size());
   });
@@ -482,12 +482,12 @@ ReadPiece read_pvtp_pieces(Communicator& ranks, const std::string& path, const W
   result.numbered = ids;
   MeshRepair repair;
   std::vector<Index> vertices, triangles;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     result.piece = joined_piece(std::move(mesh), rows, ids && ranks.size() == 1, vertices);
     repair = repair_mesh(result.piece.mesh, triangles);
   });
   repair.triangles_duplicate += drop_repeated(ranks, result.piece, triangles);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     result.arrays = {rows_of(rows.arrays.points, vertices), rows_of(rows.arrays.cells, triangles)};
   });
   if (ranks.sum(result.piece.mesh.triangle_count()) == 0) {

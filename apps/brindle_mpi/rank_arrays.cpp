@@ -79,7 +79,7 @@ std::vector<DataArray> scattered_rows(Communicator& ranks, std::span<const DataA
   std::vector<DataArray> result = unpacked(ranks.of_first(packed(heads))).points;
   for (std::size_t a = 0; a < result.size(); ++a) {
     std::vector<std::vector<std::byte>> parts(size);
-    ranks.together([&] {
+    ranks.throw_on_all([&] {
       if (ranks.rank() != 0) return;
       for (std::size_t r = 0; r < size; ++r) parts[r] = rows_of(arrays[a], rows[r]).bytes;
     });
@@ -96,7 +96,7 @@ std::vector<DataArray> rows_of_numbers(Communicator& ranks, std::span<const Data
   std::vector<std::vector<Index>> rows;
   for (const auto& list : ranks.swap_lists(asked)) rows.emplace_back(list.begin(), list.end());
   const std::size_t there = ranks.all(arrays.empty() ? 0 : arrays[0].rows())[0];
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     for (const std::uint64_t id : ids) {
       if (id < there) continue;
       throw Error("'" + file + "' has " + std::to_string(there) +

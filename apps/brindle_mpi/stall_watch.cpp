@@ -51,7 +51,7 @@ void add_stall_option(CLI::App& command, double& seconds) {
 
 void enter_stage(Communicator& ranks, JobListener& listener, const char* name) {
   stage_now = name;
-  ranks.together([&] { listener.stage(name); });
+  ranks.throw_on_all([&] { listener.stage(name); });
 }
 
 StallWatch::StallWatch(int rank, double seconds) : rank_(rank), seconds_(seconds) {

@@ -80,7 +80,7 @@ class Communicator {
 
   /// Runs `work`. If it throws on any rank, all ranks throw: Cancelled if the lowest of those was
   /// cancelled, otherwise an Error with its message, which names the rank if there are several.
-  void together(const std::function<void()>& work);
+  void throw_on_all(const std::function<void()>& work);
 
   /// Runs `work` on rank 0, while the others wait, and throws what `together` throws. What it
   /// reports, all ranks' `progress` hears: each can cancel it.

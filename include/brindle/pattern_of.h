@@ -57,7 +57,7 @@ struct MakingFigures {
 };
 
 /// Options of a pattern, beside its waves.
-struct PatternWishes {
+struct PatternRequest {
   PatternKind kind = PatternKind::stripes;
   StripeOptions solving = {};
   MakingOptions making = {};          ///< of textures and crosses `merge_branches` alone
@@ -65,21 +65,21 @@ struct PatternWishes {
   bool oriented = false;              ///< the same
 };
 
-struct MadeCrosses {
+struct CrossResult {
   CrossPattern cross;
   CrossTexture texture;
 };
 
-struct MadePattern {
-  std::variant<StripePattern, TexturePattern, MadeCrosses> of;
+struct PatternResult {
+  std::variant<StripePattern, TexturePattern, CrossResult> of;
   MakingFigures making = {};
 };
 
 /// Solves for the pattern. `waves` has one entry per vertex. Throws what `stripe_pattern`,
 /// `texture_pattern`, `cross_pattern`, `wind` and `merge_branches` throw; Error for options that
 /// the kind of pattern does not have, and for boundaries along which no stripes run.
-MadePattern pattern_of(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
-                       const Progress& progress = {});
+PatternResult pattern_of(const Surface& surface, WaveSet waves, const PatternRequest& request,
+                         const Progress& progress = {});
 
 /// Fills in the loops of the surface and their windings.
 void measure_windings(const Surface& surface, const StripePattern& pattern, MakingFigures& figures);

@@ -36,7 +36,7 @@ struct FieldWeight {
   std::vector<float> values;
 };
 
-/// The data of a field with their weights, for `FoundWaves::measured`; `directions` are those at
+/// The data of a field with their weights, for `WaveInput::measured`; `directions` are those at
 /// vertices. Throws Error for weights below zero, and for words that the data have no such thing
 /// for.
 MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
@@ -74,14 +74,14 @@ struct FrequencyDetailReport {
 };
 
 /// Options of waves.
-struct WaveWishes {
+struct WaveRequest {
   float turn_deg = 0;                                        ///< of waves against their field
   FieldDetailOptions detail = {.periods = 0};                ///< periods 0: the field as it is
   FrequencyDetailOptions frequency_detail = {.periods = 0};  ///< periods 0: as they are
 };
 
 /// A field and frequencies, with a row per vertex.
-struct FoundWaves {
+struct WaveInput {
   DirectionField directions;          ///< unit tangent vectors before they are turned; 0: no wave
   FrequencyField frequencies;         ///< stripes per unit length; not finite in gaps
   FrequencyField frequencies_v = {};  ///< of crossing stripes; empty: the same
@@ -94,9 +94,9 @@ struct FoundWaves {
 };
 
 /// Waves without phases.
-struct MadeWaves {
+struct WaveResult {
   WaveSet waves;                 ///< one wave per vertex
-  FrequencyField frequencies_v;  ///< as FoundWaves has them
+  FrequencyField frequencies_v;  ///< as WaveInput has them
   MissingWaves missing;
   std::optional<FieldDetailFigures> detail = {};  ///< of a field seen at detail
   std::optional<FrequencyDetailReport> frequency_detail = {};
@@ -153,7 +153,7 @@ WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
 
 /// Smooths the frequencies, drops waves without a frequency, smooths the field with those
 /// frequencies, and turns it. Throws the errors of these steps.
-MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWaves found,
-                   const Progress& progress = {});
+WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, WaveInput found,
+                    const Progress& progress = {});
 
 }  // namespace brindle

@@ -25,7 +25,7 @@ struct vtkBrindleFilter::Run {
   /// Collective over ranks. Says what is done from here to there; throws Cancelled on all ranks if
   /// one is told to stop.
   void begin(double from, double to, const char* stage) const {
-    ranks.together([&] { progress(from, to).report(stage, 0); });
+    ranks.throw_on_all([&] { progress(from, to).report(stage, 0); });
   }
 
   brindle::paraview::PatternSurface surface() const {

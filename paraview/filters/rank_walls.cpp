@@ -157,7 +157,7 @@ vtkSmartPointer<vtkPolyData> without_walls(vtkSmartPointer<vtkPolyData> surface,
                                            std::span<const std::uint64_t> numbers,
                                            const Ranks& ranks) {
   std::vector<std::pair<vtkIdType, Face>> faces;
-  ranks.together([&] { faces = own_faces(*surface, numbers); });
+  ranks.throw_on_all([&] { faces = own_faces(*surface, numbers); });
   std::vector<std::vector<Face>> told(static_cast<std::size_t>(ranks.size()));
   for (const auto& [cell, face] : faces) told[hash(face) % told.size()].push_back(face);
   const auto answers = ranks.swap_lists(are_shared(ranks.swap_lists(told)));

@@ -29,9 +29,9 @@ class Ranks {
   MPI_Comm communicator() const { return comm_; }
 
   /// As Communicator::together. Alone: throws whatever `work` throws.
-  void together(const std::function<void()>& work) const {
+  void throw_on_all(const std::function<void()>& work) const {
     if (alone()) return work();
-    communicator_->together(work);
+    communicator_->throw_on_all(work);
   }
 
   /// Every rank's value.

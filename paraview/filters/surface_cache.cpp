@@ -75,7 +75,7 @@ CommonBox common_box(vtkPolyData& data, const Ranks& ranks) {
 PointNumbers point_numbers(vtkPolyData& data, const CommonBox& box, const Ranks& ranks) {
   std::vector<Vec3> positions;
   std::vector<std::int64_t> ids;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     positions = positions_about(box.origin, data);
     ids = ids_of(data);
   });
@@ -225,7 +225,7 @@ void join_ranks(InputSurface& made, const RawMesh& raw, const PointNumbers& numb
       vertex_numbers(ranks, numbers.of_points, made.vertex_of_point);
   const std::vector<std::uint8_t> repeated = repeated_triangles(
       {made.surface->mesh, of_vertices, ghosts_among(made, raw)}, ranks.communicator());
-  ranks.together([&] { drop_repeated(repeated, made); });
+  ranks.throw_on_all([&] { drop_repeated(repeated, made); });
   std::vector<std::uint8_t> ghosts = ghosts_among(made, raw);
   if (!ranks.any(std::ranges::count(ghosts, 0) > 0)) {
     throw Error("the input's surface has no triangle with an area");
@@ -288,7 +288,7 @@ DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) c
   const Ranks& ranks = piece->ranks();
   const bool any_rows = of_points ? surface->mesh.vertex_count() > 0 : !cell_of_triangle.empty();
   DataArray rows;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (!any_rows) return;
     rows = data_array_of(found_array(*triangles, name, of_points));
     rows = rows_of(rows, of_points ? point_of_vertex : cell_of_triangle);
@@ -308,7 +308,7 @@ const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm*
                                              const Ranks& ranks, float crease_angle) {
   const bool grid = is_grid(input);
   vtkSmartPointer<vtkPolyData> triangles;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     vtkSmartPointer<vtkDataObject> marked = input;
     if (grid) marked = with_solids_marked(input);
     triangles = polygons_of(with_ghosts_of_all(marked), owner);
@@ -317,14 +317,14 @@ const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm*
   if (ranks.every(grid || triangles->GetNumberOfCells() == 0)) {
     triangles = without_walls(triangles, point_numbers(*triangles, box, ranks).of_points, ranks);
   }
-  ranks.together([&] { triangles = with_points(triangles_of(triangles, box.origin)); });
+  ranks.throw_on_all([&] { triangles = with_points(triangles_of(triangles, box.origin)); });
   if (!ranks.any(triangles->GetNumberOfPoints() > 0)) return nullptr;
   if (!ranks.any(triangles->GetNumberOfPolys() > 0)) {
     throw Error("the input has points, but no surface: stripes need polygons");
   }
   bool renewed = false;
   try {
-    ranks.together([&] { renewed = this->read(*triangles); });
+    ranks.throw_on_all([&] { renewed = this->read(*triangles); });
   } catch (...) {
     current_ = {};  // what other ranks have read belongs to no surface
     throw;
@@ -355,7 +355,7 @@ void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks, float crea
   const CommonBox box = common_box(triangles, ranks);
   const PointNumbers numbers = point_numbers(triangles, box, ranks);
   InputSurface made;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     Mesh mesh = raw_.mesh;
     if (!ranks.alone()) {
       mesh.origin = box.origin;
@@ -374,7 +374,7 @@ void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks, float crea
     join_ranks(made, raw_, numbers, ranks);
     Mesh mesh = made.surface->mesh;
     bool sharp = false;
-    ranks.together([&] { sharp = !split_at_creases(mesh, crease_angle).empty(); });
+    ranks.throw_on_all([&] { sharp = !split_at_creases(mesh, crease_angle).empty(); });
     made.creases_missed = ranks.any(sharp);
   }
   current_ = std::move(made);

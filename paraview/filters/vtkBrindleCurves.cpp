@@ -75,7 +75,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
                                     .trim = static_cast<float>(this->Trim),
                                     .fair = static_cast<float>(this->Fair)},
                                    this->MinimumLength};
-  run.ranks.together([&] {
+  run.ranks.throw_on_all([&] {
     if (std::isfinite(options.minimum_length) && options.minimum_length >= 0) return;
     throw brindle::Error("Minimum Length must be 0 or above");
   });
@@ -89,7 +89,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
       wanted.join || wanted.trim != 0 || wanted.fair != 0 || options.minimum_length > 0;
   if (input.piece && whole_ones) {
     const bp::WholeLines whole = bp::whole_lines(input, pattern, options);
-    run.ranks.together([&] {
+    run.ranks.throw_on_all([&] {
       report();
       fill(*whole.points, whole.lines, output);
       bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
@@ -99,7 +99,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   }
   const brindle::Polylines lines = input.piece ? bp::piece_lines(*input.piece, pattern)
                                                : local_lines(*input.surface, pattern, options);
-  run.ranks.together([&] {
+  run.ranks.throw_on_all([&] {
     report();
     fill(*input.triangles, lines, output);
     bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());

@@ -254,7 +254,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   if (run.input == nullptr) return false;
 
   bp::WaveSettings settings;
-  run.ranks.together([&] { settings = State::settings_of(*this); });
+  run.ranks.throw_on_all([&] { settings = State::settings_of(*this); });
   ChosenArray vectors, frequencies, weights;
   const bool is_seen = settings.detail > 0 && settings.field == bp::FieldSource::array;
   if (settings.field == bp::FieldSource::array) {
@@ -268,7 +268,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   brindle::DirectionField made;
   if (settings.is_made()) made = state.directions(run.surface(), settings, step);
   brindle::DirectionField last = state.remembered(run.surface(), settings, step);
-  brindle::MadeWaves waves = bp::make_waves(
+  brindle::WaveResult waves = bp::make_waves(
       *run.input->surface, settings, std::move(made),
       {pointer_to(vectors.of_points), pointer_to(frequencies.of_points),
        pointer_to(weights.of_points), pointer_to(vectors.of_cells), pointer_to(weights.of_cells)},

@@ -110,7 +110,7 @@ vtkBrindleSamples::vtkBrindleSamples() : Second(std::make_unique<Crossing>()) {}
 vtkBrindleSamples::~vtkBrindleSamples() = default;
 
 void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
-  run.ranks.together([&] {
+  run.ranks.throw_on_all([&] {
     if (std::isfinite(this->CrossingFactor) && this->CrossingFactor > 0) return;
     throw brindle::Error("Crossing Factor must be above 0");
   });
@@ -122,7 +122,7 @@ void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
   run.figures.quality = worse_of(u.quality, v.quality);
   run.begin(0.8, 0.9, "samples");
   const std::vector<Sample> samples = crossings_of(*run.input, u, v);
-  run.ranks.together([&] {
+  run.ranks.throw_on_all([&] {
     run.progress(0.9, 1).report("arrays", 0);
     fill(*run.input, samples, output);
   });

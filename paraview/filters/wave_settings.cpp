@@ -76,7 +76,7 @@ Whole whole_of(const Surface& surface, const WaveSettings& settings, const DataA
   if (settings.frequency_source != FrequencySource::by_array || frequencies == nullptr)
     return whole;
   std::array<double, 2> extent{};
-  piece->ranks().together([&] { extent = own_extent(surface, *frequencies, *piece); });
+  piece->ranks().throw_on_all([&] { extent = own_extent(surface, *frequencies, *piece); });
   whole.extent = piece->extent(extent);
   return whole;
 }
@@ -161,26 +161,26 @@ FieldDetailOptions detail_options(const WaveSettings& settings) {
   return options;
 }
 
-WaveWishes wishes_of(const WaveSettings& settings) {
-  WaveWishes wishes;
-  wishes.turn_deg = settings.turn_deg;
-  if (settings.field == FieldSource::array) wishes.detail = detail_options(settings);
+WaveRequest request_of(const WaveSettings& settings) {
+  WaveRequest request;
+  request.turn_deg = settings.turn_deg;
+  if (settings.field == FieldSource::array) request.detail = detail_options(settings);
   if (settings.needs_frequency_array()) {
-    wishes.frequency_detail.periods = settings.frequency_detail;
-    wishes.frequency_detail.fill = settings.fill;
+    request.frequency_detail.periods = settings.frequency_detail;
+    request.frequency_detail.fill = settings.fill;
   }
-  return wishes;
+  return request;
 }
 
 /// What the settings find; `directions` are those of fields that are made.
-FoundWaves found_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
-                       DirectionField directions, const WaveArrays& arrays) {
+WaveInput found_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
+                      DirectionField directions, const WaveArrays& arrays) {
   if (settings.field == FieldSource::direction) {
     directions = projected_direction_field(settings.direction, surface.normals);
   } else if (settings.field == FieldSource::array) {
     directions = array_directions(surface, settings, arrays.vectors);
   }
-  FoundWaves found{std::move(directions), {}};
+  WaveInput found{std::move(directions), {}};
   found.frequencies =
       make_frequencies(surface, settings, whole, found.directions, arrays.frequencies);
   found.may_have_gaps = settings.needs_frequency_array();
@@ -202,21 +202,22 @@ DirectionField made_directions(const Surface& surface, const WaveSettings& setti
   return smooth_direction_field(surface, options);
 }
 
-MadeWaves make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
-                     const WaveArrays& arrays, const DirectionField& last, const RankPiece* piece) {
+WaveResult make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
+                      const WaveArrays& arrays, const DirectionField& last,
+                      const RankPiece* piece) {
   const Whole whole = whole_of(surface, settings, arrays.frequencies, piece);
-  FoundWaves found;
+  WaveInput found;
   const auto find = [&] {
     found = found_waves(surface, settings, whole, std::move(made), arrays);
     found.last = last;
   };
   if (piece == nullptr) {
     find();
-    return waves_of(WholeSurface(surface), wishes_of(settings), std::move(found));
+    return waves_of(WholeSurface(surface), request_of(settings), std::move(found));
   }
-  piece->ranks().together(find);
-  MadeWaves result =
-      waves_of(PieceSurface(piece->surface(), surface.mesh), wishes_of(settings), std::move(found));
+  piece->ranks().throw_on_all(find);
+  WaveResult result = waves_of(PieceSurface(piece->surface(), surface.mesh), request_of(settings),
+                               std::move(found));
   piece->owners().from_owners(std::span(result.waves.directions));
   piece->owners().from_owners(std::span(result.waves.frequencies));
   return result;

@@ -75,8 +75,8 @@ struct WaveArrays {
 /// and cannot be filled. With a piece, collective: the whole's diagonal and numbers count, and a
 /// vertex of several ranks has the wave that its owner says. Throws Error for what arrays and
 /// numbers cannot be.
-MadeWaves make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
-                     const WaveArrays& arrays, const DirectionField& last = {},
-                     const RankPiece* piece = nullptr);
+WaveResult make_waves(const Surface& surface, const WaveSettings& settings, DirectionField made,
+                      const WaveArrays& arrays, const DirectionField& last = {},
+                      const RankPiece* piece = nullptr);
 
 }  // namespace brindle::paraview

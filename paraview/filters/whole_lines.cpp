@@ -80,7 +80,7 @@ StripeCurves lines_of_first(const InputSurface& input, const PiecePattern& patte
   WholeCurves curves = whole_curves(pattern, options);
   const auto asked = ranks.swap_lists(points_by_rank(curves, ranks, whole.rows));
   vtkSmartPointer<vtkPolyData> own;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     Polylines points;
     points.origin = input.surface->mesh.origin;
     for (const auto& [position, place] : asked[0]) {

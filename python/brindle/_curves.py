@@ -138,17 +138,17 @@ class Curves:
 
 def curves_of(stripes: Stripes, join: bool, trim: float, fair: float, offset: float,
               min_length: float, simplify: Optional[float], resample: Optional[float]) -> Curves:
-    wishes = _core.CurveWishes()
-    wishes.join = flag(join, "join")
-    wishes.trim = number(trim, "trim")
-    wishes.fair = number(fair, "fair")
-    wishes.offset = number(offset, "offset")
-    wishes.min_length = number(min_length, "min_length")
+    request = _core.CurveRequest()
+    request.join = flag(join, "join")
+    request.trim = number(trim, "trim")
+    request.fair = number(fair, "fair")
+    request.offset = number(offset, "offset")
+    request.min_length = number(min_length, "min_length")
     if simplify is not None:
-        wishes.simplify = number(simplify, "simplify")
+        request.simplify = number(simplify, "simplify")
     if resample is not None:
-        wishes.resample = number(resample, "resample")
-    made = _core.curves(stripes._core, wishes)
+        request.resample = number(resample, "resample")
+    made = _core.curves(stripes._core, request)
     warn(made.warnings(), 4)
     return Curves(made, stripes)
 

@@ -61,20 +61,20 @@ class Field:
             given["field_arrows"] = True
         for name in ("field_detail", "fill", "field_singularities", "frequency_detail"):
             check_scalar(name, given.get(name))
-        wishes = _core.DetailWishes()
-        wishes.periods = number(given.get("field_detail", 0), "field_detail")
-        wishes.frequency_periods = number(given.get("frequency_detail", 0), "frequency_detail")
-        wishes.frequency_varies = not _is_number(options.get("frequency"))
-        wishes.symmetry = 1 if "field_arrows" in given and symmetry == 2 else symmetry
+        request = _core.DetailArguments()
+        request.periods = number(given.get("field_detail", 0), "field_detail")
+        request.frequency_periods = number(given.get("frequency_detail", 0), "frequency_detail")
+        request.frequency_varies = not _is_number(options.get("frequency"))
+        request.symmetry = 1 if "field_arrows" in given and symmetry == 2 else symmetry
         if "fill" in given:
-            wishes.fill = number(given["fill"], "fill")
+            request.fill = number(given["fill"], "fill")
         if "field_singularities" in given:
-            wishes.singularities = whole_number(given["field_singularities"],
+            request.singularities = whole_number(given["field_singularities"],
                                                 "field_singularities")
         weight = given.get("field_weight")
-        self.origin.see_at_detail(options_of(given), wishes,
-                                  self._weights(surface, weight) if wishes.periods else None)
-        return wishes.periods > 0
+        self.origin.see_at_detail(options_of(given), request,
+                                  self._weights(surface, weight) if request.periods else None)
+        return request.periods > 0
 
     def _weights(self, surface: Surface, weight: Any) -> Any:
         if not isinstance(weight, str) or weight in _OWN_WEIGHTS:

@@ -38,7 +38,7 @@ void check_not_negative(float value, const char* name) {
 // Shares of making curves.
 constexpr double kTraced = 0.7, kResampled = 0.5;
 
-struct CurveWishes {
+struct CurveRequest {
   bool join = false;
   float trim = 0, fair = 0;
   float offset = 0;
@@ -47,18 +47,18 @@ struct CurveWishes {
 };
 
 // Throws away short curves after all ends were counted.
-void shape_lines(CurvesData& made, const CurveWishes& wishes, const Progress& progress) {
+void shape_lines(CurvesData& made, const CurveRequest& request, const Progress& progress) {
   made.ends = made.curves.end_counts();
-  if (wishes.min_length > 0 || wishes.resample || wishes.simplify) made.traced = made.curves;
-  if (wishes.min_length > 0) {
+  if (request.min_length > 0 || request.resample || request.simplify) made.traced = made.curves;
+  if (request.min_length > 0) {
     const std::size_t all = made.curves.lines.count();
-    made.curves = longer_than(made.curves, wishes.min_length);
+    made.curves = longer_than(made.curves, request.min_length);
     made.short_curves = all - made.curves.lines.count();
   }
   Polylines& lines = made.curves.lines;
-  if (wishes.resample || wishes.simplify) made.unshaped = lines;
-  if (wishes.resample) lines = resampled(lines, *wishes.resample, progress.part(0, kResampled));
-  if (wishes.simplify) lines = simplified(lines, *wishes.simplify, progress.part(kResampled, 1));
+  if (request.resample || request.simplify) made.unshaped = lines;
+  if (request.resample) lines = resampled(lines, *request.resample, progress.part(0, kResampled));
+  if (request.simplify) lines = simplified(lines, *request.simplify, progress.part(kResampled, 1));
 }
 
 // Lines about what is probably not meant.
@@ -66,25 +66,25 @@ std::string warnings_of_curves(const CurvesData& data) {
   return data.curves.lines.count() > 0 ? "" : brindle::why_no_curves("u", data.short_curves);
 }
 
-CurvesPointer curves(const StripesData& stripes, const CurveWishes& wishes) {
+CurvesPointer curves(const StripesData& stripes, const CurveRequest& request) {
   if (stripes.surface->is_points()) throw Error("curves need triangles; points have none");
-  check_not_negative(wishes.min_length, "min_length");
-  if (wishes.simplify) check_not_negative(*wishes.simplify, "simplify");
-  if (!std::isfinite(wishes.offset)) throw Error("offset: give a finite number of periods");
+  check_not_negative(request.min_length, "min_length");
+  if (request.simplify) check_not_negative(*request.simplify, "simplify");
+  if (!std::isfinite(request.offset)) throw Error("offset: give a finite number of periods");
   return until_interrupted([&](const Progress& progress) {
     auto made = std::make_shared<CurvesData>();
     made->surface = stripes.surface;
     const Surface& surface = stripes.surface->surface;
-    const CurveOptions options{wishes.join, wishes.trim, wishes.fair};
+    const CurveOptions options{request.join, request.trim, request.fair};
     const Progress tracing = progress.part(0, kTraced);
-    if (wishes.offset == 0) {
+    if (request.offset == 0) {
       made->curves = stripe_curves(surface, stripes.pattern, options, tracing);
     } else {
       StripePattern moved = stripes.pattern;
-      made->jogs = shift_stripes(surface, wishes.offset, moved);
+      made->jogs = shift_stripes(surface, request.offset, moved);
       made->curves = stripe_curves(surface, moved, options, tracing);
     }
-    shape_lines(*made, wishes, progress.part(kTraced, 1));
+    shape_lines(*made, request, progress.part(kTraced, 1));
     return made;
   });
 }
@@ -319,17 +319,17 @@ py::dict spacing_of(const SamplesData& data) {
 }  // namespace
 
 void bind_curves(py::module_& module) {
-  py::class_<CurveWishes>(module, "CurveWishes")
+  py::class_<CurveRequest>(module, "CurveRequest")
       .def(py::init<>())
-      .def_readwrite("join", &CurveWishes::join)
-      .def_readwrite("trim", &CurveWishes::trim)
-      .def_readwrite("fair", &CurveWishes::fair)
-      .def_readwrite("offset", &CurveWishes::offset)
-      .def_readwrite("min_length", &CurveWishes::min_length)
-      .def_readwrite("simplify", &CurveWishes::simplify)
-      .def_readwrite("resample", &CurveWishes::resample);
+      .def_readwrite("join", &CurveRequest::join)
+      .def_readwrite("trim", &CurveRequest::trim)
+      .def_readwrite("fair", &CurveRequest::fair)
+      .def_readwrite("offset", &CurveRequest::offset)
+      .def_readwrite("min_length", &CurveRequest::min_length)
+      .def_readwrite("simplify", &CurveRequest::simplify)
+      .def_readwrite("resample", &CurveRequest::resample);
   bind_curve_properties(module);
-  module.def("curves", curves, py::arg("stripes"), py::arg("wishes"));
+  module.def("curves", curves, py::arg("stripes"), py::arg("request"));
   py::class_<SamplesData, SamplesPointer>(module, "Samples")
       .def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
       .def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })

@@ -26,18 +26,18 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // The phases that a pattern stays near to, and what a report says of them.
-struct Followed {
+struct StyleBindings {
   std::vector<Complex> z;
   brindle::FollowedReport report;
 };
 
-Followed follow(const StripesData& last, const SurfaceData& surface, const WaveSet& waves,
-                const std::string& match, float lambda) {
+StyleBindings follow(const StripesData& last, const SurfaceData& surface, const WaveSet& waves,
+                     const std::string& match, float lambda) {
   const Mesh& mesh = surface.surface.mesh;
   const LastPattern pattern{last.surface->surface.mesh, last.pattern.waves,
                             last.pattern.solution.z};
   const bool by_number = matches_by_number(pattern.mesh, mesh, match);
-  Followed followed;
+  StyleBindings followed;
   followed.z = by_number ? matched_phases(pattern, waves) : carried_phases(pattern, mesh, waves);
   followed.report.previous = last.surface->name;
   followed.report.lambda = lambda;
@@ -45,7 +45,7 @@ Followed follow(const StripesData& last, const SurfaceData& surface, const WaveS
   return followed;
 }
 
-void tell_step(const Followed& followed, StripesData& made) {
+void tell_step(const StyleBindings& followed, StripesData& made) {
   made.followed = followed.report;
   const PhaseStep step = phase_step(made.pattern.waves, made.pattern.solution.z, followed.z);
   made.followed->vertices_unmatched = step.unmatched;
@@ -73,12 +73,12 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     auto made = std::make_shared<StripesData>();
     StripeOptions options = solving.stripes;
-    std::optional<Followed> followed;
+    std::optional<StyleBindings> followed;
     if (previous) {
       followed = follow(*previous, *surface, in.waves, match, options.lambda);
       options.last_phases = followed->z;
     }
-    MadePattern pattern = saying_in_pythons_words([&] {
+    PatternResult pattern = saying_in_pythons_words([&] {
       return pattern_of(surface->surface, std::move(in.waves),
                         {PatternKind::stripes, options, solving.making}, reports);
     });
@@ -331,7 +331,7 @@ namespace {
 
 /// The options that are given by their names, the tool's; the weight is a word of the data
 /// themselves, or numbers.
-struct DetailWishes {
+struct DetailArguments {
   float periods = 0, frequency_periods = 0;
   int symmetry = 2;
   std::optional<float> fill;
@@ -340,18 +340,18 @@ struct DetailWishes {
 };
 
 void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
-                   const DetailWishes& wishes, py::handle weight) {
+                   const DetailArguments& request, py::handle weight) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   saying_in_pythons_words([&] {
-    brindle::check_field_detail(given, {wishes.periods, wishes.frequency_periods, origin.measured,
-                                        wishes.symmetry == 4, wishes.frequency_varies});
+    brindle::check_field_detail(given, {request.periods, request.frequency_periods, origin.measured,
+                                        request.symmetry == 4, request.frequency_varies});
   });
-  origin.detail.periods = wishes.periods;
-  origin.detail.symmetry = wishes.symmetry;
-  origin.frequency_detail.periods = wishes.frequency_periods;
-  if (wishes.fill) origin.detail.fill = origin.frequency_detail.fill = *wishes.fill;
-  if (wishes.singularities) {
-    origin.detail.singularities = static_cast<std::size_t>(*wishes.singularities);
+  origin.detail.periods = request.periods;
+  origin.detail.symmetry = request.symmetry;
+  origin.frequency_detail.periods = request.frequency_periods;
+  if (request.fill) origin.detail.fill = origin.frequency_detail.fill = *request.fill;
+  if (request.singularities) {
+    origin.detail.singularities = static_cast<std::size_t>(*request.singularities);
   }
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
@@ -363,14 +363,14 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
 }  // namespace
 
 void bind_solving(py::module_& module) {
-  py::class_<DetailWishes>(module, "DetailWishes")
+  py::class_<DetailArguments>(module, "DetailArguments")
       .def(py::init<>())
-      .def_readwrite("periods", &DetailWishes::periods)
-      .def_readwrite("frequency_periods", &DetailWishes::frequency_periods)
-      .def_readwrite("symmetry", &DetailWishes::symmetry)
-      .def_readwrite("fill", &DetailWishes::fill)
-      .def_readwrite("singularities", &DetailWishes::singularities)
-      .def_readwrite("frequency_varies", &DetailWishes::frequency_varies);
+      .def_readwrite("periods", &DetailArguments::periods)
+      .def_readwrite("frequency_periods", &DetailArguments::frequency_periods)
+      .def_readwrite("symmetry", &DetailArguments::symmetry)
+      .def_readwrite("fill", &DetailArguments::fill)
+      .def_readwrite("singularities", &DetailArguments::singularities)
+      .def_readwrite("frequency_varies", &DetailArguments::frequency_varies);
   py::class_<Solving>(module, "Solving")
       .def(py::init<>())
       .def_readwrite("threads", &Solving::threads)
@@ -455,7 +455,7 @@ void bind_solving(py::module_& module) {
            [](FieldOrigin& origin, const std::string& name, py::handle array, bool of_triangles) {
              origin.data = {data_array_of(name, array), of_triangles};
            })
-      .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("wishes"), py::arg("weight"))
+      .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("request"), py::arg("weight"))
       .def(
           "see_frequencies_like",
           [](FieldOrigin& origin, const FieldOrigin& other) {

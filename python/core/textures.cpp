@@ -50,18 +50,18 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
                        const py::object& progress) {
   if (surface->is_points()) throw Error("points have no triangles to lay a texture on");
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
-  PatternWishes wishes{PatternKind::texture, solving.stripes, solving.making};
-  wishes.frequencies_v =
+  PatternRequest request{PatternKind::texture, solving.stripes, solving.making};
+  request.frequencies_v =
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField());
-  wishes.oriented = oriented;
+  request.oriented = oriented;
   if (origin.frequency_detail.periods > 0 && !frequency_v.is_none() &&
       !table_of(frequency_v, "frequency_v").is_number) {
-    wishes.frequencies_v =
-        seen_frequencies(surface->surface, std::move(wishes.frequencies_v), origin).frequencies;
+    request.frequencies_v =
+        seen_frequencies(surface->surface, std::move(request.frequencies_v), origin).frequencies;
   }
   return Job(progress, solving.threads).run([&](const Progress& reports) {
-    const Solver solver = wishes.solving.solver.solver;
-    MadePattern laid = pattern_of(surface->surface, std::move(in.waves), wishes, reports);
+    const Solver solver = request.solving.solver.solver;
+    PatternResult laid = pattern_of(surface->surface, std::move(in.waves), request, reports);
     TexturePattern& pattern = std::get<TexturePattern>(laid.of);
     auto made = std::make_shared<TextureData>();
     made->report =
@@ -127,9 +127,9 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     const StripeOptions& options = solving.stripes;
-    MadePattern laid = pattern_of(surface->surface, std::move(in.waves),
-                                  {PatternKind::crosses, options, solving.making}, reports);
-    auto& [cross, texture] = std::get<MadeCrosses>(laid.of);
+    PatternResult laid = pattern_of(surface->surface, std::move(in.waves),
+                                    {PatternKind::crosses, options, solving.making}, reports);
+    auto& [cross, texture] = std::get<CrossResult>(laid.of);
     auto made = std::make_shared<TextureData>();
     made->report = brindle::to_json(
         brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver));

@@ -77,7 +77,7 @@ MeasuredField measured_of(const Surface& surface, const FieldOrigin& origin,
 
 /// A number, or a row per vertex, which may have gaps.
 void find_frequencies(const Surface& surface, py::handle stripes, py::handle frequency,
-                      brindle::FoundWaves& found) {
+                      brindle::WaveInput& found) {
   const std::size_t count = surface.mesh.vertex_count();
   if (frequency.is_none()) {
     const Table table = table_of(stripes, "stripes");
@@ -98,11 +98,11 @@ void find_frequencies(const Surface& surface, py::handle stripes, py::handle fre
 }
 
 /// The detail of frequencies is for arrays alone; a field that was not seen at detail is turned.
-brindle::WaveWishes wishes_of(const FieldOrigin& origin, bool array_of_frequencies) {
-  brindle::WaveWishes wishes{0, origin.detail, origin.frequency_detail};
-  if (origin.detail.periods > 0) wishes.turn_deg = origin.turn_deg;
-  if (!array_of_frequencies) wishes.frequency_detail.periods = 0;
-  return wishes;
+brindle::WaveRequest request_of(const FieldOrigin& origin, bool array_of_frequencies) {
+  brindle::WaveRequest request{0, origin.detail, origin.frequency_detail};
+  if (origin.detail.periods > 0) request.turn_deg = origin.turn_deg;
+  if (!array_of_frequencies) request.frequency_detail.periods = 0;
+  return request;
 }
 
 }  // namespace
@@ -128,19 +128,19 @@ WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::hand
   in.prepared.vertices_joined = data.vertices_joined;
   in.prepared.load_milliseconds = data.load_milliseconds;
   in.prepared.topology_milliseconds = data.topology_milliseconds;
-  brindle::FoundWaves found;
+  brindle::WaveInput found;
   found.directions = directions_of(data, directions, in.prepared);
   if (!phases.empty()) drop_waves_without_phase(phases, found.directions);
   find_frequencies(surface, stripes, frequency, found);
   if (origin.tensor) {
     found.missing.tensor = brindle::MissingTensorWaves{origin.tensor->first, origin.tensor->second};
   }
-  const brindle::WaveWishes wishes = wishes_of(origin, found.may_have_gaps);
-  brindle::MadeWaves made;
+  const brindle::WaveRequest request = request_of(origin, found.may_have_gaps);
+  brindle::WaveResult made;
   saying_in_pythons_words([&] {
-    if (wishes.detail.periods > 0) found.measured = measured_of(surface, origin, found.directions);
+    if (request.detail.periods > 0) found.measured = measured_of(surface, origin, found.directions);
     made = until_interrupted([&](const Progress& progress) {
-      return brindle::waves_of(brindle::WholeSurface(surface), wishes, std::move(found), progress);
+      return brindle::waves_of(brindle::WholeSurface(surface), request, std::move(found), progress);
     });
   });
   in.waves = std::move(made.waves);

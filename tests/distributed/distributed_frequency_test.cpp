@@ -118,7 +118,7 @@ struct Scale {
 };
 
 Scale scale_of(const FrequencyTriangles& triangles, const Adjacency& adjacency,
-               const FrequencyInput& input, RowPeers* peers) {
+               const FrequencyInput& input, MultigridPeers* peers) {
   const FrequencyRows rows(triangles, adjacency, input, peers);
   FrequencyTerms terms;
   terms.triangles.resize(rows.triangles().corners.size());

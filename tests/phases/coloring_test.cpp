@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/phases/one_at_a_time.h"
+#include "brindle/phases/jenkins_hash.h"
 #include "phase_graphs.h"
 
 namespace brindle {

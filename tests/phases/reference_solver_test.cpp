@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "brindle/phases/hierarchy.h"
+#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/multilevel.h"
-#include "brindle/phases/one_at_a_time.h"
 #include "brindle/phases/relaxation.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "reflecting_graph.h"

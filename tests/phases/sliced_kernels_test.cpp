@@ -86,7 +86,7 @@ TEST(SlicedKernels, VectorsRelaxLikePortableCode) {
 
 /// The rows that add to a coarse block, in their gauges, where its rounds look for them.
 std::vector<Complex> gauged_rows(const Level& fine, Index block) {
-  const SourceRounds& sources = fine.aggregation().sources;
+  const SumSchedule& sources = fine.aggregation().sources;
   std::vector<Complex> gauged(sources.places);
   Complex* row = gauged.data() + kLanes;
   for (const SliceRange& run : sources.runs_of(block)) {
@@ -97,7 +97,7 @@ std::vector<Complex> gauged_rows(const Level& fine, Index block) {
 }
 
 void expect_equal_sums(const Level& fine, const Level& coarse, Index block) {
-  const SourceRounds& sources = fine.aggregation().sources;
+  const SumSchedule& sources = fine.aggregation().sources;
   const std::vector<Complex> gauged = gauged_rows(fine, block);
   const std::size_t floats = 2 * coarse.layout().entry_count();
   std::vector<float> sums_a(floats), sums_b(floats);
@@ -126,7 +126,7 @@ void expect_same_coarsening(const Level& fine, const Level& coarse) {
   const SliceRange slices{0, fine.layout().slice_count()};
 
   std::vector<Complex> gauge_a = fine.gauge, gauge_b = fine.gauge;
-  const GaugeRounds& rounds = fine.aggregation().gauges;
+  const GaugeSchedule& rounds = fine.aggregation().gauges;
   for (const SliceRange& groups : rounds.ranges) {
     portable::gauge_members(fine.couplings, rounds, gauge_a.data(), groups);
     simd::gauge_members(fine.couplings, rounds, gauge_b.data(), groups);

@@ -33,12 +33,12 @@ void expect_same(const StripePattern& a, const StripePattern& b) {
 }
 
 TEST_F(PatternOf, IsWhatItsKindMakes) {
-  const MadePattern stripes = pattern_of(surface, waves, {});
+  const PatternResult stripes = pattern_of(surface, waves, {});
   expect_same(std::get<StripePattern>(stripes.of), stripe_pattern(surface, waves));
   EXPECT_TRUE(stripes.making.loops.empty());
 
   const FrequencyField denser(count, 8);
-  const MadePattern texture = pattern_of(
+  const PatternResult texture = pattern_of(
       surface, waves, {.kind = PatternKind::texture, .frequencies_v = denser, .oriented = true});
   const TexturePattern expected =
       texture_pattern(surface, waves, {.frequencies_v = denser, .oriented = true});
@@ -46,8 +46,8 @@ TEST_F(PatternOf, IsWhatItsKindMakes) {
   expect_same(std::get<TexturePattern>(texture.of).v, expected.v);
   EXPECT_EQ(std::get<TexturePattern>(texture.of).seams.turned, expected.seams.turned);
 
-  const MadePattern crosses = pattern_of(surface, waves, {.kind = PatternKind::crosses});
-  const auto& [cross, drawn] = std::get<MadeCrosses>(crosses.of);
+  const PatternResult crosses = pattern_of(surface, waves, {.kind = PatternKind::crosses});
+  const auto& [cross, drawn] = std::get<CrossResult>(crosses.of);
   expect_same(cross.pattern, cross_pattern(surface, waves).pattern);
   EXPECT_EQ(drawn.surface.mesh.triangle_count(), drawn.pattern.u.corners.size());
 }
@@ -58,7 +58,7 @@ TEST_F(PatternOf, MeasuresWindingsWhereAsked) {
                       FrequencyField(torus.mesh.vertex_count(), 5)};
   MakingOptions making;
   making.measure_windings = true;
-  const MadePattern measured = pattern_of(torus, round, {.making = making});
+  const PatternResult measured = pattern_of(torus, round, {.making = making});
   EXPECT_FALSE(measured.making.loops.empty());
   EXPECT_EQ(measured.making.windings.size(), measured.making.loops.size());
   EXPECT_TRUE(measured.making.windings_before.empty());

@@ -22,21 +22,21 @@ struct WavesOf : testing::Test {
   const WholeSurface whole{surface};
   const std::size_t count = surface.mesh.vertex_count();
 
-  FoundWaves found() const {
+  WaveInput found() const {
     return {projected_direction_field({0.2f, 0.3f, 1}, surface.normals),
             FrequencyField(count, kFrequency)};
   }
   /// The same with data that are seen at the scale of their stripes.
-  FoundWaves measured() const {
-    FoundWaves waves = found();
+  WaveInput measured() const {
+    WaveInput waves = found();
     waves.measured.directions = waves.directions;
     return waves;
   }
 };
 
 TEST_F(WavesOf, LeavesWhatNobodyWishesToChange) {
-  const FoundWaves before = found();
-  const MadeWaves made = waves_of(whole, {}, found());
+  const WaveInput before = found();
+  const WaveResult made = waves_of(whole, {}, found());
   EXPECT_EQ(made.waves.positions, surface.mesh.positions);
   EXPECT_EQ(made.waves.directions, before.directions);
   EXPECT_EQ(made.waves.frequencies, before.frequencies);
@@ -45,8 +45,8 @@ TEST_F(WavesOf, LeavesWhatNobodyWishesToChange) {
 }
 
 TEST_F(WavesOf, TurnsWavesAgainstTheirField) {
-  const FoundWaves before = found();
-  const MadeWaves made = waves_of(whole, {.turn_deg = 90}, found());
+  const WaveInput before = found();
+  const WaveResult made = waves_of(whole, {.turn_deg = 90}, found());
   for (std::size_t v = 0; v < count; ++v) {
     const Vec3 turned = surface.normals[v].cross(before.directions[v]);
     EXPECT_LT((made.waves.directions[v] - turned).norm(), 1e-6f);
@@ -54,11 +54,11 @@ TEST_F(WavesOf, TurnsWavesAgainstTheirField) {
 }
 
 TEST_F(WavesOf, TakesWavesWithoutAFrequencyAndCountsThem) {
-  FoundWaves gaps = found();
+  WaveInput gaps = found();
   gaps.frequencies[3] = gaps.frequencies[7] = kNone;
   gaps.directions[7] = Vec3::Zero();  // had no wave anyway
   gaps.may_have_gaps = true;
-  const MadeWaves made = waves_of(whole, {}, gaps);
+  const WaveResult made = waves_of(whole, {}, gaps);
   EXPECT_EQ(made.missing.without_frequency, 1U);
   EXPECT_TRUE(made.waves.directions[3].isZero(0));
   for (const float frequency : made.waves.frequencies) EXPECT_EQ(frequency, kFrequency);
@@ -66,8 +66,8 @@ TEST_F(WavesOf, TakesWavesWithoutAFrequencyAndCountsThem) {
 
 TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
   const FieldDetailOptions detail{.periods = 1, .memory = 1};
-  const MadeWaves plain = waves_of(whole, {.detail = detail}, measured());
-  const MadeWaves turned = waves_of(whole, {.turn_deg = 30, .detail = detail}, measured());
+  const WaveResult plain = waves_of(whole, {.detail = detail}, measured());
+  const WaveResult turned = waves_of(whole, {.turn_deg = 30, .detail = detail}, measured());
   ASSERT_TRUE(plain.detail.has_value());
   EXPECT_EQ(plain.agreement.size(), count);
   EXPECT_EQ(plain.seen_field, plain.waves.directions);
@@ -78,20 +78,20 @@ TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
 }
 
 TEST_F(WavesOf, HasNoWaveWhereTheFieldIsTooFar) {
-  FoundWaves near = measured();
+  WaveInput near = measured();
   near.is_near = [](Index v) { return v >= 5; };
-  const MadeWaves made = waves_of(whole, {.detail = {.periods = 1}}, near);
+  const WaveResult made = waves_of(whole, {.detail = {.periods = 1}}, near);
   for (Index v = 0; v < count; ++v) {
     EXPECT_EQ(made.waves.directions[v].isZero(0), v < 5) << v;
   }
 }
 
 TEST_F(WavesOf, FillsFrequenciesAtTheirDetailBeforeGapsAreTaken) {
-  FoundWaves gaps = found();
+  WaveInput gaps = found();
   gaps.frequencies_v = FrequencyField(count, kFrequency / 2);
   gaps.frequencies[3] = gaps.frequencies_v[4] = kNone;
   gaps.may_have_gaps = true;
-  const MadeWaves made = waves_of(whole, {.frequency_detail = {.periods = 1}}, gaps);
+  const WaveResult made = waves_of(whole, {.frequency_detail = {.periods = 1}}, gaps);
   ASSERT_TRUE(made.frequency_detail.has_value());
   EXPECT_EQ(made.frequency_detail->filled, 1U);
   EXPECT_EQ(made.missing.without_frequency, 0U);
@@ -100,10 +100,10 @@ TEST_F(WavesOf, FillsFrequenciesAtTheirDetailBeforeGapsAreTaken) {
 }
 
 TEST_F(WavesOf, SaysWhatIsMissingOnceForEachReason) {
-  FoundWaves gaps = measured();
+  WaveInput gaps = measured();
   gaps.frequencies[3] = kNone;
   gaps.may_have_gaps = true;
-  const MadeWaves made = waves_of(whole, {.detail = {.periods = 1}}, gaps);
+  const WaveResult made = waves_of(whole, {.detail = {.periods = 1}}, gaps);
   EXPECT_EQ(made.missing.without_frequency, 1U);
   EXPECT_EQ(made.missing.unfilled, 0U);
   EXPECT_EQ(made.missing.total(), 1U);

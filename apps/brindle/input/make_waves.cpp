@@ -236,7 +236,7 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
   return field;
 }
 
-WaveWishes wave_wishes(const WaveOptions& options) {
+WaveRequest wave_request(const WaveOptions& options) {
   return {turn_deg(options), detail_options(options.detail, symmetry_of(options)),
           frequency_detail_options(options.detail)};
 }
@@ -250,16 +250,16 @@ WavesOfField make_waves(const Surface& surface, const WaveOptions& options, cons
   const ArraySource& arrays = *field.arrays;
   field.missing.too_far = arrays.drop_too_far(field.directions);
   choose_frequencies(surface, options, data, field);
-  FoundWaves found{std::move(field.directions), std::move(field.frequencies),
-                   std::move(field.frequencies_v)};
+  WaveInput found{std::move(field.directions), std::move(field.frequencies),
+                  std::move(field.frequencies_v)};
   found.may_have_gaps = field.may_have_gaps || says_frequencies(options);
   found.is_near = [&](Index v) { return arrays.is_near(v); };
   found.measured = std::move(field.measured);
   found.last = std::move(field.last);
   found.missing = field.missing;
   WavesOfField made;
-  static_cast<MadeWaves&>(made) =
-      waves_of(WholeSurface(surface), wave_wishes(options), std::move(found), progress);
+  static_cast<WaveResult&>(made) =
+      waves_of(WholeSurface(surface), wave_request(options), std::move(found), progress);
   choose_crossing_frequencies(surface, options, made.frequencies_v);
   made.field_rows_nonfinite = field.rows_nonfinite;
   made.notes = field.notes;

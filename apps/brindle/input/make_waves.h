@@ -32,7 +32,7 @@ struct FileData {
 };
 
 /// Waves without phases, and what is said of their field.
-struct WavesOfField : MadeWaves {
+struct WavesOfField : WaveResult {
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
   std::string notes;                                ///< lines for the user
   std::optional<FieldStep> field_step;  ///< of a smooth field that went on from a last one
@@ -72,7 +72,7 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
                           const LastDirections& last = {}, const Progress& progress = {});
 
 /// What options ask of waves, whatever their field is.
-WaveWishes wave_wishes(const WaveOptions& options);
+WaveRequest wave_request(const WaveOptions& options);
 
 /// The second half.
 WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,

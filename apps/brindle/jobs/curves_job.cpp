@@ -92,7 +92,7 @@ CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job,
   const Surface& surface = job.prepared.surface;
   listener.stage(stripes_of(name));
   making.measure_windings = true;
-  MadePattern made =
+  PatternResult made =
       pattern_of(surface, std::move(waves), {PatternKind::stripes, job.options, std::move(making)},
                  listener.progress());
   StripePattern& pattern = std::get<StripePattern>(made.of);

@@ -14,13 +14,14 @@ PatternKind kind_of(const StripeArguments& arguments, const std::optional<Textur
   return tile ? PatternKind::texture : PatternKind::stripes;
 }
 
-PatternWishes wishes_of(const StripeArguments& arguments, Preparation& prepared, PatternKind kind) {
-  PatternWishes wishes{kind, arguments.solving.stripes, arguments.making};
+PatternRequest request_of(const StripeArguments& arguments, Preparation& prepared,
+                          PatternKind kind) {
+  PatternRequest request{kind, arguments.solving.stripes, arguments.making};
   if (kind == PatternKind::texture) {
-    wishes.frequencies_v = std::move(prepared.frequencies_v);
-    wishes.oriented = arguments.texture.oriented;
+    request.frequencies_v = std::move(prepared.frequencies_v);
+    request.oriented = arguments.texture.oriented;
   }
-  return wishes;
+  return request;
 }
 
 Texture drawn_texture(TexturePattern pattern, std::optional<TextureTile> tile,
@@ -31,13 +32,13 @@ Texture drawn_texture(TexturePattern pattern, std::optional<TextureTile> tile,
 
 StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
                    std::optional<TextureTile> tile, const Progress& progress) {
-  const PatternWishes wishes = wishes_of(arguments, prepared, kind_of(arguments, tile));
-  MadePattern made = pattern_of(prepared.surface, std::move(prepared.waves), wishes, progress);
+  const PatternRequest request = request_of(arguments, prepared, kind_of(arguments, tile));
+  PatternResult made = pattern_of(prepared.surface, std::move(prepared.waves), request, progress);
   StripeJob job;
-  job.report = make_report(prepared.surface, prepared, made, wishes.solving.solver.solver);
+  job.report = make_report(prepared.surface, prepared, made, request.solving.solver.solver);
   job.making = std::move(made.making);
   job.data = take_input_data(prepared);
-  if (auto* crosses = std::get_if<MadeCrosses>(&made.of)) {
+  if (auto* crosses = std::get_if<CrossResult>(&made.of)) {
     CrossTexture& texture = crosses->texture;
     job.data = on_cross_texture(std::move(job.data), prepared.surface.mesh.triangles,
                                 crosses->cross.cover);

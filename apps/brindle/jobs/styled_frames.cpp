@@ -125,7 +125,7 @@ class FrameTexture {
   }
 
   /// What is left out of the tiles of the last frame; for as long as that is shown.
-  std::span<const LeftOutTiles> broken(const TextureView& texture, const Followed& followed) {
+  std::span<const LeftOutTiles> broken(const TextureView& texture, const StyleBindings& followed) {
     broken_ = left_out_tiles(triangles_, texture, style_.style, followed, whole_);
     return broken_;
   }
@@ -161,8 +161,9 @@ class StyledFrames : public FramePainter {
 
  private:
   void begin(const SolvedFrame& frame, const Surface& surface);
-  Followed follow_frame(const SolvedFrame& frame, const Surface& surface);
-  StyledScene scene_of(const SolvedFrame& frame, const Surface& surface, const Followed& followed);
+  StyleBindings follow_frame(const SolvedFrame& frame, const Surface& surface);
+  StyledScene scene_of(const SolvedFrame& frame, const Surface& surface,
+                       const StyleBindings& followed);
   void show(const std::vector<StyledSurface>& surfaces, std::span<const Vec3> points);
 
   const FrameStyle& style_;
@@ -181,7 +182,7 @@ class StyledFrames : public FramePainter {
   std::string nothing_left_;
 };
 
-Followed StyledFrames::follow_frame(const SolvedFrame& frame, const Surface& surface) {
+StyleBindings StyledFrames::follow_frame(const SolvedFrame& frame, const Surface& surface) {
   StyleValues values = values_.read(frame.data, surface, viewpoint_);
   values.others = other_values_;
   return follow(style_.style, values);
@@ -214,7 +215,7 @@ void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
 }
 
 StyledScene StyledFrames::scene_of(const SolvedFrame& frame, const Surface& surface,
-                                   const Followed& followed) {
+                                   const StyleBindings& followed) {
   const WaveSet& waves = frame.scene.waves;
   StyledScene scene{surface, {waves, frame.z}, std::nullopt, others_, std::nullopt};
   if (texture_) {
@@ -256,7 +257,7 @@ void StyledFrames::show(const std::vector<StyledSurface>& surfaces, std::span<co
 Image StyledFrames::paint(const SolvedFrame& frame) {
   const Surface surface{frame.scene.mesh, frame.data.surface.neighborhood, frame.scene.normals};
   if (count_ == 0) begin(frame, surface);
-  Followed followed = follow_frame(frame, surface);
+  StyleBindings followed = follow_frame(frame, surface);
   StyledOptions options = styled_options(style_.style, picture_, surface.mesh.origin, followed);
   if (style_.tile) name_tiles(style_.style, *style_.tile, options.render, followed);
   options.framed = framed_;

@@ -68,7 +68,7 @@ ColorPlaces color_places(const StyleOptions& style, const VertexValues& color) {
 
 namespace {
 
-void follow_widths(const StyleOptions& style, const VertexValues& width, Followed& followed) {
+void follow_widths(const StyleOptions& style, const VertexValues& width, StyleBindings& followed) {
   const WidthRange widths = style.width_range.value_or(WidthRange());
   const Eigen::Vector2f range = width.range("--width-by");
   followed.widths = rescaled(width.values, range[0], range[1], widths.first, widths.last);
@@ -97,7 +97,7 @@ std::string title_of(const ColoredValues& values, std::span<const Legend> legend
   return taken ? values.name : title;
 }
 
-void follow_colors(const StyleOptions& style, const StyleValues& input, Followed& followed) {
+void follow_colors(const StyleOptions& style, const StyleValues& input, StyleBindings& followed) {
   const std::vector<ColoredValues> colored = colored_values(style, input);
   followed.other_places.resize(input.others.size());
   for (std::size_t k = 0; k < colored.size(); ++k) {
@@ -153,7 +153,7 @@ Legend region_legend(const StyleOptions& style) {
 }  // namespace
 
 void name_tiles(const StyleOptions& style, const TextureTile& first, const RenderOptions& render,
-                Followed& followed) {
+                StyleBindings& followed) {
   if (followed.legends.empty() || followed.legends.front().tiles.empty()) return;
   Legend& legend = followed.legends.front();
   legend.ground = render.base_color;
@@ -165,8 +165,8 @@ void name_tiles(const StyleOptions& style, const TextureTile& first, const Rende
   legend.tiles.back().figure = render.stripe_color;
 }
 
-Followed follow(const StyleOptions& style, const StyleValues& input) {
-  Followed followed;
+StyleBindings follow(const StyleOptions& style, const StyleValues& input) {
+  StyleBindings followed;
   if (input.width) follow_widths(style, *input.width, followed);
   follow_colors(style, input, followed);
   if (input.opacity) {

@@ -44,18 +44,18 @@ struct ColorPlaces {
 ColorPlaces color_places(const StyleOptions& style, const VertexValues& color);
 
 /// What strokes follow, kept as long as a picture is drawn.
-struct Followed {
+struct StyleBindings {
   std::vector<float> widths, opacities, places, regions, tile_sizes;
   std::vector<std::vector<float>> other_places = {};  ///< of other surfaces; empty: no colours
   ColorScale scale;
   std::vector<Legend> legends;
 };
 
-Followed follow(const StyleOptions& style, const StyleValues& values);
+StyleBindings follow(const StyleOptions& style, const StyleValues& values);
 
 /// Puts the tiles of a picture and their colours into the legend of its regions, if it has one:
 /// `first` is the tile of the smallest values.
 void name_tiles(const StyleOptions& style, const TextureTile& first, const RenderOptions& render,
-                Followed& followed);
+                StyleBindings& followed);
 
 }  // namespace brindle::tool

@@ -60,13 +60,13 @@ StylePatterns make_style_patterns(const Surface& surface, const StripeResult& re
 /// A scene as the renderer takes it. Refers to what it was made of and to `followed`, which may be
 /// moved but not copied.
 struct StyledPicture {
-  Followed followed;
+  StyleBindings followed;
   std::vector<LeftOutTiles> broken;  ///< of a texture
   StyledScene scene;
   std::vector<StyledSurface> surfaces;
   StyledOptions options;
 
-  StyledPicture(Followed what, StyledScene drawn)
+  StyledPicture(StyleBindings what, StyledScene drawn)
       : followed(std::move(what)), scene(std::move(drawn)) {}
   StyledPicture(StyledPicture&&) = default;
 };

@@ -89,7 +89,7 @@ Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others) {
 }
 
 StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
-                             const Eigen::Vector3d& origin, const Followed& followed) {
+                             const Eigen::Vector3d& origin, const StyleBindings& followed) {
   StyledOptions options;
   options.render = render_options(picture, origin);
   options.render.transparent = style.transparent;
@@ -105,7 +105,7 @@ StyledOptions styled_options(const StyleOptions& style, const PictureOptions& pi
 namespace {
 
 Strokes strokes_of(const StripesView& pattern, const StyleOptions& style,
-                   const RenderOptions& render, const Followed& followed) {
+                   const RenderOptions& render, const StyleBindings& followed) {
   Strokes strokes{.waves = &pattern.waves, .z = pattern.z, .color = render.stripe_color};
   strokes.width = render.stripe_width;
   strokes.spacing = style.spacing.value_or(0.0f);
@@ -135,7 +135,7 @@ ToneRange crossing_tones(float lightest) {
 }
 
 RegionTexture region_texture(const TextureView& texture, const StyleOptions& style,
-                             const RenderOptions& render, const Followed& followed) {
+                             const RenderOptions& render, const StyleBindings& followed) {
   RegionTexture result{.waves = &texture.waves, .shift = texture.shift};
   result.tiles.push_back({texture.tile, render.stripe_color});
   for (const RegionChoice& region : style.regions) {
@@ -192,7 +192,7 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
 
 std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
                                          const TextureView& texture, const StyleOptions& style,
-                                         const Followed& followed, const WholeTiles& whole) {
+                                         const StyleBindings& followed, const WholeTiles& whole) {
   const std::vector<float>& sizes = followed.tile_sizes;
   // NaN is less than nothing here.
   const float size = std::accumulate(sizes.begin(), sizes.end(), sizes.empty() ? 1.0f : 0.0f,
@@ -207,7 +207,7 @@ std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
 }
 
 StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
-                           const RenderOptions& render, const Followed& followed) {
+                           const RenderOptions& render, const StyleBindings& followed) {
   StyledSurface surface{
       .mesh = scene.surface.mesh, .normals = scene.surface.normals, .color = render.base_color};
   if (scene.texture) {
@@ -231,7 +231,7 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
 }
 
 std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOptions& style,
-                                       const RenderOptions& render, const Followed& followed) {
+                                       const RenderOptions& render, const StyleBindings& followed) {
   std::vector<StyledSurface> surfaces{main_surface(scene, style, render, followed)};
   for (std::size_t i = 0; i < scene.others.size(); ++i) {
     const std::vector<std::vector<float>>& places = followed.other_places;

@@ -55,7 +55,7 @@ struct TextureView {
 /// Figures that are left out of a texture in a style: of the tile, then of those of regions.
 std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
                                          const TextureView& texture, const StyleOptions& style,
-                                         const Followed& followed, const WholeTiles& whole);
+                                         const StyleBindings& followed, const WholeTiles& whole);
 
 /// What is drawn; all of it lives elsewhere.
 struct StyledScene {
@@ -68,16 +68,16 @@ struct StyledScene {
 
 /// The options that do not depend on the surfaces.
 StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
-                             const Eigen::Vector3d& origin, const Followed& followed);
+                             const Eigen::Vector3d& origin, const StyleBindings& followed);
 
 /// The surfaces of a picture, first that with the pattern. They refer to the scene and to
 /// `followed`.
 std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOptions& style,
-                                       const RenderOptions& render, const Followed& followed);
+                                       const RenderOptions& render, const StyleBindings& followed);
 
 /// The first of them alone.
 StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
-                           const RenderOptions& render, const Followed& followed);
+                           const RenderOptions& render, const StyleBindings& followed);
 
 /// How wide outlines and creases are, in pixels of a picture of this height.
 float line_width_of(const StyleOptions& style, int height);

@@ -77,24 +77,24 @@ struct SolvedPattern {
 
 /// By what patterns of the same waves are compared. Computed alike whichever way phases came about,
 /// so that what was kept is kept again when it is read from a file.
-struct Worth {
+struct Score {
   double energy;
   double spacing_error;
 };
 
-Worth worth_of(const StripeJob& job) {
+Score score_of(const StripeJob& job) {
   const StripePattern& pattern = job.result.stripes();
   const PhaseGraph graph =
       build_phase_graph(job.surface->neighborhood, pattern.waves, pattern.phase_shift, {});
   return {energy(graph, pattern.solution.z), pattern.quality.spacing_error_mean};
 }
 
-bool is_outdone(const Worth& followed, const Worth& anew) {
+bool is_worse(const Score& followed, const Score& anew) {
   return followed.energy > kMostEnergyTimes * anew.energy + kMostEnergyMore ||
          followed.spacing_error > anew.spacing_error + kMostSpacingErrorMore;
 }
 
-std::string outdone_note(const Worth& followed, const Worth& anew) {
+std::string outdone_note(const Score& followed, const Score& anew) {
   return formatted(
       "solved anew: phases that had followed fell behind, with energy %.3g instead of %.3g and a "
       "mean spacing error of %.1f instead of %.1f %%",
@@ -413,9 +413,9 @@ class StageUpdate {
     if (!is_to_be_compared()) return;
     Stopwatch watch;
     SolvedPattern anew = made_afresh();
-    const Worth followed = worth_of(stage.made->job), alone = worth_of(anew.job);
+    const Score followed = score_of(stage.made->job), alone = score_of(anew.job);
     times_.emplace_back("compare", watch.lap());
-    if (!is_outdone(followed, alone)) {
+    if (!is_worse(followed, alone)) {
       stages_.compared = stage.made;
       return;
     }
@@ -650,7 +650,7 @@ class StageUpdate {
     if (parsed_->samples() != nullptr) {
       return {stripe_pattern(prepared.surface, std::move(waves), options, progress_)};
     }
-    MadePattern made =
+    PatternResult made =
         pattern_of(prepared.surface, std::move(waves),
                    {PatternKind::stripes, options, making_of_v(*parsed_->curves())}, progress_);
     return {std::get<StripePattern>(std::move(made.of)), std::move(made.making)};

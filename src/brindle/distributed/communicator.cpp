@@ -125,7 +125,7 @@ std::vector<std::uint64_t> Communicator::swap_counts(const std::vector<std::uint
   return theirs;
 }
 
-void Communicator::together(const std::function<void()>& work) {
+void Communicator::throw_on_all(const std::function<void()>& work) {
   if (size_ == 1) return work();
   const Failure failure = outcome_of(work);
   const std::vector<Outcome> outcomes = all(failure.outcome);
@@ -147,11 +147,11 @@ void Communicator::on_first(const Progress& progress,
   if (size_ == 1) return work(progress);
   const bool is_heard = any(progress.is_heard());
   const auto hear = [&](const SentReport& report) {
-    together([&] { progress.report(report.report()); });
+    throw_on_all([&] { progress.report(report.report()); });
   };
   if (rank_ > 0) {
     for (SentReport report; !(report = all(SentReport())[0]).is_last;) hear(report);
-    return together([] {});
+    return throw_on_all([] {});
   }
   bool all_have_thrown = false;
   const Progress told(Progress::JobCallback([&](const ProgressReport& report) {
@@ -168,7 +168,7 @@ void Communicator::on_first(const Progress& progress,
     failure = std::current_exception();
   }
   all(SentReport());
-  together([&] {
+  throw_on_all([&] {
     if (failure) std::rethrow_exception(failure);
   });
 }

@@ -37,7 +37,7 @@ void check_distributed(const DistributedOptions& options) {
 /// Throws on all ranks what it throws on one. Both must live as long.
 Progress on_all(Communicator& ranks, const Progress& progress) {
   return Progress([&ranks, &progress](std::string_view stage, double fraction) {
-    ranks.together([&] { progress.report(stage, fraction); });
+    ranks.throw_on_all([&] { progress.report(stage, fraction); });
     return true;
   });
 }
@@ -73,7 +73,7 @@ struct DistributedStripeAnimator::State {
   std::vector<Complex> z_by_node;
   Momentum momentum;
   std::shared_ptr<const RankRows> rows;  ///< of frequencies that yield over several ranks
-  YieldingFrames yielding;               ///< of own vertices and ghosts
+  FrameFrequencies yielding;             ///< of own vertices and ghosts
   DistributedFigures figures;
 
   Communicator& ranks() const { return *surface->ranks; }
@@ -120,7 +120,8 @@ void DistributedStripeAnimator::State::take_slack() {
   if (ranks().size() > 1) {
     peers = std::make_shared<RankRows>(ranks(), surface->graph, options.gather_below);
   }
-  yielding = YieldingFrames(YieldingSolver(rank_yielding_setting(*surface, options.slack), peers));
+  yielding =
+      FrameFrequencies(YieldingSolver(rank_yielding_setting(*surface, options.slack), peers));
   rows = std::move(peers);
 }
 
@@ -170,7 +171,7 @@ void DistributedStripeAnimator::State::check_values(const FrameInput& frame) con
     normals.assign(surface->normals.begin(), surface->normals.begin() + own);
   }
   normals.resize(surface->graph.own, Vec3::Zero());
-  TangentTally tangent =
+  TangentStats tangent =
       tally_tangent(normals, std::span(input.directions).first(surface->graph.own));
   const bool own_slant = tangent.slanted > 0;  // a rank without one has no vertex to name
   tangent.counted = ranks().sum(tangent.counted);
@@ -183,7 +184,7 @@ void DistributedStripeAnimator::State::check_values(const FrameInput& frame) con
   }
   fineness.measured = ranks().sum(fineness.measured);
   fineness.too_fine = ranks().sum(fineness.too_fine);
-  ranks().together([&] {
+  ranks().throw_on_all([&] {
     if (own_slant) check_tangent(tangent);
     check_fineness(fineness);
   });
@@ -263,7 +264,7 @@ DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& s
                                                      const DistributedOptions& options)
     : state_(std::make_unique<State>()) {
   state_->surface = surface.shared();
-  state_->ranks().together([&] { check_distributed(options); });
+  state_->ranks().throw_on_all([&] { check_distributed(options); });
   check_on_all(*state_->surface, options.slack);
   state_->options = options;
   const std::size_t alone_below = std::max(options.gather_below, options.plan_below);
@@ -282,7 +283,7 @@ DistributedStripeAnimator& DistributedStripeAnimator::operator=(
 
 FrameResult DistributedStripeAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
-  s.ranks().together([&] {
+  s.ranks().throw_on_all([&] {
     check_frame_input(input, s.surface->vertex_of_piece.size());
     check_waves(input.positions, input.directions, input.frequencies);
   });
@@ -468,7 +469,7 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
 
 void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
   State& s = *state_;
-  s.ranks().together([&] { check_last_phases(z, s.surface->vertex_of_piece.size()); });
+  s.ranks().throw_on_all([&] { check_last_phases(z, s.surface->vertex_of_piece.size()); });
   s.given_z.assign(s.surface->graph.node_count(), Complex(0));
   for (std::size_t p = 0; p < z.size(); ++p) {
     const Index v = s.surface->vertex_of_piece[p];
@@ -481,7 +482,7 @@ void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
 
 void DistributedStripeAnimator::set_slack(const Slack& slack) {
   State& s = *state_;
-  s.ranks().together([&] { check_made_with_slack(s.yields); });
+  s.ranks().throw_on_all([&] { check_made_with_slack(s.yields); });
   check_on_all(*s.surface, slack);
   if (s.whole) {
     s.whole->set_slack(slack);

@@ -75,7 +75,7 @@ WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& wave
   const RankSurface& own = surface.rank_surface();
   Communicator& ranks = *own.ranks;
   WaveTally tally;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     check_waves(waves, own.vertex_of_piece.size());
     tally = tally_own(own, waves);
   });

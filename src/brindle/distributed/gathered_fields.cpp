@@ -42,7 +42,7 @@ std::vector<FieldAnchor> anchors_of_whole(const GatheredSurface& whole,
 /// Throws on all ranks for options that do not fit the piece of one.
 void check_pieces(const RankSurface& surface, const SmoothFieldOptions& options) {
   const bool any = surface.ranks->any(!options.last.directions.empty());
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     const std::size_t vertices = surface.vertex_of_piece.size();
     for (const FieldAnchor& anchor : options.anchors) check_field_anchor(anchor, vertices);
     check_known(options.last, vertices, "the last field");
@@ -71,7 +71,7 @@ template <class Make>
 auto of_curvatures(const RankSurface& surface, const Make& make) {
   const GatheredSurface whole(surface);
   decltype(make(whole.surface(), std::span<const PrincipalCurvature>())) made;
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
     const Surface& all = whole.surface();
     made = make(all, principal_curvatures(all.mesh.positions, all.normals, *all.neighborhood));
@@ -142,7 +142,7 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   of_whole.anchors = anchors_of_whole(whole, options.anchors);
   of_whole.last = last_of_whole(whole, options.last);
   DirectionField field;
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (whole.is_first()) field = smooth_direction_field(whole.surface(), of_whole);
   });
   return whole.to_piece(field);
@@ -176,7 +176,7 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, 
   const RankSurface& surface = distributed.rank_surface();
   const GatheredSurface whole(surface);
   std::vector<FieldStroke> strokes;
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (whole.is_first()) strokes = feature_strokes(whole.surface(), angle_deg, radius, strength);
   });
   return of_first_rank(*surface.ranks, strokes, radius, strength);
@@ -191,7 +191,7 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
   const RankSurface& surface = distributed.rank_surface();
   const GatheredSurface whole(surface);
   std::vector<AnchorOfWhole> found;
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
     for (const FieldAnchor& anchor : stroke_anchors(whole.surface(), strokes)) {
       found.push_back({whole.ids()[anchor.vertex], anchor});
@@ -215,7 +215,7 @@ DistributedDetail detailed_field(const DistributedSurface& distributed,
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
   const bool has_last = ranks.any(!last.directions.empty());
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     check_piece(surface, measured, "the data");
     if (has_last) check_piece(surface, last, "the last field");
     if (frequencies.size() != surface.piece_ids.size()) {
@@ -246,7 +246,7 @@ DetailedFrequencies detailed_frequencies(const DistributedSurface& distributed,
                                          const Progress& progress) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (frequencies.size() == surface.piece_ids.size()) return;
     throw Error("measured frequencies: there must be one for every vertex of the piece");
   });

@@ -22,7 +22,7 @@ void check_pattern(const PiecePattern& pattern) {
   const RankSurface& surface = pattern.surface.rank_surface();
   const WaveSet& waves = pattern.waves;
   const std::size_t vertices = surface.vertex_of_piece.size();
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     for (const std::size_t count : {waves.positions.size(), waves.directions.size(),
                                     waves.frequencies.size(), pattern.z.size()}) {
       if (count == vertices) continue;
@@ -237,7 +237,7 @@ GatheredPattern gathered_pattern(const GatheredSurface& whole, const PiecePatter
 WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
                          const CurveOptions& options, const Progress& progress) {
   Communicator& ranks = *whole.piece().ranks;
-  ranks.together([&] { check_curve_options(options); });
+  ranks.throw_on_all([&] { check_curve_options(options); });
   const GatheredPattern gathered = gathered_pattern(whole, pattern);
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
   WholeCurves result;
@@ -259,7 +259,7 @@ WholeCurves whole_curves(const PiecePattern& pattern, const CurveOptions& option
 PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options) {
   const RankSurface& surface = pattern.surface.rank_surface();
   Communicator& ranks = *surface.ranks;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     check_curve_options(options);
     if (options.fair > 0) {
       throw Error("fair: curves that end at borders keep their kinks; ask for whole_curves");
@@ -271,7 +271,7 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
   CutLines cut;
   cut.lines.resize(static_cast<std::size_t>(ranks.size()));
   cut.points.resize(cut.lines.size());
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (!whole.is_first()) return;
     const StripeCurves curves =
         curves_of(whole.surface(), gathered, pattern.phase_shift, options, {});
@@ -289,7 +289,7 @@ std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& w
   all.directions = whole.of_vertices(waves.directions);
   std::vector<Complex> all_z = whole.of_vertices(std::span<const Complex>(z));
   std::size_t jogs = 0;
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (whole.is_first()) jogs = shift_phases(*whole.surface().neighborhood, periods, all, all_z);
   });
   waves.directions = whole.to_piece(all.directions);
@@ -304,7 +304,7 @@ CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& p
   const std::vector<float> all_wanted =
       has_wanted ? whole.of_vertices(wanted) : std::vector<float>();
   CurveSpacing spacing;
-  whole.piece().ranks->together([&] {
+  whole.piece().ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
     const MeshEdges none;  // nothing is crossed
     spacing =
@@ -316,7 +316,7 @@ CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& p
 
 std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v) {
   const RankSurface& surface = u.surface.rank_surface();
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (&surface == &v.surface.rank_surface()) return;
     throw Error("samples need two patterns on one surface");
   });
@@ -324,7 +324,7 @@ std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v) {
   const GatheredPattern all_u = gathered_pattern(whole, u), all_v = gathered_pattern(whole, v);
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
   std::vector<std::vector<Sample>> samples(static_cast<std::size_t>(surface.ranks->size()));
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
     const Surface& all = whole.surface();
     const MeshEdges edges = mesh_edges(all.mesh, *all.neighborhood);
@@ -346,7 +346,7 @@ std::size_t drop_doubles(const DistributedSurface& surface, std::vector<Sample>&
   if (ranks.size() == 1) return drop_doubles(samples, share);
   const auto lists = ranks.gather(std::as_bytes(std::span<const Sample>(samples)));
   std::vector<std::vector<std::uint8_t>> kept(static_cast<std::size_t>(ranks.size()));
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0) kept = kept_samples(lists, share);
   });
   const std::vector<std::uint8_t> own = ranks.swap_lists(kept)[0];

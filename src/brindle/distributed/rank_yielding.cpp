@@ -52,10 +52,10 @@ std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& 
 
 void check_on_all(const RankSurface& surface, const Slack& slack) {
   const std::size_t vertices = surface.vertex_of_piece.size();
-  surface.ranks->together([&] { check_slack(slack, vertices); });
+  surface.ranks->throw_on_all([&] { check_slack(slack, vertices); });
   for (const auto* list : {&slack.by_vertex, &slack.calm}) {
     const bool is_given = surface.ranks->any(!list->empty());
-    surface.ranks->together([&] {
+    surface.ranks->throw_on_all([&] {
       if (!is_given || !list->empty() || vertices == 0) return;
       throw Error(
           "slack: other ranks have a number for each vertex, and this one has none; give one to "

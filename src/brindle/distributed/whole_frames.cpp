@@ -8,7 +8,7 @@ namespace brindle {
 WholeFrames::WholeFrames(const RankSurface& surface, const DistributedOptions& options)
     : ranks_(*surface.ranks), whole_(surface), options_(options) {
   options_.slack = slack_of_whole(options.slack);
-  ranks_.together([&] {
+  ranks_.throw_on_all([&] {
     if (!whole_.is_first()) return;
     const Surface& all = whole_.surface();
     if (options.weights == EdgeWeights::cotangent) {
@@ -77,14 +77,14 @@ void WholeFrames::restart() {
 void WholeFrames::set_last_phases(std::span<const Complex> own) {
   std::vector<Complex> z;
   whole_.of_own(own, z);
-  ranks_.together([&] {
+  ranks_.throw_on_all([&] {
     if (animator_) animator_->set_last_phases(z);
   });
 }
 
 void WholeFrames::set_slack(const Slack& slack) {
   const Slack of_whole = slack_of_whole(slack);
-  ranks_.together([&] {
+  ranks_.throw_on_all([&] {
     if (animator_) animator_->set_slack(of_whole);
   });
 }

@@ -126,8 +126,8 @@ struct GpuAnimator::State {
   std::vector<Complex> given_z;       ///< what the next frame follows instead, by node; or empty
   GlBuffer given;                     ///< the same
   Input input;
-  YieldingFrames yielding;
-  NormalsInPlace in_place;
+  FrameFrequencies yielding;
+  RestNormals in_place;
   bool linked = false;      ///< whether there are links over creases
   MovingNormals moving;     ///< for these
   GlBuffer normals;         ///< for these, by node
@@ -328,7 +328,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surfac
     state_->linked = true;
     state_->moving = MovingNormals(surface.mesh);
   }
-  state_->yielding = YieldingFrames(surface, options.slack);
+  state_->yielding = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
 }

@@ -61,7 +61,7 @@ void append_colors(Words& words, const SlicedLayout& layout, FlatLevel& level) {
 /// For every slot the entries that its gauge depends on, in the order of the rounds.
 std::vector<std::vector<Index>> gauge_entries(const LevelTopology& topology) {
   std::vector<std::vector<Index>> entries(topology.layout->slot_count());
-  const GaugeRounds& rounds = topology.aggregation->gauges;
+  const GaugeSchedule& rounds = topology.aggregation->gauges;
   for (std::size_t m = 0; m < rounds.member.size(); ++m) {
     if (rounds.member[m] == kNone) continue;
     for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
@@ -102,7 +102,7 @@ void append_members(Words& words, const LevelTopology& topology, FlatLevel& leve
 /// begin.
 void append_sources(Words& words, const LevelTopology& topology, const SlicedLayout& coarse,
                     FlatLevel& level) {
-  const SourceRounds& sources = topology.aggregation->sources;
+  const SumSchedule& sources = topology.aggregation->sources;
   const std::uint32_t rounds = words.next();
   for (Index block = 0; block < coarse.block_count(); ++block) {
     const std::vector<Index> entry_at = entries_of_places(sources, *topology.layout, block);

@@ -55,7 +55,7 @@ Place turned(Place p, unsigned turn) {
   return p;
 }
 
-Middle turned(Middle m, unsigned turn) {
+TileCentre turned(TileCentre m, unsigned turn) {
   if (turn & kSwapsUV) std::swap(m.u, m.v);
   if (turn & kTurnsU) m.u = -m.u;
   if (turn & kTurnsV) m.v = -m.v;
@@ -74,8 +74,8 @@ struct Passage {
   unsigned turn = 0;
   std::int32_t tiles_u = 0, tiles_v = 0;
 
-  Middle of(const Middle& m) const {
-    const Middle t = turned(m, turn);
+  TileCentre of(const TileCentre& m) const {
+    const TileCentre t = turned(m, turn);
     return {t.u + 2 * tiles_u, t.v + 2 * tiles_v};
   }
 };
@@ -112,7 +112,7 @@ bool meets(const Place& a, const Place& b, const Rect& rect) {
 /// Calls `visit(middle)` for every figure of one kind that a segment meets; `rect` is what that
 /// with this middle covers.
 template <class Visit>
-void figures_on(const Place& a, const Place& b, const Rect& rect, Middle first,
+void figures_on(const Place& a, const Place& b, const Rect& rect, TileCentre first,
                 const Visit& visit) {
   const auto lowest = [](float least, float most) { return std::ceil(least - most); };
   const float least_v = std::min(a.y(), b.y()), most_v = std::max(a.y(), b.y());
@@ -124,15 +124,15 @@ void figures_on(const Place& a, const Place& b, const Rect& rect, Middle first,
     const float other = a.x() + stretch.end * (b.x() - a.x());
     const float least_u = std::min(u, other), most_u = std::max(u, other);
     for (float i = lowest(least_u, rect.max().x()); rect.min().x() + i <= most_u; i += 1) {
-      visit(Middle{first.u + 2 * static_cast<std::int32_t>(i),
-                   first.v + 2 * static_cast<std::int32_t>(j)});
+      visit(TileCentre{first.u + 2 * static_cast<std::int32_t>(i),
+                       first.v + 2 * static_cast<std::int32_t>(j)});
     }
   }
 }
 
 /// A broken figure in a triangle's list.
 struct ListedFigure {
-  Middle middle;
+  TileCentre middle;
   std::uint32_t next;  ///< one more than its place among all; 0: none
 };
 
@@ -205,7 +205,7 @@ class Breaks {
     };
     if (listed_.empty() && ranges::all_of(all, is_whole)) return broken;
     broken.words.assign(count, 0);
-    std::vector<Middle> middles;
+    std::vector<TileCentre> middles;
     for (std::size_t t = 0; t < count; ++t) {
       if (!is_whole(all[t])) broken.words[t] = 1;
       if (!is_whole(all[t]) || lists_[t] == 0) continue;
@@ -363,14 +363,14 @@ class Breaks {
     return torn;
   }
 
-  Rect rect_of(const Middle& middle) const {
+  Rect rect_of(const TileCentre& middle) const {
     const Rect& reach = reach_[kind_of(figures_.layout, middle)];
     const Place at = place_of(middle);
     return {reach.min() + at, reach.max() + at};
   }
 
   /// Whether the figure was not yet known to be broken in this triangle.
-  bool list(Index t, const Middle& middle) {
+  bool list(Index t, const TileCentre& middle) {
     for (std::uint32_t i = lists_[t]; i != 0; i = listed_[i - 1].next) {
       if (listed_[i - 1].middle == middle) return false;
     }
@@ -401,11 +401,11 @@ class Breaks {
     const float sense = std::abs(there + along) < std::abs(there - along) ? -1.0f : 1.0f;
     const float course = from.y() + sense * (middle - place(h).y());
     const auto row = static_cast<std::int32_t>(std::lround(2 * course));
-    break_along(twin, [&](const Middle& m) { return m.v == row; });
+    break_along(twin, [&](const TileCentre& m) { return m.v == row; });
   }
 
   void break_along(Index h) {
-    break_along(h, [](const Middle&) { return true; });
+    break_along(h, [](const TileCentre&) { return true; });
   }
 
   /// Breaks those of the figures that an edge meets which `counts` takes, all of each.
@@ -413,7 +413,7 @@ class Breaks {
   void break_along(Index h, const Counts& counts) {
     const Place a = place(h), b = place(next_in_triangle(h));
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
-      figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const Middle& m) {
+      figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const TileCentre& m) {
         if (counts(m) && list(h / 3, m)) pending_.push_back({h / 3, m});
       });
     }
@@ -424,7 +424,7 @@ class Breaks {
     }
   }
 
-  void pass_on(Index t, const Middle& middle) {
+  void pass_on(Index t, const TileCentre& middle) {
     const Rect rect = rect_of(middle);
     const std::array<Place, 3> own = places(t);
     for (Index corner = 0; corner < 3; ++corner) {
@@ -433,12 +433,12 @@ class Breaks {
       if (!meets(own[corner], own[corner == 2 ? 0 : corner + 1], rect)) continue;
       const auto way = passage_from(t, corner, own[corner], twin);
       if (!way) continue;
-      const Middle there = way->of(middle);
+      const TileCentre there = way->of(middle);
       if (list(twin / 3, there)) pending_.push_back({twin / 3, there});
     }
   }
 
-  void add_record(std::size_t t, const std::vector<Middle>& middles,
+  void add_record(std::size_t t, const std::vector<TileCentre>& middles,
                   std::vector<std::uint32_t>& words) const {
     words[t] = static_cast<std::uint32_t>(words.size());
     const std::array<Place, 3> lifted = places(t);
@@ -448,7 +448,7 @@ class Breaks {
       }
     }
     words.push_back(static_cast<std::uint32_t>(middles.size()));
-    for (const Middle& m : middles) {
+    for (const TileCentre& m : middles) {
       words.push_back(static_cast<std::uint32_t>(m.u));
       words.push_back(static_cast<std::uint32_t>(m.v));
     }
@@ -466,7 +466,7 @@ class Breaks {
   std::vector<std::uint8_t> ends_;    ///< of figures that are split: where U alone does not
   std::vector<std::uint32_t> lists_;  ///< of every triangle: one more than the place of the newest
   std::vector<ListedFigure> listed_;
-  std::vector<std::pair<Index, Middle>> pending_;
+  std::vector<std::pair<Index, TileCentre>> pending_;
 };
 
 }  // namespace
@@ -504,7 +504,7 @@ bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
   const Place own = uv - shift;
   const Place away = led - own;
   const Place lifted = own + Place(std::floor(away.x() + 0.5f), std::floor(away.y() + 0.5f));
-  const Middle middle = figure_at(layout, lifted);
+  const TileCentre middle = figure_at(layout, lifted);
   const std::size_t count = words[record + 6];
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = record + 7 + 2 * i;

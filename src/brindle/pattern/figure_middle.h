@@ -16,36 +16,37 @@ namespace brindle {
 inline constexpr float kHalfJoint = 0.035f;
 
 /// The middle of a figure, twice its U and twice its V: no other figure has it.
-struct Middle {
+struct TileCentre {
   std::int32_t u = 0, v = 0;
 
-  auto operator<=>(const Middle&) const = default;
+  auto operator<=>(const TileCentre&) const = default;
 };
 
-inline Eigen::Vector2f place_of(const Middle& m) {
+inline Eigen::Vector2f place_of(const TileCentre& m) {
   return 0.5f * Eigen::Vector2f(static_cast<float>(m.u), static_cast<float>(m.v));
 }
 
 /// One of the first or the second kind that a layout has.
-inline Middle first_middle(TileLayout layout, std::size_t kind) {
-  if (layout == TileLayout::courses) return kind == 0 ? Middle{1, 0} : Middle{0, 1};
-  return kind == 0 ? Middle{1, 1} : Middle{0, 0};
+inline TileCentre first_middle(TileLayout layout, std::size_t kind) {
+  if (layout == TileLayout::courses) return kind == 0 ? TileCentre{1, 0} : TileCentre{0, 1};
+  return kind == 0 ? TileCentre{1, 1} : TileCentre{0, 0};
 }
 
 /// The kind of the figure with this middle.
-inline std::size_t kind_of(TileLayout layout, const Middle& m) {
+inline std::size_t kind_of(TileLayout layout, const TileCentre& m) {
   return layout != TileLayout::single && m.u % 2 == 0 ? 1 : 0;
 }
 
 /// The figure that covers a point, or would if it were larger. The twin is in
 /// render/shaders/broken_tiles.glsl.
-inline Middle figure_at(TileLayout layout, const Eigen::Vector2f& uv) {
+inline TileCentre figure_at(TileLayout layout, const Eigen::Vector2f& uv) {
   const auto floor = [](float x) { return static_cast<std::int32_t>(std::floor(x)); };
-  const Middle cell{2 * floor(uv.x()) + 1, 2 * floor(uv.y()) + 1};
-  const Middle corner{2 * floor(uv.x() + 0.5f), 2 * floor(uv.y() + 0.5f)};
+  const TileCentre cell{2 * floor(uv.x()) + 1, 2 * floor(uv.y()) + 1};
+  const TileCentre corner{2 * floor(uv.x() + 0.5f), 2 * floor(uv.y() + 0.5f)};
   if (layout == TileLayout::courses) {
     const float to_course = uv.y() - 0.5f * static_cast<float>(corner.v);
-    return std::abs(to_course) < 0.25f ? Middle{cell.u, corner.v} : Middle{corner.u, cell.v};
+    return std::abs(to_course) < 0.25f ? TileCentre{cell.u, corner.v}
+                                       : TileCentre{corner.u, cell.v};
   }
   if (layout == TileLayout::single) return cell;
   const Eigen::Vector2f away = (uv - place_of(cell)).cwiseAbs();

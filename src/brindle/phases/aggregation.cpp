@@ -30,7 +30,7 @@ class ChunkGauges {
               const std::vector<Index>& rank_of)
       : layout_(layout), aggregates_(aggregates), rank_of_(rank_of) {}
 
-  GaugeRounds arrange(Index first, Index end) {
+  GaugeSchedule arrange(Index first, Index end) {
     for (Index rank = 1; collect_members(first, end, rank); ++rank) add_range();
     return std::move(rounds_);
   }
@@ -91,25 +91,25 @@ class ChunkGauges {
   const std::vector<Index>& rank_of_;
   std::vector<Index> members_;
   std::vector<Index> entries_;
-  GaugeRounds rounds_;
+  GaugeSchedule rounds_;
 };
 
-GaugeRounds gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates,
-                         const Progress& progress) {
+GaugeSchedule gauge_rounds(const SlicedLayout& layout, const Aggregates& aggregates,
+                           const Progress& progress) {
   const std::vector<Index> rank_of = ranks(layout, aggregates);
-  std::vector<GaugeRounds> chunks(aggregates.block_begin.size() - 1);
+  std::vector<GaugeSchedule> chunks(aggregates.block_begin.size() - 1);
   for_blocks(chunks.size(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       chunks[c] = ChunkGauges(layout, aggregates, rank_of)
                       .arrange(aggregates.block_begin[c], aggregates.block_begin[c + 1]);
     }
   });
-  GaugeRounds all;
-  reserve_for_lists(all.member, chunks, &GaugeRounds::member);
-  reserve_for_lists(all.round_begin, chunks, &GaugeRounds::round_begin);
-  reserve_for_lists(all.entry, chunks, &GaugeRounds::entry);
-  reserve_for_lists(all.from, chunks, &GaugeRounds::from);
-  for (const GaugeRounds& chunk : chunks) {
+  GaugeSchedule all;
+  reserve_for_lists(all.member, chunks, &GaugeSchedule::member);
+  reserve_for_lists(all.round_begin, chunks, &GaugeSchedule::round_begin);
+  reserve_for_lists(all.entry, chunks, &GaugeSchedule::entry);
+  reserve_for_lists(all.from, chunks, &GaugeSchedule::from);
+  for (const GaugeSchedule& chunk : chunks) {
     const auto first_group = static_cast<Index>(all.member.size() / kLanes);
     for (const SliceRange& range : chunk.ranges) {
       all.ranges.push_back({first_group + range.begin, first_group + range.end});
@@ -137,7 +137,7 @@ class BlockSources {
         place_of_(fine.slice_count()),
         position_of_(aggregates.count()) {}
 
-  SourceRounds arrange(SliceRange block) {
+  SumSchedule arrange(SliceRange block) {
     rounds_ = {};
     block_ = block;
     collect_runs();
@@ -246,23 +246,23 @@ class BlockSources {
   std::vector<Source> sources_;
   std::vector<Index> dealt_;  // sources by coarse entry
   SliceRange block_{};
-  SourceRounds rounds_;
+  SumSchedule rounds_;
 };
 
-SourceRounds source_rounds(const SlicedLayout& fine, const Aggregates& aggregates,
-                           const Adjacency& adjacency, const SlicedLayout& coarse,
-                           const Progress& progress) {
-  std::vector<SourceRounds> blocks(coarse.block_count());
+SumSchedule source_rounds(const SlicedLayout& fine, const Aggregates& aggregates,
+                          const Adjacency& adjacency, const SlicedLayout& coarse,
+                          const Progress& progress) {
+  std::vector<SumSchedule> blocks(coarse.block_count());
   for_blocks(blocks.size(), progress, [&](std::size_t begin, std::size_t end) {
     BlockSources sources(fine, aggregates, adjacency, coarse);
     for (std::size_t b = begin; b < end; ++b) {
       blocks[b] = sources.arrange(coarse.block(static_cast<Index>(b)));
     }
   });
-  SourceRounds all;
-  reserve_for_lists(all.round_begin, blocks, &SourceRounds::round_begin);
-  reserve_for_lists(all.entry, blocks, &SourceRounds::entry);
-  for (const SourceRounds& block : blocks) {
+  SumSchedule all;
+  reserve_for_lists(all.round_begin, blocks, &SumSchedule::round_begin);
+  reserve_for_lists(all.entry, blocks, &SumSchedule::entry);
+  for (const SumSchedule& block : blocks) {
     all.runs.insert(all.runs.end(), block.runs.begin(), block.runs.end());
     all.run_begin.push_back(static_cast<Index>(all.runs.size()));
     append_offsets(all.round_begin, block.round_begin);
@@ -290,7 +290,7 @@ void arrange_members(Aggregation& aggregation, const Aggregates& aggregates,
 
 }  // namespace
 
-std::vector<Index> entries_of_places(const SourceRounds& sources, const SlicedLayout& fine,
+std::vector<Index> entries_of_places(const SumSchedule& sources, const SlicedLayout& fine,
                                      Index block) {
   std::vector<Index> entries(kLanes, kNone);
   for (const SliceRange& run : sources.runs_of(block)) {

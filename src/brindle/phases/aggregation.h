@@ -16,7 +16,7 @@ namespace brindle {
 /// chunk holds the members of one rank r, from the second up, in groups of kLanes. A round has, for
 /// every lane of a group, one entry of its row that leads to an earlier member, and that member's
 /// slot; or kNone.
-struct GaugeRounds {
+struct GaugeSchedule {
   std::vector<Index> chunk_begin{0};  ///< chunk c has ranges chunk_begin[c] .. [c+1] - 1
   std::vector<SliceRange> ranges;     ///< groups of one rank in one chunk
   std::vector<Index> member;          ///< kLanes slots a group, kNone for filling
@@ -36,7 +36,7 @@ struct GaugeRounds {
 /// are multiplied by their gauges: slice by slice of its runs, one entry after the other, from
 /// place kLanes on of a scratch array whose place 0 is zero. Then a round has one place, or 0, for
 /// every lane of a coarse column.
-struct SourceRounds {
+struct SumSchedule {
   std::vector<Index> run_begin{0};    ///< coarse block b has runs run_begin[b] .. [b+1] - 1
   std::vector<SliceRange> runs;       ///< fine slices, ascending in a block
   std::vector<Index> round_begin{0};  ///< coarse column c has rounds round_begin[c] .. [c+1] - 1
@@ -49,7 +49,7 @@ struct SourceRounds {
 };
 
 /// The entry of the finer level at every place of a block's scratch array, kNone below kLanes.
-std::vector<Index> entries_of_places(const SourceRounds& sources, const SlicedLayout& fine,
+std::vector<Index> entries_of_places(const SumSchedule& sources, const SlicedLayout& fine,
                                      Index block);
 
 /// Aggregates in the form in which kernels read them, in slots of the finer level unless noted
@@ -59,8 +59,8 @@ struct Aggregation {
                                    ///< for filling and for nodes without coupling
   std::vector<Index> member_begin;  ///< coarse slot I has member_begin[I] .. member_begin[I+1] - 1
   std::vector<Index> member;        ///< members of all aggregates, the reference first
-  GaugeRounds gauges;
-  SourceRounds sources;
+  GaugeSchedule gauges;
+  SumSchedule sources;
 };
 
 /// `adjacency` is the coarse adjacency of the aggregates and `coarse` its layout.

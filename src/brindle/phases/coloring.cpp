@@ -5,7 +5,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
-#include "brindle/phases/one_at_a_time.h"
+#include "brindle/phases/jenkins_hash.h"
 
 namespace brindle {
 
@@ -15,7 +15,7 @@ Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed, const Pro
   // Hashed twice, because the random start is hashed once: if the order followed the start, early
   // nodes would draw all others towards the same phases. Ties go to the larger number.
   const auto priority = [seed](Index node) {
-    return std::pair(one_at_a_time(one_at_a_time(node + seed)), node);
+    return std::pair(jenkins_hash(jenkins_hash(node + seed)), node);
   };
 
   std::vector<Index> remaining(nodes);

@@ -23,7 +23,7 @@ PhaseSolution solve_global(const PhaseGraph&, std::span<const float>, const Solv
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/phases/one_at_a_time.h"
+#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/serial_blas.h"
 
 namespace brindle {

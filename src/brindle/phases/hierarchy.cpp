@@ -18,7 +18,7 @@ namespace {
 /// by the earlier members of its aggregate, each in its own gauge. The stronger of the two sums
 /// decides between Z and conj(Z).
 void gauge_reflecting_member(Level& level, std::size_t m) {
-  const GaugeRounds& rounds = level.aggregation().gauges;
+  const GaugeSchedule& rounds = level.aggregation().gauges;
   const Index slot = rounds.member[m];
   Complex plain = 0, conjugated = 0;
   for (Index round = rounds.round_begin[m / kLanes]; round < rounds.round_begin[m / kLanes + 1];
@@ -56,7 +56,7 @@ bool reflects(const Level& level, SliceRange block) {
 
 /// Renews the gauges of groups of one rank.
 void renew_groups(Level& level, SliceRange groups, bool reflecting) {
-  const GaugeRounds& rounds = level.aggregation().gauges;
+  const GaugeSchedule& rounds = level.aggregation().gauges;
   kernels::gauge_members(level.couplings, rounds, level.gauge.data(), groups);
   if (!reflecting) return;
   for (std::size_t m = std::size_t{groups.begin} * kLanes; m < std::size_t{groups.end} * kLanes;
@@ -79,7 +79,7 @@ class ReflectingSums {
   }
 
   /// Sets the sums of the finer level's direct couplings between a Z and a conj(Z).
-  void set_marked(const SourceRounds& sources, std::span<const Complex> gauged) {
+  void set_marked(const SumSchedule& sources, std::span<const Complex> gauged) {
     kernels::sum_marked_slice(coarse_.layout(), sources.round_begin.data(), sources.entry.data(),
                               gauged.data(), buffer_.data(), slice_);
   }
@@ -343,7 +343,7 @@ void renew_chunk(Level& level, Index chunk, CouplingFetcher next) {
   // A block is fetched in about as many steps as its gauges take.
   constexpr Index kGroups = 8;
   constexpr std::ptrdiff_t kLines = 160;
-  const GaugeRounds& rounds = level.aggregation().gauges;
+  const GaugeSchedule& rounds = level.aggregation().gauges;
   const bool reflecting = reflects(level, level.layout().block(chunk));
   for (const SliceRange& range : rounds.ranges_of(chunk)) {
     for (Index group = range.begin; group < range.end; group += kGroups) {

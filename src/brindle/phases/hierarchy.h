@@ -38,7 +38,7 @@ Level make_level(LevelTopology topology);
 /// Scratch memory of `renew_sums`, one set per thread.
 struct SumScratch {
   struct OfThread {
-    std::vector<Complex> gauged;       ///< SourceRounds::places numbers, the first kLanes zero
+    std::vector<Complex> gauged;       ///< SumSchedule::places numbers, the first kLanes zero
     std::vector<std::uint8_t> marked;  ///< by coarse slice
     std::vector<Complex> reflecting;   ///< by entry of one coarse slice
   };

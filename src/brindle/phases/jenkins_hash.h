@@ -11,7 +11,7 @@
 namespace brindle {
 
 /// The hash of the number's four bytes, least significant first.
-constexpr std::uint32_t one_at_a_time(std::uint32_t key) {
+constexpr std::uint32_t jenkins_hash(std::uint32_t key) {
   std::uint32_t hash = 0;
   for (int byte = 0; byte < 4; ++byte) {
     hash += (key >> (8 * byte)) & 0xffu;
@@ -26,7 +26,7 @@ constexpr std::uint32_t one_at_a_time(std::uint32_t key) {
 /// The paper's pseudo-random start (3.2): exp(i Phi), Phi in [0, 2 pi) hashed from the node's
 /// number.
 inline Complex random_phase(Index node, std::uint32_t seed = 0) {
-  const double turns = one_at_a_time(node + seed) / 4294967296.0;
+  const double turns = jenkins_hash(node + seed) / 4294967296.0;
   const auto radians = static_cast<float>(2 * std::numbers::pi * turns);
   return elementary::polar(1.0f, radians);
 }

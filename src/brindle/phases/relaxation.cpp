@@ -7,8 +7,8 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/phases/coloring.h"
+#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/node_order.h"
-#include "brindle/phases/one_at_a_time.h"
 
 namespace brindle {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
+#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/multilevel.h"
-#include "brindle/phases/one_at_a_time.h"
 #include "brindle/waves/least_curl.h"
 
 namespace brindle {
@@ -43,7 +43,7 @@ std::size_t finest_with(const std::vector<Level>& levels, std::size_t slots) {
 void set_by_chance(Level& level, std::uint32_t start) {
   const Index slots = level.layout().slot_count();
   for (Index slot = 0; slot < slots; ++slot) {
-    const std::uint32_t draw = one_at_a_time(slot * 32 + start % 32 + start / 32 * 0x9e3779b9U);
+    const std::uint32_t draw = jenkins_hash(slot * 32 + start % 32 + start / 32 * 0x9e3779b9U);
     level.z[slot] = draw % 2 == 0 ? kPeak : -kPeak;
   }
 }

@@ -62,7 +62,7 @@ using GaugeSlices = void(const SlicedLayout&, const SlicedCouplings&, const Comp
 /// Gauges of groups of one rank from the direct couplings to earlier members. With S = sum A g over
 /// members without the conjugate bit and C over members with it, the gauge is the longer of the two
 /// over its length, with the conjugate bit if that is C; 1 if both are 0.
-using GaugeMembers = void(const SlicedCouplings&, const GaugeRounds&, Complex* gauge,
+using GaugeMembers = void(const SlicedCouplings&, const GaugeSchedule&, Complex* gauge,
                           SliceRange groups);
 
 /// Direct couplings of the coarse slices of a range: sums over rounds of gauged entries without

@@ -204,7 +204,7 @@ BRINDLE_KERNEL Numbers gauged_coupling(const Numbers& a, const Numbers& g_i, con
 }
 
 /// kReals members of one group of gauge_members.
-BRINDLE_KERNEL void gauge_group(const SlicedCouplings& couplings, const GaugeRounds& rounds,
+BRINDLE_KERNEL void gauge_group(const SlicedCouplings& couplings, const GaugeSchedule& rounds,
                                 Index group, Index lane, Complex* gauge) {
   Numbers plain{zero(), zero()}, conjugated{zero(), zero()};
   for (Index round = rounds.round_begin[group]; round < rounds.round_begin[group + 1]; ++round) {
@@ -311,7 +311,7 @@ void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
   }
 }
 
-void gauge_members(const SlicedCouplings& couplings, const GaugeRounds& rounds, Complex* gauge,
+void gauge_members(const SlicedCouplings& couplings, const GaugeSchedule& rounds, Complex* gauge,
                    SliceRange groups) {
   for (Index group = groups.begin; group < groups.end; ++group) {
     for (Index lane = 0; lane < kLanes; lane += kReals) {

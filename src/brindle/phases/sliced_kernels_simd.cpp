@@ -160,7 +160,7 @@ void gauge_slices(const SlicedLayout& layout, const SlicedCouplings& couplings,
   HWY_DYNAMIC_DISPATCH(gauge_slices)(layout, couplings, gauge, gauged, range);
 }
 
-void gauge_members(const SlicedCouplings& couplings, const GaugeRounds& rounds, Complex* gauge,
+void gauge_members(const SlicedCouplings& couplings, const GaugeSchedule& rounds, Complex* gauge,
                    SliceRange groups) {
   HWY_DYNAMIC_DISPATCH(gauge_members)(couplings, rounds, gauge, groups);
 }

@@ -254,8 +254,9 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   return result;
 }
 
-StripePattern stripes_of_yielded(const Surface& surface, WaveSet waves, const StripePattern& before,
-                                 const StripeOptions& options, const Progress& progress) {
+StripePattern resolve_with_frequencies(const Surface& surface, WaveSet waves,
+                                       const StripePattern& before, const StripeOptions& options,
+                                       const Progress& progress) {
   StripePattern result;
   result.phase_shift = options.phase_shift;
   check_anchors(options, surface.mesh.vertex_count());

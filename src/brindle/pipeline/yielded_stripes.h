@@ -7,7 +7,8 @@ namespace brindle {
 
 /// As `stripe_pattern`, but with frequencies as they are: those of `waves` come from the pattern
 /// `before`, which knows what was asked for and how far they had yielded.
-StripePattern stripes_of_yielded(const Surface& surface, WaveSet waves, const StripePattern& before,
-                                 const StripeOptions& options, const Progress& progress = {});
+StripePattern resolve_with_frequencies(const Surface& surface, WaveSet waves,
+                                       const StripePattern& before, const StripeOptions& options,
+                                       const Progress& progress = {});
 
 }  // namespace brindle

@@ -45,7 +45,7 @@ StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions
   if (!options.anchor_boundary) return std::move(wound.pattern);
   stripes = with_boundary(surface, wound.pattern.waves, stripes, options, figures);
   WaveSet turned = wound.pattern.waves;
-  return stripes_of_yielded(surface, std::move(turned), wound.pattern, stripes, progress);
+  return resolve_with_frequencies(surface, std::move(turned), wound.pattern, stripes, progress);
 }
 
 // Cancels pairs of branches as requested.
@@ -67,38 +67,39 @@ StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions 
   return pattern;
 }
 
-MadePattern made_texture(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
-                         const Progress& progress) {
-  const TextureOptions options{wishes.frequencies_v, wishes.oriented, wishes.solving};
+PatternResult made_texture(const Surface& surface, WaveSet waves, const PatternRequest& request,
+                           const Progress& progress) {
+  const TextureOptions options{request.frequencies_v, request.oriented, request.solving};
   MakingFigures figures;
   TexturePattern texture = texture_pattern(surface, std::move(waves), options, progress);
-  merge_pairs(surface, wishes.making, options, progress, texture, figures);
+  merge_pairs(surface, request.making, options, progress, texture, figures);
   return {std::move(texture), std::move(figures)};
 }
 
-MadePattern made_crosses(const Surface& surface, const WaveSet& waves, const PatternWishes& wishes,
-                         const Progress& progress) {
-  const bool merges = wishes.making.merge_branches.has_value();
+PatternResult made_crosses(const Surface& surface, const WaveSet& waves,
+                           const PatternRequest& request, const Progress& progress) {
+  const bool merges = request.making.merge_branches.has_value();
   MakingFigures figures;
   CrossPattern cross =
-      cross_pattern(surface, waves, wishes.solving, progress.part(0, merges ? 0.5 : 0.9));
-  merge_pairs(surface, wishes.making, wishes.solving, progress.part(0.5, 0.9), cross, figures);
-  CrossTexture texture = cross_texture(surface, cross, wishes.solving.phase_shift,
+      cross_pattern(surface, waves, request.solving, progress.part(0, merges ? 0.5 : 0.9));
+  merge_pairs(surface, request.making, request.solving, progress.part(0.5, 0.9), cross, figures);
+  CrossTexture texture = cross_texture(surface, cross, request.solving.phase_shift,
                                        progress.part(0.9, 1).step("texture"));
-  return {MadeCrosses{std::move(cross), std::move(texture)}, std::move(figures)};
+  return {CrossResult{std::move(cross), std::move(texture)}, std::move(figures)};
 }
 
 bool winds_or_begins(const MakingOptions& making) {
   return making.anchor_boundary || !making.windings.empty() || making.measure_windings;
 }
 
-void check_wishes(const PatternWishes& wishes) {
-  if (wishes.kind != PatternKind::stripes && winds_or_begins(wishes.making)) {
+void check_request(const PatternRequest& request) {
+  if (request.kind != PatternKind::stripes && winds_or_begins(request.making)) {
     throw Error(
         "windings and anchored boundaries are for stripes: ask for no texture and no crosses, or "
         "leave them out");
   }
-  if (wishes.kind != PatternKind::texture && (wishes.oriented || !wishes.frequencies_v.empty())) {
+  if (request.kind != PatternKind::texture &&
+      (request.oriented || !request.frequencies_v.empty())) {
     throw Error(
         "frequencies of V and directions that are vectors are for textures: ask for one, or leave "
         "them out");
@@ -107,21 +108,21 @@ void check_wishes(const PatternWishes& wishes) {
 
 }  // namespace
 
-MadePattern pattern_of(const Surface& surface, WaveSet waves, const PatternWishes& wishes,
-                       const Progress& progress) {
-  check_wishes(wishes);
-  switch (wishes.kind) {
+PatternResult pattern_of(const Surface& surface, WaveSet waves, const PatternRequest& request,
+                         const Progress& progress) {
+  check_request(request);
+  switch (request.kind) {
     case PatternKind::stripes:
       break;
     case PatternKind::texture:
-      return made_texture(surface, std::move(waves), wishes, progress);
+      return made_texture(surface, std::move(waves), request, progress);
     case PatternKind::crosses:
-      return made_crosses(surface, waves, wishes, progress);
+      return made_crosses(surface, waves, request, progress);
   }
   MakingFigures figures;
   StripePattern stripes =
-      made_stripes(surface, std::move(waves), wishes.solving, wishes.making, progress, figures);
-  const bool winds = wishes.making.measure_windings || !wishes.making.windings.empty();
+      made_stripes(surface, std::move(waves), request.solving, request.making, progress, figures);
+  const bool winds = request.making.measure_windings || !request.making.windings.empty();
   if (winds) measure_windings(surface, stripes, figures);
   return {std::move(stripes), std::move(figures)};
 }

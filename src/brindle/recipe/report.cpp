@@ -182,9 +182,9 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
 }
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
-                   const MadePattern& pattern, Solver solver) {
+                   const PatternResult& pattern, Solver solver) {
   Report report = [&] {
-    if (const auto* crosses = std::get_if<MadeCrosses>(&pattern.of)) {
+    if (const auto* crosses = std::get_if<CrossResult>(&pattern.of)) {
       return make_report(surface, prepared, crosses->texture, solver);
     }
     if (const auto* texture = std::get_if<TexturePattern>(&pattern.of)) {

@@ -95,7 +95,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
 
 /// The same of any pattern, with the figures of its making.
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
-                   const MadePattern& pattern, Solver solver);
+                   const PatternResult& pattern, Solver solver);
 
 /// "mesh" or "points".
 std::string_view kind_of(const Mesh& mesh);

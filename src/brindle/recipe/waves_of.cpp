@@ -13,7 +13,7 @@ namespace brindle {
 namespace {
 
 /// Frequencies that waves have, and 0 where there can be none.
-FrequencyField places_of_waves(const FoundWaves& found) {
+FrequencyField places_of_waves(const WaveInput& found) {
   FrequencyField places = found.frequencies;
   for (Index v = 0; v < places.size(); ++v) {
     if (!std::isfinite(places[v]) || (found.is_near && !found.is_near(v))) places[v] = 0;
@@ -22,7 +22,7 @@ FrequencyField places_of_waves(const FoundWaves& found) {
 }
 
 void see_frequencies(const WaveSurface& surface, const FrequencyDetailOptions& options,
-                     FoundWaves& found, MadeWaves& made, const Progress& progress) {
+                     WaveInput& found, WaveResult& made, const Progress& progress) {
   DetailedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
   found.frequencies = std::move(seen.frequencies);
   made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
@@ -32,7 +32,7 @@ void see_frequencies(const WaveSurface& surface, const FrequencyDetailOptions& o
 }
 
 void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
-               const FrequencyField& places, FoundWaves& found, MadeWaves& made,
+               const FrequencyField& places, WaveInput& found, WaveResult& made,
                const Progress& progress) {
   auto [field, figures] =
       surface.field_at_detail(found.measured, places, found.last, options, progress);
@@ -72,23 +72,23 @@ WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
   return across;
 }
 
-MadeWaves waves_of(const WaveSurface& surface, const WaveWishes& wishes, FoundWaves found,
-                   const Progress& progress) {
+WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, WaveInput found,
+                    const Progress& progress) {
   constexpr double kFrequencies = 0.3;  // of the time
-  MadeWaves made;
-  if (wishes.frequency_detail.periods > 0) {
-    see_frequencies(surface, wishes.frequency_detail, found, made, progress.part(0, kFrequencies));
+  WaveResult made;
+  if (request.frequency_detail.periods > 0) {
+    see_frequencies(surface, request.frequency_detail, found, made, progress.part(0, kFrequencies));
   }
   const FrequencyField places = places_of_waves(found);
   if (surface.any(found.may_have_gaps)) {
     found.missing.without_frequency = surface.drop_waves(found.directions, found.frequencies);
   }
   // A field without any direction is rejected later, with the waves' figures.
-  if (wishes.detail.periods > 0 && surface.any(has_data(found.measured))) {
-    see_field(surface, wishes.detail, places, found, made, progress.part(kFrequencies, 1));
+  if (request.detail.periods > 0 && surface.any(has_data(found.measured))) {
+    see_field(surface, request.detail, places, found, made, progress.part(kFrequencies, 1));
   }
-  if (wishes.turn_deg != 0) {
-    const float turn = wishes.turn_deg * std::numbers::pi_v<float> / 180;
+  if (request.turn_deg != 0) {
+    const float turn = request.turn_deg * std::numbers::pi_v<float> / 180;
     found.directions = rotated(found.directions, surface.normals(), turn);
   }
   made.waves = {surface.positions(), std::move(found.directions), std::move(found.frequencies)};

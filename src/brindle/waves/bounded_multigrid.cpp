@@ -98,7 +98,7 @@ float row_product(const RowLevel& rows, const std::vector<float>& values,
 
 }  // namespace
 
-BoundedMultigrid::BoundedMultigrid(std::shared_ptr<const RowLevels> levels, RowPeers* peers)
+BoundedMultigrid::BoundedMultigrid(std::shared_ptr<const RowLevels> levels, MultigridPeers* peers)
     : rows_(std::move(levels)), peers_(peers) {
   for (const RowLevel& rows : rows_->levels) {
     Level& level = levels_.emplace_back();

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "brindle/progress.h"
+#include "brindle/waves/multigrid_peers.h"
 #include "brindle/waves/row_levels.h"
-#include "brindle/waves/row_peers.h"
 
 namespace brindle {
 
@@ -24,7 +24,8 @@ namespace brindle {
 /// after the own ones and have the values that their owners send at the end of a sweep.
 class BoundedMultigrid {
  public:
-  explicit BoundedMultigrid(std::shared_ptr<const RowLevels> levels, RowPeers* peers = nullptr);
+  explicit BoundedMultigrid(std::shared_ptr<const RowLevels> levels,
+                            MultigridPeers* peers = nullptr);
 
   // The problem, by place (`RowLevels::place_of`). Lower bounds are at most 1, upper ones at
   // least 1. `x` and bounds include others' nodes.
@@ -88,7 +89,7 @@ class BoundedMultigrid {
   void step();
 
   std::shared_ptr<const RowLevels> rows_;
-  RowPeers* peers_;
+  MultigridPeers* peers_;
   std::vector<Level> levels_;
   std::vector<float> residual_, step_;
   std::vector<float> last_x_, last_residual_;  ///< of the cycle before, after its first sweep

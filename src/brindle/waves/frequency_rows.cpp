@@ -52,7 +52,7 @@ struct Scale {
 };
 
 /// `own` is the number of vertices with rows here.
-Scale scale_of(const FrequencyInput& input, std::size_t own, RowPeers* peers) {
+Scale scale_of(const FrequencyInput& input, std::size_t own, MultigridPeers* peers) {
   Scale scale;
   scale.count = static_cast<double>(own);
   scale.squares = parallel_sum<double>(own, [&](std::size_t begin, std::size_t end) {
@@ -166,7 +166,7 @@ Index entry_of(const RowLevel& rows, Index row, Index column) {
   return static_cast<Index>(std::find(begin, end, column) - rows.columns.begin());
 }
 
-RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, RowPeers* peers,
+RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, MultigridPeers* peers,
                      const Progress& progress) {
   const std::vector<float> strengths = stripe_strengths(adjacency, input);
   return peers == nullptr ? row_levels(adjacency, strengths, progress)
@@ -176,7 +176,8 @@ RowLevels levels_for(const Adjacency& adjacency, const FrequencyInput& input, Ro
 }  // namespace
 
 FrequencyRows::FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
-                             const FrequencyInput& input, RowPeers* peers, const Progress& progress)
+                             const FrequencyInput& input, MultigridPeers* peers,
+                             const Progress& progress)
     : levels_(std::make_shared<const RowLevels>(levels_for(adjacency, input, peers, progress))) {
   set_triangles(triangles, progress);
   set_corners(progress);
@@ -233,7 +234,7 @@ void FrequencyRows::set_corners(const Progress& progress) {
   });
 }
 
-void FrequencyRows::set_terms(const FrequencyInput& input, RowPeers* peers,
+void FrequencyRows::set_terms(const FrequencyInput& input, MultigridPeers* peers,
                               FrequencyTerms& terms) const {
   const Scale scale = scale_of(input, own(), peers);
   const float unit = scale.unit();

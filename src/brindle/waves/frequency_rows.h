@@ -11,8 +11,8 @@
 #include "brindle/mesh.h"
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
+#include "brindle/waves/multigrid_peers.h"
 #include "brindle/waves/row_levels.h"
-#include "brindle/waves/row_peers.h"
 
 namespace brindle {
 
@@ -62,7 +62,7 @@ class FrequencyRows {
  public:
   /// Edges of triangles must be edges of `adjacency`.
   FrequencyRows(const FrequencyTriangles& triangles, const Adjacency& adjacency,
-                const FrequencyInput& input, RowPeers* peers = nullptr,
+                const FrequencyInput& input, MultigridPeers* peers = nullptr,
                 const Progress& progress = {});
 
   const std::shared_ptr<const RowLevels>& levels() const { return levels_; }
@@ -74,7 +74,7 @@ class FrequencyRows {
   Index own() const { return levels_->levels[0].size(); }
 
   /// Overwrites `terms`, which has one entry per triangle.
-  void set_terms(const FrequencyInput& input, RowPeers* peers, FrequencyTerms& terms) const;
+  void set_terms(const FrequencyInput& input, MultigridPeers* peers, FrequencyTerms& terms) const;
 
   /// Sets the matrix and the right side, with logarithms drawn to 0, and `masses`, but no bounds.
   void set(const FrequencyTerms& terms, std::span<const float> wanted, BoundedMultigrid& multigrid,

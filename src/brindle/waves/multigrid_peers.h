@@ -21,9 +21,9 @@ struct RowProblem {
 
 /// All functions must be called by all processes, in the same order, with their own parts. One
 /// process has the whole of the coarsest level, and coarser ones.
-class RowPeers {
+class MultigridPeers {
  public:
-  virtual ~RowPeers() = default;
+  virtual ~MultigridPeers() = default;
 
   /// The levels of the distributed graph. Called first, and again for another graph.
   virtual RowLevels make_levels(const Adjacency& adjacency, std::span<const float> strengths) = 0;
@@ -59,7 +59,7 @@ class RowPeers {
 
 /// The sum over all processes; `sums` itself without peers.
 template <class Sums>
-Sums over_all(RowPeers* peers, Sums sums) {
+Sums over_all(MultigridPeers* peers, Sums sums) {
   if (peers == nullptr) return sums;
   auto numbers = sums.numbers();
   peers->sum(numbers);

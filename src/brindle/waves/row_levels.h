@@ -16,8 +16,8 @@ inline constexpr Index kInsideParent = ~Index{0};
 /// Nodes of a block. Its rows are relaxed one after the other, blocks in parallel.
 inline constexpr Index kRowBlock = 1024;
 
-/// Nodes of other processes (`RowPeers`) have no rows here. They come last: their columns are those
-/// from `size()` on.
+/// Nodes of other processes (`MultigridPeers`) have no rows here. They come last: their columns are
+/// those from `size()` on.
 struct RowLevel {
   std::vector<Index> offsets{0};  ///< nodes + 1
   std::vector<Index> columns;     ///< of entries off the diagonal; the row's own block first

@@ -116,18 +116,18 @@ void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directio
   if (bad < positions.size()) refuse(bad, positions[bad], directions[bad], frequencies[bad]);
 }
 
-TangentTally tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions) {
+TangentStats tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions) {
   struct Sum {
-    TangentTally tally;
+    TangentStats tally;
     Sum operator+(const Sum& other) const {
-      const TangentTally& a = tally;
-      const TangentTally& b = other.tally;
-      const TangentTally& worse = b.largest_sine > a.largest_sine ? b : a;
+      const TangentStats& a = tally;
+      const TangentStats& b = other.tally;
+      const TangentStats& worse = b.largest_sine > a.largest_sine ? b : a;
       return {{a.counted + b.counted, a.slanted + b.slanted, worse.largest_sine, worse.vertex}};
     }
   };
   const auto body = [&](std::size_t begin, std::size_t end) {
-    TangentTally tally;
+    TangentStats tally;
     for (std::size_t i = begin; i < end; ++i) {
       if (directions[i].isZero(0) || normals[i].isZero(0)) continue;
       const float sine = std::abs(normals[i].dot(directions[i]));
@@ -143,7 +143,7 @@ TangentTally tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> 
   return parallel_sum<Sum>(directions.size(), body).tally;
 }
 
-void check_tangent(const TangentTally& tally) {
+void check_tangent(const TangentStats& tally) {
   const double most_slanted = kMostSlanted * static_cast<double>(tally.counted);
   const bool few = static_cast<double>(tally.slanted) <= most_slanted;
   if (few && tally.largest_sine <= kSteep) return;
@@ -161,7 +161,7 @@ void check_tangent(std::span<const Vec3> normals, std::span<const Vec3> directio
 }
 
 void check_turnable(std::span<const Vec3> normals, std::span<const Vec3> directions) {
-  const TangentTally tally = tally_tangent(normals, directions);
+  const TangentStats tally = tally_tangent(normals, directions);
   if (tally.largest_sine <= kTurnable) return;
   throw Error("waves: the direction of vertex " + std::to_string(tally.vertex) +
               " sticks out of the surface by " + degrees_text(tally.largest_sine) +

@@ -17,20 +17,20 @@ void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directio
                  std::span<const float> frequencies);
 
 /// Angles between directions and their tangent planes, of vertices with a direction and a normal.
-struct TangentTally {
+struct TangentStats {
   std::size_t counted = 0;
   std::size_t slanted = 0;  ///< by more than 10 degrees
   float largest_sine = 0;   ///< of these angles
   std::size_t vertex = 0;   ///< the first with that angle
 };
 
-TangentTally tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
+TangentStats tally_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
 
 /// Throws Error unless directions are tangent: none is more than 60 degrees out of the tangent
 /// plane, and at most a tenth are more than 10 degrees out. Directions projected along normals of
 /// another weighting pass; directions along normals, or in one plane, do not. A wave that is 10
 /// degrees out is spaced 1.5 % too wide. The message names the vertex, the angle and the remedy.
-void check_tangent(const TangentTally& tally);
+void check_tangent(const TangentStats& tally);
 void check_tangent(std::span<const Vec3> normals, std::span<const Vec3> directions);
 
 /// Throws Error if a direction is more than 4 degrees out of its tangent plane.

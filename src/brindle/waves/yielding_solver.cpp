@@ -39,7 +39,7 @@ struct ChangeSums {
   }
 };
 
-ChangeSums over_all(RowPeers* peers, const ChangeSums& own) {
+ChangeSums over_all(MultigridPeers* peers, const ChangeSums& own) {
   if (peers == nullptr) return own;
   std::array<double, 4> sums = {own.ratio, own.area, own.count, own.at_bounds};
   peers->sum(sums);
@@ -71,7 +71,7 @@ std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices) {
 }
 
 YieldingSolver::YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
-                               std::shared_ptr<RowPeers> peers)
+                               std::shared_ptr<MultigridPeers> peers)
     : setting_(std::move(setting)), peers_(std::move(peers)) {}
 
 void YieldingSolver::build(const FrequencyInput& input, const Progress& progress) {
@@ -228,7 +228,7 @@ RatioSums YieldingSolver::shift_to_mean() {
   return sums;
 }
 
-void YieldingSolver::draw_calm_to(float target) {
+void YieldingSolver::set_branch_penalty(float target) {
   const std::span<float> right = multigrid_->right();
   const float change = target - target_;
   target_ = target;
@@ -258,7 +258,7 @@ void YieldingSolver::relax_to_means(const Progress& progress) {
     const float gain = step == 0 ? kUsualGain : std::clamp((last - excess) / step, kLeastGain, 1.f);
     step = excess / gain;
     last = excess;
-    draw_calm_to(target_ - step);
+    set_branch_penalty(target_ - step);
     if (!goes_far) return;
     multigrid_->prepare();
   }
@@ -316,7 +316,7 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   multigrid_->prepare();
   set_start(inner(progress));
   target_ = 0;
-  draw_calm_to(starts_ ? 0 : kept_target_);
+  set_branch_penalty(starts_ ? 0 : kept_target_);
   relax_to_means(progress.part(0.3, 0.95));
   report(0.95);
   take(input.wanted);

@@ -10,7 +10,7 @@
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/frequency_rows.h"
-#include "brindle/waves/row_peers.h"
+#include "brindle/waves/multigrid_peers.h"
 #include "brindle/yielding_frequency.h"
 
 namespace brindle {
@@ -51,7 +51,7 @@ struct RatioSums {
 class YieldingSolver {
  public:
   explicit YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
-                          std::shared_ptr<RowPeers> peers = nullptr);
+                          std::shared_ptr<MultigridPeers> peers = nullptr);
 
   /// Another one for the same setting without a kept result; only without peers.
   YieldingSolver sibling() const { return YieldingSolver(setting_); }
@@ -82,12 +82,12 @@ class YieldingSolver {
   float calm_at(std::size_t place) const;
   RatioSums ratios(float shift) const;
   RatioSums shift_to_mean();
-  void draw_calm_to(float target);
+  void set_branch_penalty(float target);
   void relax_to_means(const Progress& progress);
   void take(std::span<const float> wanted);
 
   std::shared_ptr<const YieldingSetting> setting_;
-  std::shared_ptr<RowPeers> peers_;
+  std::shared_ptr<MultigridPeers> peers_;
   std::unique_ptr<FrequencyRows> rows_;  ///< none before the first `solve`
   std::unique_ptr<BoundedMultigrid> multigrid_;
   FrequencyTerms terms_;

@@ -61,7 +61,7 @@ void GatheredLevels::lay_out(Communicator& ranks, const RankGraph& graph) {
   }
   nodes_.gather(std::span<const Index>(degrees), all_degrees);
   edges_.gather(std::span<const Index>(neighbors), all_neighbors);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() == 0) add_entries(all_degrees, all_neighbors);
   });
 }

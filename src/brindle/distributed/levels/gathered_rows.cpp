@@ -47,7 +47,7 @@ void GatheredRows::gather_graph(Communicator& ranks, const StrengthGraph& graph,
   nodes_.gather(std::span<const Index>(degrees), all_degrees);
   entries_.gather(std::span<const Index>(columns), adjacency.neighbors);
   entries_.gather(std::span<const float>(strengths), all_strengths);
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     if (ranks.rank() != 0) return;
     for (const Index degree : all_degrees) {
       adjacency.offsets.push_back(adjacency.offsets.back() + degree);

@@ -10,8 +10,8 @@
 #include "brindle/distributed/parts_on_first.h"
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
+#include "brindle/waves/multigrid_peers.h"
 #include "brindle/waves/row_levels.h"
-#include "brindle/waves/row_peers.h"
 
 namespace brindle {
 
@@ -24,7 +24,7 @@ class GatheredRows {
 
   void set(const RowMatrix& matrix);
 
-  /// As the functions of the same names of RowPeers, for own nodes.
+  /// As the functions of the same names of MultigridPeers, for own nodes.
   void solve(std::span<const float> right, int visits, std::span<float> x);
   void start(const RowProblem& problem, std::span<float> x);
 

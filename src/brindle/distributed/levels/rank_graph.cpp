@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "brindle/phases/one_at_a_time.h"
+#include "brindle/phases/jenkins_hash.h"
 
 namespace brindle {
 namespace {
@@ -55,7 +55,7 @@ class BorderColorer {
 
   std::tuple<std::uint32_t, int, Index> priority(Index node) const {
     const auto rank = static_cast<std::uint32_t>(owner_[node]);
-    return {one_at_a_time(number_[node] ^ one_at_a_time(rank)), owner_[node], number_[node]};
+    return {jenkins_hash(number_[node] ^ jenkins_hash(rank)), owner_[node], number_[node]};
   }
 
   Communicator& ranks_;

@@ -145,7 +145,7 @@ bool RankHierarchy::is_small(std::size_t level) const {
 void RankHierarchy::coarsen(const Progress& progress) {
   is_coarsened_ = true;
   while (ranks_.any(hierarchy_.levels.back().layout().entry_count() > 0)) {
-    ranks_.together([&] {
+    ranks_.throw_on_all([&] {
       progress.report("hierarchy", 1 - static_cast<double>(hierarchy_.levels.back().z.size()) /
                                            static_cast<double>(hierarchy_.levels[0].z.size()));
     });
@@ -272,7 +272,7 @@ void RankHierarchy::correct(SweepPlan plan) {
 
 void RankHierarchy::run_cycles(SweepPlan plan, int cycles, const Progress& progress) {
   for (int cycle = 0; cycle < cycles; ++cycle) {
-    ranks_.together([&] { progress.report("cycles", static_cast<double>(cycle) / cycles); });
+    ranks_.throw_on_all([&] { progress.report("cycles", static_cast<double>(cycle) / cycles); });
     correct(plan);
   }
 }

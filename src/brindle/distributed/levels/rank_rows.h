@@ -9,14 +9,14 @@
 #include "brindle/communicator.h"
 #include "brindle/distributed/levels/gathered_rows.h"
 #include "brindle/distributed/levels/rank_graph.h"
-#include "brindle/waves/row_peers.h"
+#include "brindle/waves/multigrid_peers.h"
 
 namespace brindle {
 
 /// Levels are merged within ranks until one has fewer nodes than `gather_below`, or hardly fewer
 /// than the finer one: that one is the coarsest, which rank 0 solves. Others' nodes are a rank's
 /// ghosts.
-class RankRows : public RowPeers {
+class RankRows : public MultigridPeers {
  public:
   /// Both must live as long.
   RankRows(Communicator& ranks, const RankGraph& graph, std::size_t gather_below);

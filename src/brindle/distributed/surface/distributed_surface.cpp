@@ -332,13 +332,13 @@ Mesh triangles_around_own(const RankSurface& surface) {
 DistributedSurface::DistributedSurface(SurfacePiece piece, MPI_Comm communicator) {
   auto surface = std::make_shared<RankSurface>();
   surface->ranks = std::make_unique<Communicator>(communicator);
-  surface->ranks->together([&] { check_piece(piece); });
+  surface->ranks->throw_on_all([&] { check_piece(piece); });
   check_origins(*surface->ranks, piece.mesh.origin);
   SurfaceMaker(std::move(piece), *surface).make();
   const EdgeLengths own =
       edge_lengths(std::span<const Vec3>(surface->mesh.positions), *surface->graph.adjacency);
   const EdgeLengths all{surface->ranks->sum(own.sum), surface->ranks->sum(own.count)};
-  surface->ranks->together([&] { check_edge_lengths(all); });
+  surface->ranks->throw_on_all([&] { check_edge_lengths(all); });
   surface_ = std::move(surface);
 }
 

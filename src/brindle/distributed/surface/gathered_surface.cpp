@@ -27,7 +27,7 @@ GatheredSurface::GatheredSurface(const RankSurface& surface)
   triangles_.gather(std::span<const SentTriangle>(sent), triangles);
   const auto ids = own(known);
   const auto positions = own(surface.mesh.positions), normals = own(surface.normals);
-  surface.ranks->together([&] {
+  surface.ranks->throw_on_all([&] {
     if (is_first()) put_together(ids, positions, normals, triangles);
   });
 }

@@ -76,7 +76,7 @@ void check_piece(const SurfacePiece& piece) {
 
 std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm communicator) {
   Communicator ranks(communicator);
-  ranks.together([&] { check_piece(piece); });
+  ranks.throw_on_all([&] { check_piece(piece); });
   std::vector<std::vector<CornerIds>> outgoing(static_cast<std::size_t>(ranks.size()));
   std::vector<std::size_t> knows;  // of own triangles
   const auto is_own = [&](std::size_t t) {

@@ -145,7 +145,7 @@ class CellMeans {
 }  // namespace
 
 DataArray cells_to_points(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells) {
-  ranks.together([&] { check_rows_per_triangle(cells, piece.mesh.triangle_count()); });
+  ranks.throw_on_all([&] { check_rows_per_triangle(cells, piece.mesh.triangle_count()); });
   if (ranks.size() == 1) return cells_to_points(piece.mesh, cells);
   return CellMeans(ranks, piece, cells).means(cells.name);
 }

@@ -111,7 +111,7 @@ SurfacePiece subdivided_once(Communicator& ranks, SurfacePiece piece, DataArrays
   for (const std::uint64_t id : piece.vertex_ids) end = std::max(end, id + 1);
   end = ranks.greatest(end);
   const PieceEdges edges = edges_of(piece);
-  ranks.together([&] { arrays = finer_arrays(arrays, piece, edges); });
+  ranks.throw_on_all([&] { arrays = finer_arrays(arrays, piece, edges); });
   const auto old_vertices = static_cast<Index>(piece.vertex_ids.size());
   for (const std::uint64_t number : numbers_in_whole(ranks, edges.edges, end)) {
     piece.vertex_ids.push_back(end + number);
@@ -160,7 +160,7 @@ SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, int times
 
 SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, DataArrays& arrays,
                               int times) {
-  ranks.together([&] {
+  ranks.throw_on_all([&] {
     check_subdivisions(piece.mesh.triangle_count(), times);
     check_ids(piece);
   });

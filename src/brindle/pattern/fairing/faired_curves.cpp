@@ -318,7 +318,7 @@ StripeCurves with_forks(const StripeCurves& curves, const std::vector<TouchingEn
                         const WavePattern& pattern, const Fairer& fairer,
                         const Progress& progress) {
   const Polylines& lines = curves.lines;
-  const ForkMaker maker(curves, touches, pattern, fairer.ways(), progress.part(0, 0.5));
+  const JunctionSmoother maker(curves, touches, pattern, fairer.ways(), progress.part(0, 0.5));
   std::vector<FairedLine> forked(lines.count());
   std::vector<std::size_t> forks(lines.count());
   parallel_for(

@@ -19,9 +19,9 @@ inline constexpr double kMostFaired = 0.1;
 /// keep their ends, but for those that lie on another curve, which they follow; closed ones stay
 /// closed.
 ///
-/// Ends on other curves get there smoothly (`ForkMaker`). Throws Error for a scale that is not
-/// above 0 and at most 1, for curves without places, and where memory would not hold the points,
-/// and Cancelled if `progress` asks for it.
+/// Ends on other curves get there smoothly (`JunctionSmoother`). Throws Error for a scale that is
+/// not above 0 and at most 1, for curves without places, and where memory would not hold the
+/// points, and Cancelled if `progress` asks for it.
 StripeCurves faired_curves(const StripeCurves& curves, const WavePattern& pattern, float scale,
                            const Progress& progress = {});
 

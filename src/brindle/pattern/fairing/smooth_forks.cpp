@@ -187,7 +187,7 @@ std::vector<TouchingEnd> touching_ends(const StripeCurves& curves, const Mesh& m
 }
 
 /// A way from one curve to another.
-struct ForkMaker::Fork {
+struct JunctionSmoother::Fork {
   UnrolledPlace leaves;               ///< its own curve,
   double from_end;                    ///< so many periods from its end
   double length;                      ///< in periods
@@ -198,14 +198,14 @@ struct ForkMaker::Fork {
   bool smooth = true;      ///< it meets the other curve with no angle
 };
 
-struct ForkMaker::Meeting {
+struct JunctionSmoother::Meeting {
   TouchingEnd touch;
   TrianglePoint place;
   double along;  ///< share of the way that meets
 };
 
 /// Where a fork may begin.
-struct ForkMaker::Course {
+struct JunctionSmoother::Course {
   const TouchingEnd& touch;
   const UnrolledCurve& other;
   const Station& leaves;
@@ -215,8 +215,10 @@ struct ForkMaker::Course {
   double drift;  ///< by how much the room grows in a period
 };
 
-ForkMaker::ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
-                     const WavePattern& pattern, const SurfaceWays& ways, const Progress& progress)
+JunctionSmoother::JunctionSmoother(const StripeCurves& curves,
+                                   const std::vector<TouchingEnd>& touches,
+                                   const WavePattern& pattern, const SurfaceWays& ways,
+                                   const Progress& progress)
     : curves_(curves),
       pattern_(pattern),
       ways_(ways),
@@ -242,10 +244,10 @@ ForkMaker::ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>&
   solve_conflicts();
 }
 
-ForkMaker::~ForkMaker() = default;
+JunctionSmoother::~JunctionSmoother() = default;
 
 /// The first of a line's, and one beyond the last.
-std::array<std::size_t, 2> ForkMaker::touches_of(Index line) const {
+std::array<std::size_t, 2> JunctionSmoother::touches_of(Index line) const {
   const auto before = [](const TouchingEnd& touch, Index number) { return touch.line < number; };
   const auto first = std::lower_bound(touches_.begin(), touches_.end(), line, before);
   const auto last = std::lower_bound(first, touches_.end(), line + 1, before);
@@ -254,7 +256,7 @@ std::array<std::size_t, 2> ForkMaker::touches_of(Index line) const {
 }
 
 /// The fork by which the other curve leaves its way before it comes to where an end touches it.
-std::optional<std::size_t> ForkMaker::left_by(const TouchingEnd& touch) const {
+std::optional<std::size_t> JunctionSmoother::left_by(const TouchingEnd& touch) const {
   if (touch.segment == kNoSegment) return std::nullopt;
   const double all = unrolled(touch.other).periods();
   const auto [first, last] = touches_of(touch.other);
@@ -268,7 +270,7 @@ std::optional<std::size_t> ForkMaker::left_by(const TouchingEnd& touch) const {
 
 /// Of two forks in conflict the one that is led to what is left takes its next way, or goes; but
 /// the other one where that is straight and this is smooth, or this end stays as it is.
-void ForkMaker::solve_conflicts() {
+void JunctionSmoother::solve_conflicts() {
   all_are_there_ = true;
   bool changed = true;
   while (changed) {
@@ -286,7 +288,8 @@ void ForkMaker::solve_conflicts() {
   }
 }
 
-std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double length) const {
+std::optional<JunctionSmoother::Fork> JunctionSmoother::fork_on(const Course& course,
+                                                                double length) const {
   const UnrolledCurve& other = course.other;
   const double all = other.periods(), last = course.here.periods + course.way * length;
   if (!other.closed() && (last < 0 || last > all)) return std::nullopt;
@@ -315,7 +318,8 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_on(const Course& course, double l
 
 /// The first that can be: smooth ones to every neighbour that turn little, straight ones, and
 /// smooth ones that turn more.
-std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch, std::size_t choice) const {
+std::optional<JunctionSmoother::Fork> JunctionSmoother::fork(const TouchingEnd& touch,
+                                                             std::size_t choice) const {
   std::vector<TouchingEnd> neighbors = neighbors_of(touch);
   if (touch.segment != kNoSegment) neighbors.insert(neighbors.begin(), touch);
   const std::size_t smooth = neighbors.size(), straight = smooth + std::size(kTurnsAside);
@@ -337,9 +341,10 @@ std::optional<ForkMaker::Fork> ForkMaker::fork(const TouchingEnd& touch, std::si
 
 /// Where a short straight way meets the first curve; but for its own, `own` periods along which it
 /// began.
-std::optional<ForkMaker::Meeting> ForkMaker::meeting(const TouchingEnd& touch, double own,
-                                                     const Vector3d& from, const Vector3d& to,
-                                                     const Vector3d& upward) const {
+std::optional<JunctionSmoother::Meeting> JunctionSmoother::meeting(const TouchingEnd& touch,
+                                                                   double own, const Vector3d& from,
+                                                                   const Vector3d& to,
+                                                                   const Vector3d& upward) const {
   std::optional<Meeting> first;
   const double reach = (to - from).squaredNorm();
   const auto look_at = [&](const CurveSegment& segment) {
@@ -359,8 +364,8 @@ std::optional<ForkMaker::Meeting> ForkMaker::meeting(const TouchingEnd& touch, d
 
 /// From the last place where a curve has run straight for a period, straight on, `aside` radians
 /// to its left, until a curve is met.
-std::optional<ForkMaker::Fork> ForkMaker::straight_on(const TouchingEnd& touch,
-                                                      double aside) const {
+std::optional<JunctionSmoother::Fork> JunctionSmoother::straight_on(const TouchingEnd& touch,
+                                                                    double aside) const {
   const Mesh& mesh = pattern_.mesh;
   const UnrolledCurve& curve = unrolled(touch.line);
   const std::vector<Station> own = back_from_end(mesh, curve, touch.end, kFarthestBack);
@@ -396,7 +401,7 @@ std::optional<ForkMaker::Fork> ForkMaker::straight_on(const TouchingEnd& touch,
 
 /// Other places that an end might be led to: on the nearest curves on both sides, not far before
 /// it.
-std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const {
+std::vector<TouchingEnd> JunctionSmoother::neighbors_of(const TouchingEnd& touch) const {
   const UnrolledCurve& curve = unrolled(touch.line);
   std::vector<TouchingEnd> found;
   for (const double back : kLooksBack) {
@@ -435,8 +440,8 @@ std::vector<TouchingEnd> ForkMaker::neighbors_of(const TouchingEnd& touch) const
   return found;
 }
 
-std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch,
-                                                      double most_turn) const {
+std::optional<JunctionSmoother::Fork> JunctionSmoother::fork_beside(const TouchingEnd& touch,
+                                                                    double most_turn) const {
   const Mesh& mesh = pattern_.mesh;
   const UnrolledCurve& curve = unrolled(touch.line);
   const UnrolledCurve& other = unrolled(touch.other);
@@ -467,7 +472,7 @@ std::optional<ForkMaker::Fork> ForkMaker::fork_beside(const TouchingEnd& touch,
   return std::nullopt;
 }
 
-std::array<double, 2> ForkMaker::forks_of(Index line) const {
+std::array<double, 2> JunctionSmoother::forks_of(Index line) const {
   std::array<double, 2> lengths{};
   const auto [first, last] = touches_of(line);
   for (std::size_t i = first; i < last; ++i) {
@@ -476,14 +481,14 @@ std::array<double, 2> ForkMaker::forks_of(Index line) const {
   return lengths;
 }
 
-std::size_t ForkMaker::smooth_forks_of(Index line) const {
+std::size_t JunctionSmoother::smooth_forks_of(Index line) const {
   const auto [first, last] = touches_of(line);
   std::size_t count = 0;
   for (std::size_t i = first; i < last; ++i) count += forks_[i] && forks_[i]->smooth;
   return count;
 }
 
-std::vector<SurfaceWays::Piece> ForkMaker::forked(Index line) const {
+std::vector<SurfaceWays::Piece> JunctionSmoother::forked(Index line) const {
   using Pieces = std::vector<SurfaceWays::Piece>;
   Pieces pieces = pieces_of(curves_.lines, line);
   const auto [first, last] = touches_of(line);

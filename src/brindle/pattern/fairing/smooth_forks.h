@@ -38,16 +38,17 @@ inline constexpr double kBeforeFork = 1;
 /// it by more than 30 degrees, it takes another neighbour, or another part of its own; where there
 /// is none, it goes straight on, or a little aside, to the first curve within 2/f. Where nothing is
 /// met there, it takes what turns it more, or else stays as it is.
-class ForkMaker {
+class JunctionSmoother {
  public:
   /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
   /// `touches` may be those of the curves before they were faired. Other ends in branches and
   /// singularities are led to a neighbour, too, where one is.
-  ForkMaker(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
-            const WavePattern& pattern, const SurfaceWays& ways, const Progress& progress = {});
-  ~ForkMaker();
-  ForkMaker(const ForkMaker&) = delete;
-  ForkMaker& operator=(const ForkMaker&) = delete;
+  JunctionSmoother(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
+                   const WavePattern& pattern, const SurfaceWays& ways,
+                   const Progress& progress = {});
+  ~JunctionSmoother();
+  JunctionSmoother(const JunctionSmoother&) = delete;
+  JunctionSmoother& operator=(const JunctionSmoother&) = delete;
 
   /// How long the ways are, in periods, that the ends of a line are led, 0 of those that stay; and
   /// the line.

@@ -100,7 +100,7 @@ void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, Direc
   });
 }
 
-std::vector<Complex> values_at(SeenField field, std::span<const Vec3> normals, int symmetry) {
+std::vector<Complex> values_at(FieldOnNormals field, std::span<const Vec3> normals, int symmetry) {
   turn_to_normals(field.normals, normals, field.directions);
   std::vector<Complex> u(normals.size());
   parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {

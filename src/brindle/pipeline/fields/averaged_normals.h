@@ -24,7 +24,7 @@ std::vector<std::vector<Vec3>> averaged_normals(const Surface& surface,
 std::vector<float> averaging_radii(float normal_radius, bool goes_on);
 
 /// A field that is tangent to some normals of a surface.
-struct SeenField {
+struct FieldOnNormals {
   std::vector<Vec3> normals;
   DirectionField directions;
 };
@@ -33,6 +33,6 @@ struct SeenField {
 void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, DirectionField& field);
 
 /// A field's values in the direction graph of other normals, 0 where it has none.
-std::vector<Complex> values_at(SeenField field, std::span<const Vec3> normals, int symmetry);
+std::vector<Complex> values_at(FieldOnNormals field, std::span<const Vec3> normals, int symmetry);
 
 }  // namespace brindle

@@ -61,9 +61,9 @@ std::vector<float> anchor_strengths(const PhaseGraph& graph) {
   return strengths;
 }
 
-std::vector<Complex> follow_last(PhaseGraph& graph, const LastValues& last, std::size_t vertices,
-                                 const std::function<std::vector<Complex>()>& fill,
-                                 const ScreenedOptions& screened) {
+std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last, std::size_t vertices,
+                                const std::function<std::vector<Complex>()>& fill,
+                                const ScreenedOptions& screened) {
   const std::size_t count = graph.node_count();
   const std::vector<Complex> others =
       graph.anchor.empty() ? std::vector<Complex>(count) : graph.anchor;
@@ -134,9 +134,9 @@ Vec3 direction_near(const Vec3& last, Complex u, const Vec3& normal, int symmetr
   return std::cos(radians) * last + std::sin(radians) * normal.cross(last);
 }
 
-void name_like_last(const Adjacency& neighborhood, std::span<const Complex> u,
-                    std::span<const Vec3> normals, std::span<const Vec3> last, int symmetry,
-                    DirectionField& field) {
+void align_with_previous(const Adjacency& neighborhood, std::span<const Complex> u,
+                         std::span<const Vec3> normals, std::span<const Vec3> last, int symmetry,
+                         DirectionField& field) {
   std::vector<std::uint8_t> settled(field.size());
   for (std::size_t i = 0; i < field.size(); ++i) {
     const Vec3 before = tangent_direction(last[i], normals[i]);

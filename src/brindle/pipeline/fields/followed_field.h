@@ -32,9 +32,9 @@ std::vector<float> anchor_strengths(const PhaseGraph& graph);
 /// shape, where those of a field of unit length stay caught between vertices. `fill` solves for the
 /// graph's field from scratch; it is asked if somewhere nothing is known. `screened` has the parts
 /// of other ranks; all else then is collective, too.
-std::vector<Complex> follow_last(PhaseGraph& graph, const LastValues& last, std::size_t vertices,
-                                 const std::function<std::vector<Complex>()>& fill,
-                                 const ScreenedOptions& screened = {});
+std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last, std::size_t vertices,
+                                const std::function<std::vector<Complex>()>& fill,
+                                const ScreenedOptions& screened = {});
 
 /// Throws Error for a weight out of range, for other than one direction per vertex, or none at all,
 /// and for numbers that are not finite. `what` begins its messages.
@@ -48,8 +48,8 @@ Vec3 direction_near(const Vec3& last, Complex u, const Vec3& normal, int symmetr
 
 /// Names and signs directions as the last field does where it has one, and the others as their
 /// neighbours run. `u` are the values of `field`.
-void name_like_last(const Adjacency& neighborhood, std::span<const Complex> u,
-                    std::span<const Vec3> normals, std::span<const Vec3> last, int symmetry,
-                    DirectionField& field);
+void align_with_previous(const Adjacency& neighborhood, std::span<const Complex> u,
+                         std::span<const Vec3> normals, std::span<const Vec3> last, int symmetry,
+                         DirectionField& field);
 
 }  // namespace brindle

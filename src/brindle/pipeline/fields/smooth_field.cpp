@@ -106,19 +106,20 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
                                const Progress& progress) {
   LastValues last = last_values(options.last, surface.normals, options.symmetry);
   last.noisy = std::move(of_curvature);
-  const std::vector<Complex> start = follow_last(graph, last, surface.mesh.vertex_count(), [&] {
+  const std::vector<Complex> start = warm_start(graph, last, surface.mesh.vertex_count(), [&] {
     return solve_phases(graph, solver_options(options), progress.part(0, 0.5)).z;
   });
   const std::vector<Complex> u = values_from(graph, start, options, progress.part(0.5, 1));
   DirectionField field = directions_of(u, surface.normals, options.symmetry);
-  name_like_last(*surface.neighborhood, u, surface.normals, options.last.directions,
-                 options.symmetry, field);
+  align_with_previous(*surface.neighborhood, u, surface.normals, options.last.directions,
+                      options.symmetry, field);
   return field;
 }
 
 /// `from`: the field that this one begins with, if any.
-LowestPhases solved(const Surface& seen, const PhaseGraph& graph, std::optional<SeenField> from,
-                    const SmoothFieldOptions& options, const Progress& progress) {
+LowestPhases solved(const Surface& seen, const PhaseGraph& graph,
+                    std::optional<FieldOnNormals> from, const SmoothFieldOptions& options,
+                    const Progress& progress) {
   if (!from) {
     return solve_from(starts_of_field(graph, !seen.mesh.triangles.empty()), graph, options.sweeps,
                       options.cycles, progress);
@@ -130,10 +131,11 @@ LowestPhases solved(const Surface& seen, const PhaseGraph& graph, std::optional<
 /// What the first of `normals`, which `seen` then has, begins with: the field of the last, handed
 /// on through those between. Normals averaged over longer distances have fewer singularities, and
 /// those that the shape does not need stay away; a field from scratch is caught in them.
-std::optional<SeenField> field_from_afar(Surface& seen, std::vector<std::vector<Vec3>> normals,
-                                         const SmoothFieldOptions& options,
-                                         const Progress& progress) {
-  std::optional<SeenField> field;
+std::optional<FieldOnNormals> coarse_to_fine_field(Surface& seen,
+                                                   std::vector<std::vector<Vec3>> normals,
+                                                   const SmoothFieldOptions& options,
+                                                   const Progress& progress) {
+  std::optional<FieldOnNormals> field;
   const auto steps = static_cast<double>(normals.size() - 1);
   for (double done = 0; normals.size() > 1; ++done) {
     seen.normals = std::move(normals.back());
@@ -151,8 +153,9 @@ std::optional<SeenField> field_from_afar(Surface& seen, std::vector<std::vector<
 
 /// The field of a surface that is seen as `seen` has it: with other normals, maybe. `from` is what
 /// it begins with, if any.
-DirectionField field_of(const Surface& surface, const Surface& seen, std::optional<SeenField> from,
-                        const SmoothFieldOptions& options, JobStages& stages) {
+DirectionField field_of(const Surface& surface, const Surface& seen,
+                        std::optional<FieldOnNormals> from, const SmoothFieldOptions& options,
+                        JobStages& stages) {
   PhaseGraph graph = direction_graph_of(seen, options.symmetry, stages.begin("transport"));
   std::vector<float> of_curvature = add_all_anchors(graph, seen, options, stages);
   if (!options.last.directions.empty()) {
@@ -207,8 +210,8 @@ DirectionField smooth_direction_field(const Surface& surface, const SmoothFieldO
         surface, averaging_radii(options.normal_radius, !options.last.directions.empty()),
         stages.begin("normals"));
     Surface seen = surface;
-    std::optional<SeenField> from =
-        field_from_afar(seen, std::move(normals), options, stages.begin("from afar"));
+    std::optional<FieldOnNormals> from =
+        coarse_to_fine_field(seen, std::move(normals), options, stages.begin("from afar"));
     field = field_of(surface, seen, std::move(from), options, stages);
   } else {
     field = field_of(surface, surface, std::nullopt, options, stages);

@@ -46,7 +46,7 @@ std::span<const Vec3> MovingNormals::at(std::span<const Vec3> positions) {
   return normals_;
 }
 
-std::span<const Vec3> normals_of(const FrameInput& input, const NormalsInPlace& in_place,
+std::span<const Vec3> normals_of(const FrameInput& input, const RestNormals& in_place,
                                  MovingNormals& moving) {
   if (!input.normals.empty()) return input.normals;
   if (ranges::equal(input.positions, in_place.positions)) return in_place.normals;
@@ -54,7 +54,7 @@ std::span<const Vec3> normals_of(const FrameInput& input, const NormalsInPlace& 
 }
 
 void check_values(const FrameInput& input, const Adjacency& neighborhood,
-                  const NormalsInPlace& in_place) {
+                  const RestNormals& in_place) {
   check_waves(input.positions, input.directions, input.frequencies);
   if (!input.normals.empty()) {
     check_tangent(input.normals, input.directions);
@@ -79,36 +79,36 @@ void check_made_with_slack(bool made_with_slack) {
   throw Error("animator: it was made without slack; make it of a Surface with some");
 }
 
-YieldingFrames::YieldingFrames(const Surface& surface, const Slack& slack) {
+FrameFrequencies::FrameFrequencies(const Surface& surface, const Slack& slack) {
   check_slack(slack, surface.mesh.vertex_count());
   if (slack.yields()) yielding_.emplace(yielding_setting(surface, slack));
 }
 
-YieldingFrames YieldingFrames::sibling() const {
-  YieldingFrames other;
+FrameFrequencies FrameFrequencies::sibling() const {
+  FrameFrequencies other;
   if (yielding_) other.yielding_.emplace(yielding_->sibling());
   return other;
 }
 
-void YieldingFrames::set_slack(const Slack& slack) {
+void FrameFrequencies::set_slack(const Slack& slack) {
   check_made_with_slack(yields());
   yielding_->set_slack(slack);
   has_kept_ = false;
 }
 
-void YieldingFrames::set_setting(std::shared_ptr<const YieldingSetting> setting,
-                                 bool weighs_as_before) {
+void FrameFrequencies::set_setting(std::shared_ptr<const YieldingSetting> setting,
+                                   bool weighs_as_before) {
   yielding_->set_setting(std::move(setting), weighs_as_before);
   has_kept_ = false;
 }
 
-bool YieldingFrames::is_kept(const FrameInput& input) const {
+bool FrameFrequencies::is_kept(const FrameInput& input) const {
   return yielding_ && has_kept_ && ranges::equal(input.frequencies, wanted_) &&
          ranges::equal(input.directions, directions_, same_bits) &&
          ranges::equal(input.positions, positions_, same_bits);
 }
 
-FrameInput YieldingFrames::yielded(const FrameInput& input, const Progress& progress) {
+FrameInput FrameFrequencies::yielded(const FrameInput& input, const Progress& progress) {
   if (!yielding_) return input;
   positions_.reserve(input.positions.size());
   directions_.reserve(input.directions.size());
@@ -117,7 +117,7 @@ FrameInput YieldingFrames::yielded(const FrameInput& input, const Progress& prog
           yielding_->solve({input.positions, input.directions, input.frequencies}, progress)};
 }
 
-void YieldingFrames::keep(const FrameInput& input) {
+void FrameFrequencies::keep(const FrameInput& input) {
   if (!yielding_) return;
   yielding_->keep();
   has_kept_ = true;
@@ -127,11 +127,11 @@ void YieldingFrames::keep(const FrameInput& input) {
   wanted_.assign(input.frequencies.begin(), input.frequencies.end());
 }
 
-void YieldingFrames::restart() {
+void FrameFrequencies::restart() {
   if (yielding_) yielding_->restart();
 }
 
-std::span<const float> YieldingFrames::frequencies() const {
+std::span<const float> FrameFrequencies::frequencies() const {
   return yielding_ ? yielding_->frequencies() : std::span<const float>();
 }
 

@@ -22,7 +22,7 @@ void check_animator_options(const AnimatorOptions& options);
 void check_frame_input(const FrameInput& input, std::size_t vertices);
 
 /// What directions must be tangent to, as long as vertices stand where they stood.
-struct NormalsInPlace {
+struct RestNormals {
   std::vector<Vec3> positions, normals;  ///< empty: nothing is known
 };
 
@@ -43,13 +43,13 @@ class MovingNormals {
 };
 
 /// Those that are given, or those in place, or what `moving` makes of the positions.
-std::span<const Vec3> normals_of(const FrameInput& input, const NormalsInPlace& in_place,
+std::span<const Vec3> normals_of(const FrameInput& input, const RestNormals& in_place,
                                  MovingNormals& moving);
 
 /// Throws Error for what `check_waves` and `check_fineness` refuse, and for what `check_tangent`
 /// does, where the input has normals or vertices stand in place.
 void check_values(const FrameInput& input, const Adjacency& neighborhood,
-                  const NormalsInPlace& in_place);
+                  const RestNormals& in_place);
 
 /// The options of an animator that frequencies have nothing to do with; and throws Error unless
 /// these are such.
@@ -59,21 +59,21 @@ void refuse_slack(const AnimatorOptions& options);
 /// Throws Error for an animator that was made without slack and is to take another one.
 void check_made_with_slack(bool made_with_slack);
 
-class YieldingFrames {
+class FrameFrequencies {
  public:
   /// Frequencies stay as they are.
-  YieldingFrames() = default;
+  FrameFrequencies() = default;
 
   /// The same where there is no slack. Throws Error for slack that `check` refuses.
-  YieldingFrames(const Surface& surface, const Slack& slack);
+  FrameFrequencies(const Surface& surface, const Slack& slack);
 
   /// Of a part of a surface, with input of own vertices and others'.
-  explicit YieldingFrames(YieldingSolver solver) : yielding_(std::move(solver)) {}
+  explicit FrameFrequencies(YieldingSolver solver) : yielding_(std::move(solver)) {}
 
   bool yields() const { return yielding_.has_value(); }
 
   /// Another one for the same surface and slack.
-  YieldingFrames sibling() const;
+  FrameFrequencies sibling() const;
 
   /// As StripeAnimator's.
   void set_slack(const Slack& slack);

@@ -25,8 +25,8 @@ struct StripeAnimator::State {
   bool is_sibling = false;   ///< whether the hierarchy was there before
   FramePhases phases = FramePhases(options);
   bool has_yielded = false;  ///< whether frequencies of the frame that is solved are new
-  YieldingFrames yielding = {};
-  NormalsInPlace in_place = {};
+  FrameFrequencies yielding = {};
+  RestNormals in_place = {};
   MovingNormals moving = {};  ///< of a surface with links over creases
 
   Level& finest() { return hierarchy.levels[0]; }
@@ -73,7 +73,7 @@ StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& op
     : StripeAnimator(surface.coupled(), without_slack(options)) {
   state_->neighborhood = surface.neighborhood;
   if (surface.linked) state_->moving = MovingNormals(surface.mesh);
-  state_->yielding = YieldingFrames(surface, options.slack);
+  state_->yielding = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
 }

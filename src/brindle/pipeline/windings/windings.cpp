@@ -366,7 +366,8 @@ WoundPattern wind(const Surface& surface, const StripePattern& pattern,
     const WaveSet& waves = result.pattern.waves;
     WaveSet turned = turned_waves(
         waves, harmonic_change(surface, edges, loops, walks, missing, waves.directions));
-    result.pattern = stripes_of_yielded(surface, std::move(turned), pattern, options, of_round);
+    result.pattern =
+        resolve_with_frequencies(surface, std::move(turned), pattern, options, of_round);
     walks = walks_of(surface, loops, result.pattern);
   }
   result.after = numbers_of(surface, loops, walks);
