@@ -23,9 +23,9 @@ struct PatternQuality {
   double angle_error_share_over_5deg = 0;  ///< share of the area, between 0 and 1
   /// Of that the part where the phases of a triangle's corners differ by half a period or more.
   double coarse_share_over_5deg = 0;
-  double spacing_error_mean = 0;           ///< mean of | |gradient| / (2 pi f) - 1 |
-  double spacing_error_wanted_mean = 0;    ///< the same against frequencies that were asked for,
-                                           ///< where those of the waves have yielded
+  double spacing_error_mean = 0;         ///< mean of | |gradient| / (2 pi f) - 1 |
+  double spacing_error_wanted_mean = 0;  ///< the same against frequencies that were asked for,
+                                         ///< where those of the waves have yielded
   /// Of `branches` those in triangles whose corners are calm by a half or more on average, where a
   /// pattern was made with calm.
   std::optional<std::size_t> branches_in_calm;

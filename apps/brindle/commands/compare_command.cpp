@@ -55,8 +55,7 @@ std::vector<Report> reports_of_all(const CompareArguments& arguments) {
     reports.push_back(make_report(prepared.surface, prepared, pattern, solver));
   }
   // Of the last solver alone: all see the same waves.
-  display.note(
-      quality_warning(prepared.figures, reports.back().quality, reports.back().triangles));
+  display.note(quality_warning(prepared.figures, reports.back().quality, reports.back().triangles));
   return reports;
 }
 
