@@ -39,9 +39,9 @@ void LightTool::drag(const PicturePlace& place, const ImVec2& motion) {
 
 // Filled where the light is in front of what is seen, a ring where it is behind.
 void LightTool::draw_over(ImDrawList& list, const ImVec2& corner) const {
-  constexpr float kDegree = std::numbers::pi_v<float> / 180;
+  constexpr float kRadians = std::numbers::pi_v<float> / 180;
   const LightDirection light = light_of(live_.document());
-  const float azimuth = light.azimuth_deg * kDegree, elevation = light.elevation_deg * kDegree;
+  const float azimuth = light.azimuth_deg * kRadians, elevation = light.elevation_deg * kRadians;
   const ImVec2 middle(corner.x - kBall - kBallRoom, corner.y + kBall + kBallRoom);
   const ImVec2 at(middle.x + kBall * std::cos(elevation) * std::sin(azimuth),
                   middle.y - kBall * std::sin(elevation));

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brindle/base/base64.h"
+#include "brindle/files.h"
 #include "brindle/files/gltf/gltf_document.h"
 
 namespace brindle {
