@@ -34,8 +34,8 @@ float degrees(float radians) { return radians * 180 / std::numbers::pi_v<float>;
 
 /// Whether a wave passes half a period or more between two corners.
 bool is_coarse(const CornerPhases& corners) {
-  const auto [least, most] = std::ranges::minmax(corners.phase);
-  return most - least >= std::numbers::pi_v<float>;
+  const auto [least, most] = std::minmax_element(corners.phase.begin(), corners.phase.end());
+  return *most - *least >= std::numbers::pi_v<float>;
 }
 
 void add_triangle(QualitySums& sums, const CornerPhases& corners, const ErrorLanes& errors,
