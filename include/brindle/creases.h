@@ -45,8 +45,8 @@ struct Creases {
 /// A crease is an edge of two triangles that bend by more than `angle_deg` degrees (0 to 180; 180:
 /// none), also when each side is averaged over the triangles near by, so that noise is none, and
 /// that is part of a chain which closes or runs from boundary to boundary. Edges of three triangles
-/// or more part those that bend by more. Throws Error for another angle, and Cancelled if
-/// `progress` asks for it.
+/// or more part those that bend by more. Throws Error for another angle and for a mesh that
+/// `check_mesh` refuses, and Cancelled if `progress` asks for it.
 Creases split_at_creases(Mesh& mesh, float angle_deg = kCreaseAngle, const Progress& progress = {});
 
 /// The same mesh with triangles between the vertices from before the split; copies stay, in none.

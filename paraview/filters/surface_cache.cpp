@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 
 #include <Eigen/Core>
@@ -128,68 +127,44 @@ void keep_ids(const PointNumbers& numbers, InputSurface& made) {
   made.ids = std::make_shared<const std::vector<std::uint64_t>>(std::move(ids));
 }
 
-/// A mesh that has only moved is split where it was before, so that its pattern can follow.
-Creases split(Mesh& mesh, float angle, KnownCreases& known) {
-  if (known.angle == angle && known.whole == mesh.triangles) {
-    mesh.triangles = known.split;
-    add_rows_of_copies(known.creases, mesh.positions);
-    return known.creases;
-  }
-  known.angle = angle;
-  known.whole = mesh.triangles;
-  known.creases = split_at_creases(mesh, angle);
-  known.split = mesh.triangles;
-  return known.creases;
-}
-
 /// Points for the vertices that creases have added: a copy of every point that is at such a corner.
 /// They are in the order of the vertices, which have the numbers of their points if none is joined.
 void add_copied_points(const Mesh& mesh, const Creases& creases, InputSurface& made) {
   const auto first_copy = static_cast<Index>(mesh.vertex_count() - creases.copied.size());
-  std::set<std::pair<Index, Index>> copies;  // the vertex, the point that is copied
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index vertex = mesh.triangles[t][k];
-      if (vertex >= first_copy) copies.emplace(vertex, made.points_of_triangle[t][k]);
+  const auto for_copied_corners = [&](const auto& body) {
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index vertex = mesh.triangles[t][k];
+        if (vertex >= first_copy) body(vertex, made.points_of_triangle[t][k]);
+      }
     }
-  }
-  std::map<std::pair<Index, Index>, Index> added;
-  for (const auto& [vertex, point] : copies) {
-    const auto number = static_cast<Index>(made.vertex_of_point.size());
-    added[{vertex, point}] = number;
+  };
+  std::map<std::pair<Index, Index>, Index> copies;  // of a vertex and the point that is copied
+  for_copied_corners([&](Index vertex, Index point) { copies[{vertex, point}] = 0; });
+  for (auto& [of, copy] : copies) {
+    const auto [vertex, point] = of;
+    copy = static_cast<Index>(made.vertex_of_point.size());
     made.vertex_of_point.push_back(vertex);
     made.copied_points.push_back(point);
-    if (made.point_of_vertex.size() == vertex) made.point_of_vertex.push_back(number);
+    if (made.point_of_vertex.size() == vertex) made.point_of_vertex.push_back(copy);
   }
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      Index& point = made.points_of_triangle[t][k];
-      const Index vertex = mesh.triangles[t][k];
-      if (vertex >= first_copy) point = added.at({vertex, point});
-    }
-  }
+  for_copied_corners([&](Index vertex, Index& point) { point = copies.at({vertex, point}); });
 }
 
-/// The points' vertices, the triangles that can be used, and the surface of this process's own.
-/// `split` is that of a process alone; none over several ranks.
-InputSurface local_surface(const RawMesh& raw, Mesh mesh, const PointNumbers& numbers,
-                           const std::function<Creases(Mesh&)>& split) {
+/// The points' vertices, and the triangles that can be used, which alone the mesh then has.
+InputSurface usable_triangles(const RawMesh& raw, Mesh& mesh, const PointNumbers& numbers,
+                              bool alone) {
   InputSurface made;
   made.ids_refused = numbers.ids_refused;
   made.vertex_of_point = made.point_of_vertex = first_points(numbers.of_points);
   made.joined = join_vertices(mesh, made.vertex_of_point) > 0;
-  if (split && numbers.by_id) order_vertices(numbers.of_points, mesh, made);
-  const std::vector<Index> order = put_ghosts_last(mesh, raw.ghosts, split != nullptr);
+  if (alone && numbers.by_id) order_vertices(numbers.of_points, mesh, made);
+  const std::vector<Index> order = put_ghosts_last(mesh, raw.ghosts, alone);
   repair_mesh(mesh, made.cell_of_triangle);
   for (Index& cell : made.cell_of_triangle) {
     cell = order[cell];
     made.points_of_triangle.push_back(raw.mesh.triangles[cell]);
   }
-  Creases creases;
-  if (split) creases = split(mesh);
-  add_copied_points(mesh, creases, made);
-  keep_ids(numbers, made);
-  made.surface = std::make_shared<const Surface>(make_surface(std::move(mesh), std::move(creases)));
   return made;
 }
 
@@ -264,6 +239,20 @@ vtkSmartPointer<vtkPolyData> with_copies(vtkSmartPointer<vtkPolyData> data,
 }
 
 }  // namespace
+
+const Creases& KnownCreases::split(Mesh& mesh, float angle) {
+  if (angle_ == angle && whole_ == mesh.triangles) {
+    mesh.triangles = split_;
+    add_rows_of_copies(creases_, mesh.positions);
+    return creases_;
+  }
+  std::vector<Triangle> whole = mesh.triangles;
+  creases_ = split_at_creases(mesh, angle);
+  angle_ = angle;
+  whole_ = std::move(whole);
+  split_ = mesh.triangles;
+  return creases_;
+}
 
 DataArray InputSurface::array(const std::string& name, bool of_points) const {
   if (!of_points) {
@@ -361,20 +350,22 @@ void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks, float crea
       mesh.origin = box.origin;
       mesh.positions = positions_about(box.origin, triangles);
     }
-    std::function<Creases(Mesh&)> split_alone;
-    if (ranks.alone()) {
-      split_alone = [&](Mesh& whole) { return split(whole, crease_angle, creases_); };
-    }
-    made = local_surface(raw_, std::move(mesh), numbers, split_alone);
-    if (ranks.alone() && made.surface->mesh.triangles.empty()) {
+    made = usable_triangles(raw_, mesh, numbers, ranks.alone());
+    if (ranks.alone() && mesh.triangles.empty()) {
       throw Error("the input's surface has no triangle with an area");
     }
+    Creases creases;
+    if (ranks.alone()) creases = creases_.split(mesh, crease_angle);
+    add_copied_points(mesh, creases, made);
+    keep_ids(numbers, made);
+    made.surface =
+        std::make_shared<const Surface>(make_surface(std::move(mesh), std::move(creases)));
   });
   if (!ranks.alone()) {
     join_ranks(made, raw_, numbers, ranks);
     Mesh mesh = made.surface->mesh;
     bool sharp = false;
-    ranks.throw_on_all([&] { sharp = !split_at_creases(mesh, crease_angle).empty(); });
+    ranks.throw_on_all([&] { sharp = !creases_.split(mesh, crease_angle).empty(); });
     made.creases_missed = ranks.any(sharp);
   }
   current_ = std::move(made);

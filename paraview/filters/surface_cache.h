@@ -65,12 +65,18 @@ struct InputSurface {
   DataArray rows_of_piece(const std::string& name, bool of_points) const;
 };
 
-/// Where triangles are split.
-struct KnownCreases {
-  float angle = 180;
-  std::vector<Triangle> whole;  ///< before the split
-  std::vector<Triangle> split;
-  Creases creases;
+/// Where triangles were split last.
+class KnownCreases {
+ public:
+  /// As `split_at_creases`; a mesh that has only moved is split where it was, so that its pattern
+  /// can follow. Valid until the next call.
+  const Creases& split(Mesh& mesh, float angle);
+
+ private:
+  float angle_ = 180;
+  std::vector<Triangle> whole_;  ///< before the split
+  std::vector<Triangle> split_;
+  Creases creases_;
 };
 
 /// Keeps the last input's surface for the next, if points and cells are the same: unchanged since,

@@ -79,7 +79,9 @@ TEST(BrindleStripes, EachSideOfACreaseHasItsOwnWave) {
   Errors errors(*filter);
   filter->SetCreaseAngle(-1);
   filter->Update();
-  EXPECT_EQ(errors.messages.size(), 1u);
+  filter->SetStripes(13);
+  filter->Update();
+  EXPECT_EQ(errors.messages.size(), 2u);
 }
 
 /// Two squares that meet at a fold.

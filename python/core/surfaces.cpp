@@ -56,7 +56,6 @@ SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, Creases&& creases,
 SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, float crease_angle,
                         const Progress& progress) {
   if (data.original_ids.empty()) number_vertices(data, mesh.vertex_count(), mesh.vertex_count());
-  check_mesh(mesh);
   Creases creases = split_at_creases(mesh, crease_angle, progress);
   add_rows_of_copies(creases, data.arrays);
   add_rows_of_copies(creases, data.original_ids);

@@ -155,6 +155,15 @@ TEST(CreasesTest, OtherAnglesAreRefused) {
   }
 }
 
+TEST(CreasesTest, MeshesThatNoSurfaceHasAreRefused) {
+  Mesh beyond = make_shape("box,resolution=5");
+  beyond.triangles.back()[2] = static_cast<Index>(beyond.vertex_count());
+  EXPECT_THROW(split_at_creases(beyond), Error);
+  Mesh infinite = make_shape("box,resolution=5");
+  infinite.positions.back().x() = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(split_at_creases(infinite), Error);
+}
+
 TEST(CreasesTest, SurfacesLinkBothSidesAndWarnOfNothing) {
   const Surface surface = with_creases(cube_with_creases());
   EXPECT_EQ(surface.own_vertex_count(), 10u);

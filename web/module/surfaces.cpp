@@ -52,7 +52,6 @@ void add_lines(std::vector<std::string>& notes, const std::string& lines) {
 
 std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,
                                               std::vector<std::string> notes) {
-  check_mesh(mesh);
   Creases creases = split_at_creases(mesh, crease_angle);
   auto object = std::make_shared<SurfaceObject>();
   object->surface = make_surface(std::move(mesh), std::move(creases));

@@ -44,7 +44,6 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListene
   result.load_milliseconds = watch.lap();
   listener.stage(kNeighborhood);
   result.surface = of_file(options.mesh, [&] {
-    check_mesh(loaded.mesh);
     Creases creases = split_at_creases(options, loaded);
     return make_surface(std::move(loaded.mesh), std::move(creases), listener.progress());
   });

@@ -16,6 +16,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/surface.h"
 
 namespace brindle {
 namespace {
@@ -333,6 +334,7 @@ Creases split_at_creases(Mesh& mesh, float angle_deg, const Progress& progress) 
     throw Error("the angle of creases must be from 0 to 180 degrees (180: none)");
   }
   if (angle_deg == 180) return {};
+  check_mesh(mesh);
   const std::vector<Vec3> areas = area_vectors(mesh);
   progress.tick();
   if (!is_sharp_anywhere(mesh, areas, cosine_of(angle_deg))) return {};
