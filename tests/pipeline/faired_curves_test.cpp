@@ -32,6 +32,30 @@ TEST(FairedCurves, RefuseWhatMakesNoSense) {
   }
 }
 
+/// Debris of a scan, round which a curve closes that is smaller than any step of fairing.
+TEST(FairedCurves, OfSpecksStayAsTheyAre) {
+  Mesh mesh = make_shape("sphere,resolution=30");
+  Mesh speck = make_shape("sphere,resolution=6");
+  const auto first = static_cast<Index>(mesh.vertex_count());
+  for (const Vec3& position : speck.positions) {
+    mesh.positions.push_back(Vec3(1.5f, 0, 0) + 1e-6f * position);
+  }
+  for (const Triangle& t : speck.triangles) {
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  const Surface surface = make_surface(std::move(mesh));
+  const DirectionField field = projected_direction_field({0.2f, 1, 0.3f}, surface.normals);
+  for (const float stripes : {10.0f, 20.0f, 33.0f, 47.0f}) {
+    const WaveSet waves{surface.mesh.positions, field,
+                        FrequencyField(field.size(), stripes / 3.4f)};
+    const StripePattern pattern = stripe_pattern(surface, waves);
+    const StripeCurves curves = stripe_curves(surface, pattern, {.fair = kFair});
+    for (Index line = 0; line < curves.lines.count(); ++line) {
+      EXPECT_GT(curves.lines.offsets[line + 1], curves.lines.offsets[line]) << stripes;
+    }
+  }
+}
+
 float degrees_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 57.29578f;
 }

@@ -200,10 +200,9 @@ class Fairer {
     const Polylines line = line_of(own, closed);
     const std::vector<float> frequencies = frequencies_along(pattern_, line);
     const UnrolledCurve curve(pattern_.mesh, line, 0, frequencies);
-    if (!(curve.periods() > 0)) {
-      result.pieces = own;
-      return result;
-    }
+    // Round a speck one would go about it again and again.
+    const bool is_short = closed && curve.periods() < scale_;
+    if (is_short || !(curve.periods() > 0)) return {own};
     std::array<PlanePoint, 2> ends{};
     for (const std::size_t end : {0u, 1u}) {
       if (moves[end]) ends[end] = curve.in_plane(end == 0 ? 0 : own.size() - 1, *moves[end]);
@@ -220,6 +219,8 @@ class Fairer {
     for (std::size_t i = 0; i < segments; ++i) {
       add_way(pattern_, ways_, places[i], places[(i + 1) % places.size()], least, result.pieces);
     }
+    // One that fairing draws together to a point stays as it is.
+    if (result.pieces.empty()) return {own};
     return result;
   }
 
