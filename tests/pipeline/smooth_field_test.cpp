@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
+#include "brindle/carried_field.h"
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/field_index.h"
 #include "brindle/mesh.h"
+#include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/strokes.h"
@@ -97,6 +100,32 @@ TEST(SmoothField, IsTheSameForEveryNumberOfThreads) {
   const DirectionField alone = smooth_direction_field(surface);
   const ThreadLimit two(2);
   EXPECT_EQ(smooth_direction_field(surface), alone);
+}
+
+/// Points within volumes, and copies that were joined with others at their place.
+TEST(SmoothField, VerticesThatNoTriangleUsesDoNotCount) {
+  Mesh mesh = make_shape("trefoil,resolution=30");
+  const Surface surface = make_surface(mesh);
+  mesh.positions.resize(20 * mesh.vertex_count(), Vec3(0, 0, 9));
+  const Surface with_others = make_surface(mesh);
+  // How solvers group vertices is not, but they end where they do.
+  const auto expect_the_same = [&](const SmoothFieldOptions& options, SmoothFieldOptions others) {
+    if (!others.last.directions.empty()) {
+      others.last.directions.resize(mesh.vertex_count(), Vec3(1, 0, 0));
+    }
+    DirectionField found = smooth_direction_field(with_others, others);
+    found.resize(surface.mesh.vertex_count());
+    const DirectionField expected = smooth_direction_field(surface, options);
+    EXPECT_LT(field_step(found, expected).mean_deg, 0.05);
+    EXPECT_EQ(singularities(surface, found), singularities(surface, expected));
+  };
+  SmoothFieldOptions options{.curvature_anchor = 0.1f};
+  expect_the_same(options, options);
+  options.curvature_anchor = 0;
+  options.last.directions = curvature_direction_field(
+      principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood),
+      CurvatureDirection::maximum);
+  expect_the_same(options, options);
 }
 
 TEST(SmoothField, RefusesAnchorsAndSurfacesThatAreNone) {

@@ -1,6 +1,5 @@
 #include "brindle/phases/screened.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -25,12 +24,10 @@ class ScreenedSystem {
   ScreenedSystem(const PhaseGraph& graph, std::span<const float> screening,
                  const ScreenedOptions& options)
       : graph_(graph),
-        options_(options),
-        own_(std::min(options.own, graph.node_count())),
-        diagonal_(own_),
-        inverse_(own_),
+        diagonal_(graph.node_count()),
+        inverse_(graph.node_count()),
         reflects_(any_reflects(graph.reflecting)) {
-    parallel_for(own_, [&](std::size_t begin, std::size_t end) {
+    parallel_for(nodes(), [&](std::size_t begin, std::size_t end) {
       for (Index i = static_cast<Index>(begin); i < end; ++i) {
         diagonal_[i] = screening[i] + (options.degrees.empty() ? degree(i) : options.degrees[i]);
         inverse_[i] = diagonal_[i] > 0 ? 1 / diagonal_[i] : 0;
@@ -38,13 +35,9 @@ class ScreenedSystem {
     });
   }
 
-  std::size_t own() const { return own_; }
+  std::size_t nodes() const { return graph_.node_count(); }
 
-  void exchange(std::vector<Complex>& values) const {
-    if (options_.exchange) options_.exchange(values);
-  }
-
-  /// Row i of the matrix times u; nodes of other ranks must have their values.
+  /// Row i of the matrix times u.
   Complex row(Index i, std::span<const Complex> u) const {
     Complex sum = diagonal_[i] * u[i];
     const Index end = offsets()[i + 1];
@@ -63,15 +56,14 @@ class ScreenedSystem {
 
   Complex preconditioned(Index i, const Complex& residual) const { return inverse_[i] * residual; }
 
-  /// The sum of `of(i)` over the own nodes of all ranks.
+  /// The sum of `of(i)` over all nodes.
   template <class Of>
   double sum(const Of& of) const {
-    const double here = parallel_sum<double>(own_, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum<double>(nodes(), [&](std::size_t begin, std::size_t end) {
       double part = 0;
       for (Index i = static_cast<Index>(begin); i < end; ++i) part += of(i);
       return part;
     });
-    return options_.total ? options_.total(here) : here;
   }
 
  private:
@@ -84,15 +76,13 @@ class ScreenedSystem {
   }
 
   const PhaseGraph& graph_;
-  const ScreenedOptions& options_;
-  std::size_t own_;
   std::vector<float> diagonal_, inverse_;  ///< 0 where the diagonal is
   bool reflects_;                          ///< whether any edge does
 };
 
 template <class Change>
-void for_own(const ScreenedSystem& system, const Change& change) {
-  parallel_for(system.own(), [&](std::size_t begin, std::size_t end) {
+void for_nodes(const ScreenedSystem& system, const Change& change) {
+  parallel_for(system.nodes(), [&](std::size_t begin, std::size_t end) {
     for (Index i = static_cast<Index>(begin); i < end; ++i) change(i);
   });
 }
@@ -103,15 +93,13 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
                                      std::vector<Complex> start, const ScreenedOptions& options) {
   const ScreenedSystem system(graph, screening, options);
   std::vector<Complex> u = std::move(start);
-  std::vector<Complex> residual(system.own()), step(u.size()), image(system.own());
+  std::vector<Complex> residual(u.size()), step(u.size()), image(u.size());
   const auto anchor = [&](Index i) { return graph.anchor.empty() ? Complex(0) : graph.anchor[i]; };
-  system.exchange(u);
-  for_own(system, [&](Index i) {
+  for_nodes(system, [&](Index i) {
     residual[i] = anchor(i) - system.row(i, u);
     step[i] = system.preconditioned(i, residual[i]);
   });
   double error = system.sum([&](Index i) { return dot(residual[i], step[i]); });
-  // Ranks without nodes have no anchors but take part in sums.
   const double first =
       options.of_anchors
           ? system.sum([&](Index i) { return dot(anchor(i), system.preconditioned(i, anchor(i))); })
@@ -120,7 +108,6 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
   for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
     // The number of iterations is unknown: each takes a thirtieth of what is left.
     options.progress.report(1 - std::pow(29.0 / 30, iteration));
-    system.exchange(step);
     const double curvature = system.sum([&](Index i) {
       image[i] = system.row(i, step);
       return dot(step[i], image[i]);
@@ -133,11 +120,10 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
       return dot(residual[i], system.preconditioned(i, residual[i]));
     });
     const auto keep = static_cast<float>(next / error);
-    for_own(system,
-            [&](Index i) { step[i] = system.preconditioned(i, residual[i]) + keep * step[i]; });
+    for_nodes(system,
+              [&](Index i) { step[i] = system.preconditioned(i, residual[i]) + keep * step[i]; });
     error = next;
   }
-  system.exchange(u);
   return u;
 }
 

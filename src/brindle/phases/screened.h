@@ -1,8 +1,6 @@
 /// Screened smoothing: numbers of any length on a phase graph, near to known ones.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,18 +9,11 @@
 
 namespace brindle {
 
-/// When to stop, and the other ranks of a distributed graph.
+/// When to stop.
 struct ScreenedOptions {
   int max_iterations = 200;
   float tolerance = 1e-3f;  ///< stop when the residual is below this share of the first one...
   bool of_anchors = false;  ///< ...or, if true, of the anchors, whatever the start
-
-  /// Nodes from this one on belong to other ranks; all of the graph by default.
-  std::size_t own = ~std::size_t{0};
-  /// Gives these nodes the values of their owners; called by all ranks.
-  std::function<void(std::span<Complex>)> exchange = {};
-  /// The sum over all ranks.
-  std::function<double(double)> total = {};
 
   /// The sum of |A_ij| over every node's edges if it is known; empty: computed.
   std::span<const float> degrees = {};

@@ -11,6 +11,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"
+#include "brindle/phases/screened.h"
 #include "brindle/waves/direction_graph.h"
 
 namespace brindle {
@@ -21,6 +22,13 @@ namespace {
 /// many vertices is across, and at least ten.
 float screening_of(std::size_t vertices) {
   return std::min(0.01f, 5 / static_cast<float>(std::max<std::size_t>(vertices, 1)));
+}
+
+/// Vertices that no triangle uses are none of the surface.
+std::size_t coupled_nodes(const Adjacency& adjacency) {
+  std::size_t count = 0;
+  for (Index i = 0; i + 1 < adjacency.offsets.size(); ++i) count += adjacency.of(i).empty() ? 0 : 1;
+  return count;
 }
 
 /// The last field holds so many times as strongly as what is measured anew, so that its noise is
@@ -61,29 +69,24 @@ std::vector<float> anchor_strengths(const PhaseGraph& graph) {
   return strengths;
 }
 
-std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last, std::size_t vertices,
-                                const std::function<std::vector<Complex>()>& fill,
-                                const ScreenedOptions& screened) {
+std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last,
+                                const std::function<std::vector<Complex>()>& fill) {
   const std::size_t count = graph.node_count();
   const std::vector<Complex> others =
       graph.anchor.empty() ? std::vector<Complex>(count) : graph.anchor;
-  const float screening = screening_of(vertices);
+  const float screening = screening_of(coupled_nodes(*graph.adjacency));
   std::vector<float> screenings(count);
   graph.anchor.assign(count, Complex(0));
-  double known = 0, unknown = 0;
+  std::size_t known = 0, unknown = 0;
   for (Index i = 0; i < count; ++i) {
     const float hold = last.u[i] == Complex(0) ? 0 : hold_of(graph, last, i, screening);
     graph.anchor[i] = others[i] + hold * last.u[i];
     screenings[i] = std::abs(others[i]) + hold;
     if (!graph.adjacency->of(i).empty()) ++(hold > 0 ? known : unknown);
   }
-  if (screened.total) {
-    known = screened.total(known);
-    unknown = screened.total(unknown);
-  }
   std::vector<Complex> start = unknown > 0 ? filled(graph, last.u, fill()) : last.u;
   if (known == 0) return start;  // nothing to go on from
-  const std::vector<Complex> smooth = smooth_screened(graph, screenings, start, screened);
+  const std::vector<Complex> smooth = smooth_screened(graph, screenings, start);
   for (Index i = 0; i < count; ++i) {
     const Complex unit = unit_of(smooth[i]);
     if (unit != Complex(0)) start[i] = unit;

@@ -8,7 +8,6 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/phase_graph.h"
-#include "brindle/phases/screened.h"
 #include "brindle/smooth_field.h"
 #include "brindle/types.h"
 
@@ -28,13 +27,11 @@ std::vector<float> anchor_strengths(const PhaseGraph& graph);
 
 /// Where the new field starts; `graph.anchor`, which has what else attracts it, also gets the pull
 /// towards there. The last field is smoothed together with those anchors, over a length that is a
-/// good part of the surface of `vertices` in all: the zeros of a smoothed field move on with the
-/// shape, where those of a field of unit length stay caught between vertices. `fill` solves for the
-/// graph's field from scratch; it is asked if somewhere nothing is known. `screened` has the parts
-/// of other ranks; all else then is collective, too.
-std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last, std::size_t vertices,
-                                const std::function<std::vector<Complex>()>& fill,
-                                const ScreenedOptions& screened = {});
+/// good part of the surface: the zeros of a smoothed field move on with the shape, where those of a
+/// field of unit length stay caught between vertices. `fill` solves for the graph's field from
+/// scratch; it is asked if somewhere nothing is known.
+std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last,
+                                const std::function<std::vector<Complex>()>& fill);
 
 /// Throws Error for a weight out of range, for other than one direction per vertex, or none at all,
 /// and for numbers that are not finite. `what` begins its messages.

@@ -30,7 +30,11 @@ void add_curvature(PhaseGraph& graph, const Surface& surface, const SmoothFieldO
                    const Progress& progress) {
   const auto curvatures = principal_curvatures(surface.mesh.positions, surface.normals,
                                                *surface.neighborhood, progress);
-  std::vector<float> sorted = curvature_differences(curvatures);
+  std::vector<float> sorted;
+  for (Index i = 0; const float difference : curvature_differences(curvatures)) {
+    if (!surface.neighborhood->of(i++).empty()) sorted.push_back(difference);
+  }
+  if (sorted.empty()) return;
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
   std::nth_element(sorted.begin(), tenth, sorted.end());
   add_curvature_anchors(graph, surface.normals, curvatures, *tenth, options);
@@ -106,7 +110,7 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
                                const Progress& progress) {
   LastValues last = last_values(options.last, surface.normals, options.symmetry);
   last.noisy = std::move(of_curvature);
-  const std::vector<Complex> start = warm_start(graph, last, surface.mesh.vertex_count(), [&] {
+  const std::vector<Complex> start = warm_start(graph, last, [&] {
     return solve_phases(graph, solver_options(options), progress.part(0, 0.5)).z;
   });
   const std::vector<Complex> u = values_from(graph, start, options, progress.part(0.5, 1));
