@@ -389,6 +389,19 @@ TEST(FieldDetailSingularities, AreUndoneInPairsWhereTheyAreAlone) {
   EXPECT_EQ(few.figures().singularities_too_many, 4U);
 }
 
+/// Data without a scale of their own: pair after pair is undone until rounding is all that holds.
+TEST(FieldDetailSingularities, OfPureNoiseStayAField) {
+  const Truth truth("sphere,resolution=60");
+  FieldDetail few(truth.surface, {.periods = 3, .singularities = 0});
+  const DetailedField field = few.frame({noisy(truth, 300), {}}, truth.frequencies);
+  for (const Vec3& direction : field.directions) ASSERT_NEAR(direction.norm(), 1, 1e-4f);
+  const FieldDetailFigures figures = few.figures();
+  EXPECT_EQ(figures.singularities, figures.singularities_too_many);
+  FieldDetail all(truth.surface, {.periods = 3});
+  all.frame({noisy(truth, 300), {}}, truth.frequencies);
+  EXPECT_LE(figures.singularities, all.figures().singularities);
+}
+
 TEST(FieldDetailSingularities, ChangeNothingWhereThereAreFewEnough) {
   const Truth truth("trefoil,resolution=30");
   const MeasuredField measured{noisy(truth, 10), {}};

@@ -298,20 +298,23 @@ FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const Complex> u,
   return found;
 }
 
-/// Averages over more where pairs of singularities are, until there are few enough of them.
+/// Averages over more where pairs of singularities are, until there are few enough of them. Where
+/// that cannot be, the field with the fewest stays.
 void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
                                             std::vector<float>& screening,
                                             const ScreenedOptions& solving,
                                             std::vector<Complex>& u) {
   constexpr int kMostRounds = 30;
   PeriodWalk walk(surface, frequencies);
+  std::vector<Complex> best;
   std::size_t fewest = std::numeric_limits<std::size_t>::max(), in_vain = 0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round <= kMostRounds; ++round) {
     // Where a vertex is so sharp that every field turns round beside it, other pairs must do.
     const FoundSingularities found = pairs_to_undo(u, frequencies, in_vain);
-    if (found.pairs.empty()) return;
     in_vain = found.count < fewest ? 0 : in_vain + 2;
+    if (found.count < fewest) best = u;
     fewest = std::min(fewest, found.count);
+    if (found.pairs.empty() || round == kMostRounds) break;
     // Pairs that stay need the field farther around them to give way.
     const float grown = 1 + 0.2f * static_cast<float>(round);
     std::vector<std::uint8_t> is_near(count());
@@ -325,8 +328,10 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
       }
     }
     constexpr float kLess = 0.25f;  // twice the scale
+    constexpr float kRounding = std::numeric_limits<float>::epsilon();
     for (std::size_t i = 0; i < count(); ++i) {
-      if (is_near[i] == 0) continue;
+      // What holds less than rounding does holds nothing.
+      if (is_near[i] == 0 || screening[i] < kRounding * degrees[i]) continue;
       screening[i] *= kLess;
       graph.anchor[i] *= kLess;
     }
@@ -335,6 +340,7 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
         solving.progress.part(round / double{kMostRounds}, (round + 1) / double{kMostRounds});
     u = smooth_screened(graph, screening, std::move(u), again);
   }
+  u = std::move(best);
 }
 
 /// Like the neighbours in the first frame, then like the frame before.
