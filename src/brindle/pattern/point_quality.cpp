@@ -65,7 +65,7 @@ PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<co
       const auto slope = gradient(wave_at(waves, z, i), normals[i], neighbors, kind);
       if (!slope) continue;
       const double angle =
-          std::abs(elementary::atan2(slope->y(), slope->x())) * 180 / std::numbers::pi;
+          std::abs(elementary::atan2(slope->y(), std::abs(slope->x()))) * 180 / std::numbers::pi;
       const double expected = 2 * std::numbers::pi * static_cast<double>(waves.frequencies[i]);
       ++sums.count;
       sums.over_5deg += angle > 5;

@@ -240,7 +240,8 @@ BRINDLE_KERNEL void measure_lane(const CornerLanes& corners, const LiftedLanes& 
   const Scaled slope = scaled(gradient_in(plane, lifted.phase, lane));
   const RealVector direction = direction_in(plane, corners, lifted, lane);
   const RealVector across = cross(slope.rest, direction);
-  store(angle_of(square_root(dot(across, across)), dot(slope.rest, direction)),
+  // Of lines: no two of them are farther apart than a right angle.
+  store(angle_of(square_root(dot(across, across)), absolute(dot(slope.rest, direction))),
         errors.angle + lane);
   const Real frequency = mean_of(corners.frequency, lane);
   const Real steepness = slope.largest * square_root(dot(slope.rest, slope.rest));
