@@ -56,9 +56,9 @@ class GpuAnimator {
 
   /// Solves for the next frame; the first one from scratch. Returns whether the input has changed:
   /// if not, the phases stay as they are. `progress` hears of the first frame's topology, and of
-  /// cycles. Throws Error if the input has not one entry per vertex, for values that `check_waves`
-  /// (wave_check.h) refuses, and if the mesh does not fit the device; Cancelled if `progress` asks
-  /// for it. The animator then is as it was before the call.
+  /// cycles. Throws Error if the input has not one entry per vertex, for waves that are not valid
+  /// (`WaveSet`), and if the mesh does not fit the device; Cancelled if `progress` asks for it. The
+  /// animator then is as it was before the call.
   bool frame(const FrameInput& input, const Progress& progress = {});
 
   /// The same from buffers; what they hold is not compared with the last frame's. The first frame

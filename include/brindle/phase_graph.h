@@ -37,7 +37,9 @@ struct AveragedLevel {
   std::vector<std::uint8_t> transfer_reflects;  ///< ...where this is 1
 };
 
-/// One wave per node.
+/// One wave per node. Waves are valid if every position is finite, every direction a unit vector
+/// (to half a percent) or zero, and every frequency finite and above zero, also where there is no
+/// wave.
 struct WaveSet {
   std::vector<Vec3> positions;
   std::vector<Vec3> directions;    ///< unit tangent vectors or zero (no wave, couplings are 0)

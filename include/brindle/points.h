@@ -61,7 +61,7 @@ bool has_point_trees();
 /// either is among the nearest of the other. `used` is in ascending order; all other points have no
 /// neighbours. Positions are finite and different from each other where used. Of points equally far
 /// away any may be taken, the same ones in every run. Throws Error for a count below 1, and in a
-/// build without nanoflann; TooLarge (memory.h) for neighbours that memory does not hold.
+/// build without nanoflann; TooLarge, an Error, for neighbours that memory does not hold.
 Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const Index> used,
                              int count, const Progress& progress = {});
 

@@ -41,7 +41,7 @@ struct FrameInput {
   std::span<const Vec3> positions;
   std::span<const Vec3> directions;  ///< unit tangent vectors, or zero for no wave
   std::span<const float> frequencies;
-  /// Unit vectors that directions must be tangent to (`check_tangent` of wave_check.h), or zero
+  /// Unit vectors that directions must be tangent to (as `stripe_pattern` asks), or zero
   /// where that is not known. Empty: those of the surface that an animator was made of, as long as
   /// vertices stand where they stood there; otherwise nobody looks.
   std::span<const Vec3> normals = {};

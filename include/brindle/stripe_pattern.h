@@ -72,11 +72,11 @@ struct StripePattern {
 /// Lets frequencies yield where the options have slack, couples the waves along the edges of the
 /// surface, solves for phases, lifts them to the corners of the triangles and measures the result;
 /// on points without triangles as `measure_point_quality` does. `waves` has one entry per vertex.
-/// Throws Error for waves that `check_waves` (wave_check.h) refuses, for directions that are no
-/// tangent ones (`check_tangent` there), for waves that pass less than a 10,000th of an edge a
-/// period at half of the vertices or a millionth at any, for last or fixed phases that
-/// `anchor_phases` refuses or another solver than multilevel has, and what `solve_phases` throws.
-/// `pattern_warnings` says what is probably not meant.
+/// Throws Error for waves that are not valid (`WaveSet`), for directions that are not tangent (one
+/// more than 60 degrees out of its plane, or more than a tenth more than 10), for waves that pass
+/// less than a 10,000th of an edge a period at half of the vertices or a millionth at any, for last
+/// or fixed phases that `anchor_phases` refuses or another solver than multilevel has, and what
+/// `solve_phases` throws. `pattern_warnings` says what is probably not meant.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});
 
@@ -117,7 +117,7 @@ std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& 
                                    const StripePattern& v, const Progress& progress = {});
 
 /// What textures and crosses ask of waves: throws Error unless `waves` has one entry for each of
-/// the surface's vertices, for values that `check_waves` (wave_check.h) refuses, and for a
+/// the surface's vertices, for waves that are not valid (`WaveSet`), and for a
 /// direction that sticks out of the tangent plane by more than 4 degrees: a quarter turn about the
 /// normal would not leave it as long as it is.
 void check_tangent_waves(const Surface& surface, const WaveSet& waves);

@@ -9,10 +9,8 @@
 
 namespace brindle {
 
-/// Throws Error unless every position is finite, every direction a unit vector (to half a percent)
-/// or zero, and every frequency finite and above zero, also where there is no wave. The message
-/// names the first vertex that is invalid, the reason and the remedy. All spans have one entry per
-/// vertex.
+/// Throws Error unless waves are valid (`WaveSet`). The message names the first vertex that is
+/// invalid, the reason and the remedy. All spans have one entry per vertex.
 void check_waves(std::span<const Vec3> positions, std::span<const Vec3> directions,
                  std::span<const float> frequencies);
 
