@@ -247,6 +247,23 @@ def check_links(page):
             page.fail(line, f"no such section: {target}")
 
 
+def check_other_links():
+    """Links of the files beside README.md, whose commands are others'."""
+    pages = [Page(path) for path in sorted(ROOT.glob("*.md")) if path.name != "README.md"]
+    for page in pages:
+        check_links(page)
+    return [failure for page in pages for failure in page.failures]
+
+
+def check_cited_headers():
+    """Headers that the comments of public ones name are installed, too."""
+    public = ROOT / "include" / "brindle"
+    return [f"{path.name} cites {header}, which is not installed"
+            for path in sorted(public.glob("*.h"))
+            for header in re.findall(r"//.*?\b(\w+\.h)\b", path.read_text())
+            if not (public / header).exists()]
+
+
 def check_citations():
     """Sections that comments in headers and sources name by their titles are there."""
     failures = []
@@ -338,7 +355,8 @@ def check(arguments, folder):
         failures = [failure for job in jobs for failure in job.result().failures]
     failures += [f"{path} is no page" for path in sorted(unknown)]
     if not wanted:
-        failures += check_picture_files(every_page) + check_citations() + check_public_names()
+        failures += (check_picture_files(every_page) + check_other_links() + check_citations()
+                     + check_cited_headers() + check_public_names())
     for failure in failures:
         print(failure)
     commands = sum(1 for page in pages for command in page.commands() if command.mark != "no-run")
