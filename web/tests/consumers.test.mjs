@@ -38,7 +38,7 @@ test('what is packed is what is exported, and nothing else', () => {
     assert.ok(files.has(target.replace('./', '')), target);
   }
   assert.ok(files.has('LICENSE') && files.has('NOTICE.md'));
-  for (const file of files) assert.match(file, /^(package\.json|LICENSE|NOTICE\.md|(brindle|stripes)\.wasm|[\w-]+\.(js|d\.ts))$/);
+  for (const file of files) assert.match(file, /^(package\.json|LICENSE|(README|NOTICE)\.md|(brindle|stripes)\.wasm|[\w-]+\.(js|d\.ts))$/);
 });
 
 // Each takes a program, and leaves it with all that it needs in a folder.
