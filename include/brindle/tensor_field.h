@@ -16,9 +16,12 @@ bool is_tensor(const DataArray& array);
 
 /// An eigenvector of a symmetric tensor.
 enum class TensorAxis {
-  major,   ///< of the largest eigenvalue
-  minor,   ///< of the smallest one
-  max_abs  ///< of the one with the largest absolute value; of two of the same size, the positive
+  major,    ///< of the largest eigenvalue
+  minor,    ///< of the smallest one
+  max_abs,  ///< of the one with the largest absolute value; of two of the same size, the positive
+  // Of the part of the tensor within the tangent plane: at a free surface, the stress there is.
+  tangent_major,  ///< of the larger of its two eigenvalues
+  tangent_minor   ///< of the smaller one
 };
 
 /// Directions along eigenvectors, and numbers of vertices to warn of.
@@ -32,8 +35,9 @@ struct TensorField {
 /// One eigenvector per vertex, projected into the tangent plane. Rows have 6 numbers in VTK's
 /// order, XX, YY, ZZ, XY, YZ, XZ, or 9: a matrix row by row, of which the symmetric part is used. A
 /// vertex has no wave if a number is not finite, if the eigenvector is within 15 degrees of the
-/// normal, or if another eigenvalue is equal up to a millionth of the largest absolute one. Throws
-/// Error, naming the array, for other numbers of components or rows.
+/// normal, or if another eigenvalue is equal up to a millionth of the largest absolute one (of the
+/// part within the tangent plane: its own). Throws Error, naming the array, for other numbers of
+/// components or rows.
 TensorField tensor_field_of(const Surface& surface, const DataArray& tensors, TensorAxis axis);
 
 /// The fractional anisotropy of every tensor (Basser and Pierpaoli 1996): 0 if all eigenvalues are

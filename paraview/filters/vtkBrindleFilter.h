@@ -24,8 +24,9 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   /// Of a curvature field, 0: of larger, 1: of smaller absolute curvature.
   vtkSetClampMacro(CurvatureDirection, int, 0, 1);
   vtkGetMacro(CurvatureDirection, int);
-  /// Of an array of tensors, in the order of TensorAxis: 0 major, 1 minor, 2 largest absolute.
-  vtkSetClampMacro(TensorAxis, int, 0, 2);
+  /// Of an array of tensors, in the order of TensorAxis: 0 major, 1 minor, 2 largest absolute, 3
+  /// and 4 major and minor of the part within the surface.
+  vtkSetClampMacro(TensorAxis, int, 0, 4);
   vtkGetMacro(TensorAxis, int);
   /// Of a direction field: any vector but zero.
   vtkSetVector3Macro(Direction, double);

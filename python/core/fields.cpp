@@ -37,7 +37,10 @@ TensorAxis tensor_axis(const std::string& axis) {
   if (axis == "major") return TensorAxis::major;
   if (axis == "minor") return TensorAxis::minor;
   if (axis == "max-abs") return TensorAxis::max_abs;
-  throw Error("axis: '" + axis + "' is none of 'major', 'minor', 'max-abs'");
+  if (axis == "tangent-major") return TensorAxis::tangent_major;
+  if (axis == "tangent-minor") return TensorAxis::tangent_minor;
+  throw Error("axis: '" + axis +
+              "' is none of 'major', 'minor', 'max-abs', 'tangent-major', 'tangent-minor'");
 }
 
 // (points, radius, strength) of each.

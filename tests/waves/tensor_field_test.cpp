@@ -114,6 +114,31 @@ TEST(TensorField, RunsAlongTheEigenvectorsThatATensorIsMadeOf) {
   }
 }
 
+/// Of a free surface, across which there is no stress: whatever the size of that zero among others.
+TEST(TensorField, WithinTheSurfaceAxesAreThoseOfItsOwnStress) {
+  const Surface surface = ball();
+  const std::size_t count = surface.mesh.vertex_count();
+  for (const Eigen::Vector2d& values : {Eigen::Vector2d(3, 1), Eigen::Vector2d(-1, -3)}) {
+    std::vector<Matrix> tensors(count);
+    std::vector<Vec3> axes(count);
+    for (std::size_t v = 0; v < count; ++v) {
+      const Eigen::Vector3d n = surface.normals[v].cast<double>().normalized();
+      const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
+      tensors[v] = values[0] * a * a.transpose() + values[1] * b * b.transpose();
+      axes[v] = a.cast<float>();
+    }
+    const TensorField major = tensor_field_of(surface, of_nine(tensors), TensorAxis::tangent_major);
+    const TensorField minor = tensor_field_of(surface, of_six(tensors), TensorAxis::tangent_minor);
+    EXPECT_EQ(major.near_normal + major.isotropic + minor.near_normal + minor.isotropic, 0u);
+    for (std::size_t v = 0; v < count; ++v) {
+      EXPECT_NEAR(std::abs(major.directions[v].dot(axes[v])), 1, 1e-5) << v;
+      EXPECT_NEAR(minor.directions[v].dot(axes[v]), 0, 1e-3) << v;
+    }
+  }
+  const std::vector<Matrix> even(count, Matrix::Identity());
+  EXPECT_EQ(tensor_field_of(surface, of_nine(even), TensorAxis::tangent_major).isotropic, count);
+}
+
 TEST(TensorField, AgreesWithASolverForAnyMatrix) {
   const Surface surface = ball();
   std::mt19937 random(7);

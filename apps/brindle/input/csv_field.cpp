@@ -9,6 +9,7 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/tensor_field.h"
 #include "input/array_source.h"
 
 namespace brindle::tool {
@@ -60,17 +61,21 @@ bool is_of_globe(const std::string& path) {
   return is_regular(path) && has_east_and_north(csv_columns(path));
 }
 
-/// Empty if there is none, or if it stands where files without names have it.
-std::string only_vector_in(const std::string& path) {
+/// The only vector or, where there is none, the only tensor. Empty if there is neither, or if a
+/// vector stands where files without names have it.
+std::string only_field_in(const std::string& path) {
   if (!is_regular(path)) return "";
   const std::vector<DataArray> arrays = csv_columns(path);
-  const auto vector = std::find_if(arrays.begin(), arrays.end(), is_data_vector);
-  if (vector == arrays.end() || has_vector_first(arrays)) return "";
-  if (std::count_if(vector, arrays.end(), is_data_vector) > 1) {
-    throw Error(shown(path) + " has several vectors: " + list_of(arrays) +
-                "; choose one: " + shown(path) + ":" + vector->name);
+  if (arrays.empty() || has_vector_first(arrays)) return "";
+  for (const auto& [is_field, many] :
+       {std::pair(&is_data_vector, "vectors"), std::pair(&is_tensor, "tensors")}) {
+    const auto field = std::find_if(arrays.begin(), arrays.end(), is_field);
+    if (field == arrays.end()) continue;
+    if (std::count_if(field, arrays.end(), is_field) == 1) return field->name;
+    throw Error(shown(path) + " has several " + many + ": " + list_of(arrays) +
+                "; choose one: " + shown(path) + ":" + field->name);
   }
-  return vector->name;
+  return "";
 }
 
 }  // namespace
@@ -86,7 +91,7 @@ std::optional<CsvField> read_csv_field(const CsvFieldName& name) {
   std::string array = name.array;
   const bool of_globe = array.empty() && is_of_globe(name.path);
   if (array.empty() && !of_globe) {
-    array = only_vector_in(name.path);
+    array = only_field_in(name.path);
     if (array.empty()) return std::nullopt;
   }
   const DataArrays arrays{read_csv_arrays(name.path), {}};

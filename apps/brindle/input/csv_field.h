@@ -26,10 +26,10 @@ struct CsvField {
 };
 
 /// The array that is the field: that of the name, or else the columns `east` and `north`, or else
-/// the only one of three numbers. Nothing
-/// for a file that `read_field_csv` is for: one without such arrays, or with a vector first, its
-/// components in order, and at most two numbers behind it. Throws Error, naming all arrays, for
-/// another name, and if there are several vectors and no name.
+/// the only vector or, without any, the only tensor. Nothing for a file that `read_field_csv` is
+/// for: one without such arrays, or with a vector first, its components in order, and at most two
+/// numbers behind it. Throws Error, naming all arrays, for another name, and if there are several
+/// and no name.
 std::optional<CsvField> read_csv_field(const CsvFieldName& name);
 
 /// `read_field_csv`, with the rows of vertices that creases have split for all their copies.

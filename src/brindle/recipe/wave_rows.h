@@ -148,10 +148,12 @@ constexpr auto kFieldRows = in_group(
      {.name = "tensor",
       .words = "eigenvector",
       .kind = OptionKind::choice,
-      .form = "major|minor|max-abs",
+      .form = "major|minor|max-abs|tangent-major|tangent-minor",
       .standard = "major",
-      .help = "--field array:NAME that is a symmetric tensor: along the eigenvector of the largest "
-              "eigenvalue (default), the smallest, or the largest absolute one"},
+      .help =
+          "--field array:NAME that is a symmetric tensor: along the eigenvector of the largest "
+          "eigenvalue (default), the smallest, or the largest absolute one; tangent: of the part "
+          "within the surface, as of stress at a free one"},
      {.name = "field-mesh",
       .words = "field of a mesh",
       .kind = OptionKind::text,
@@ -202,7 +204,7 @@ constexpr auto kFieldRows = in_group(
      {.name = "field-arrows",
       .words = "arrows, not lines",
       .kind = OptionKind::flag,
-      .stale = OptionStage::waves,
+      .stale = OptionStage::field,
       .help =
           "--field-detail: vectors have a sign, and those that face each other cancel; without, "
           "they are lines"},

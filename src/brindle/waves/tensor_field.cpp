@@ -12,6 +12,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"
+#include "brindle/waves/direction_graph.h"
 
 namespace brindle {
 namespace {
@@ -36,8 +37,13 @@ struct TensorCounts {
   }
 };
 
+bool is_tangent(TensorAxis axis) {
+  return axis == TensorAxis::tangent_major || axis == TensorAxis::tangent_minor;
+}
+
 /// Differences up to this are rounding errors.
-double tolerance(const Eigen::Vector3d& eigenvalues) {
+template <class Eigenvalues>
+double tolerance(const Eigenvalues& eigenvalues) {
   return kSame * eigenvalues.cwiseAbs().maxCoeff();
 }
 
@@ -52,6 +58,23 @@ bool is_single(const Eigen::Vector3d& eigenvalues, Eigen::Index which) {
   return std::abs(eigenvalues[which] - eigenvalues[1]) > tolerance(eigenvalues);
 }
 
+/// Along an eigenvector of the part of a symmetric matrix within the tangent plane.
+Vec3 tangent_axis(const Eigen::Matrix3d& matrix, const Vec3& normal, TensorAxis axis,
+                  TensorCounts& counts) {
+  const TangentBasis tangents = tangent_basis(normal);
+  Eigen::Matrix<double, 3, 2> basis;
+  basis << tangents.x.cast<double>(), tangents.y.cast<double>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(basis.transpose() * matrix * basis);
+  const Eigen::Vector2d& values = solver.eigenvalues();
+  if (values[1] - values[0] <= tolerance(values)) {
+    ++counts.isotropic;
+    return Vec3::Zero();
+  }
+  const Eigen::Index which = axis == TensorAxis::tangent_major ? 1 : 0;
+  const Eigen::Vector3d vector = basis * solver.eigenvectors().col(which);
+  return tangent_direction(vector.cast<float>(), normal);
+}
+
 Vec3 tensor_direction(Eigen::Matrix3d matrix, const Vec3& normal, TensorAxis axis,
                       TensorCounts& counts) {
   const double size = matrix.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
@@ -59,7 +82,9 @@ Vec3 tensor_direction(Eigen::Matrix3d matrix, const Vec3& normal, TensorAxis axi
   if (size > 0) matrix /= size;  // squares of extreme numbers would overflow
   counts.not_symmetric += (matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kSame;
   if (normal.isZero(0)) return Vec3::Zero();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((matrix + matrix.transpose()) / 2);
+  const Eigen::Matrix3d symmetric = (matrix + matrix.transpose()) / 2;
+  if (is_tangent(axis)) return tangent_axis(symmetric, normal, axis, counts);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric);
   const Eigen::Index which = chosen(solver.eigenvalues(), axis);
   if (!is_single(solver.eigenvalues(), which)) {
     ++counts.isotropic;
