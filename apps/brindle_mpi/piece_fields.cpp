@@ -84,24 +84,24 @@ PieceField tensor_field(Communicator& ranks, const DistributedSurface& surface,
 }
 
 PieceField array_field(Communicator& ranks, const DistributedSurface& surface,
-                       const ReadPiece& read, const DataArray& array, const ArrayOptions& options) {
+                       const ReadPiece& read, const DataArray& array, const WaveOptions& options) {
   PieceField field;
-  if (is_tensor(array)) field = tensor_field(ranks, surface, array, options);
+  if (is_tensor(array)) field = tensor_field(ranks, surface, array, options.arrays);
   field.data.array = array;
   if (is_tensor(array)) return field;
   together_as_used(ranks, [&] {
-    if (options.tensor) {
+    if (options.arrays.tensor) {
       refuse_tensor("the array '" + array.name + "' has " + std::to_string(array.components) +
                     " numbers in a row, and is no tensor");
     }
-    field.directions = direction_field_of(with_normals(surface, read), array);
+    field.directions = direction_field_of(with_normals(surface, read), array, has_signs(options));
   });
   return field;
 }
 
 /// Of a file that names its columns: the field, and frequencies if it has them.
 PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
-                         const ReadPiece& read, const ArrayOptions& options,
+                         const ReadPiece& read, const WaveOptions& options,
                          const std::vector<DataArray>& columns) {
   PieceField field = array_field(ranks, surface, read, columns[0], options);
   field.rows_nonfinite = ranks.sum(nonfinite_rows(own_rows(surface, columns[0])));
@@ -175,7 +175,7 @@ PieceField file_field(Communicator& ranks, const DistributedSurface& surface, co
   });
   if (ranks.any(of_globe)) columns[0] = piece_globe_vectors(ranks, read, columns[0]);
   if (!ranks.any(named)) return rows_field(ranks, surface, columns);
-  return columns_field(ranks, surface, read, options.arrays, columns);
+  return columns_field(ranks, surface, read, options, columns);
 }
 
 /// What rank 0 reads, on all ranks.
@@ -239,7 +239,7 @@ PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surfa
     field.directions = curvature_direction_field(surface, options.curvature_direction);
   } else if (is_array(options.field)) {
     ArrayAtVertices found = arrays->array(parse_array("--field", options.field));
-    field = array_field(ranks, surface, read, found.array, options.arrays);
+    field = array_field(ranks, surface, read, found.array, options);
     field.rows_nonfinite = found.rows_nonfinite;
     if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};
   } else {

@@ -18,8 +18,11 @@ namespace BRINDLE_EXPORT brindle {
 std::size_t nonfinite_rows(const DataArray& array);
 
 /// `tangent_directions` of vectors of any length, with three components, or two in the plane of x
-/// and y. Throws Error, naming the array, for other numbers of components or rows.
-DirectionField direction_field_of(const Surface& surface, const DataArray& vectors);
+/// and y. Where rows are means of others, these were axes, or, with `signs`, vectors, of which
+/// opposite ones cancel each other. Throws Error, naming the array, for other numbers of components
+/// or rows.
+DirectionField direction_field_of(const Surface& surface, const DataArray& vectors,
+                                  bool signs = false);
 
 /// The factors of a frequency for the smallest and the largest number of an array.
 struct FrequencyRange {

@@ -23,14 +23,22 @@ struct DataArray {
   NumberType type = NumberType::float32;
   int components = 1;            ///< numbers in a row, 1 or more
   std::vector<std::byte> bytes;  ///< the numbers, row by row, as this machine stores them
+  /// Where rows of two or three numbers are means of others: the means of these as axes, v and -v
+  /// being the same. Empty: `bytes` are that, too.
+  std::vector<std::byte> axis_bytes = {};
 
   /// Rows that are complete.
   std::size_t rows() const;
   /// The table; valid as long as `bytes` is.
   ArrayView view() const;
+  /// The table that directions without a sign are read from; valid as long as `axis_bytes`.
+  ArrayView axes() const;
 
   bool operator==(const DataArray&) const = default;
 };
+
+/// Whether rows have as many numbers as directions: two or three.
+bool may_be_axes(const DataArray& array);
 
 /// Bytes of one number.
 std::size_t size_of(NumberType type);
@@ -75,9 +83,10 @@ struct RowBlend {
   std::array<double, 3> weights;
 };
 
-/// An array with a row per blend: the weighted mean of floating-point numbers; for whole numbers,
-/// which may be labels, the row with the largest weight, the first of equal ones. A row with weight
-/// 0 does not count, even if it is NaN. Throws Error, naming the array, for a row that it has not.
+/// An array with a row per blend: the weighted mean of floating-point numbers, and of rows of two
+/// or three also that of axes; for whole numbers, which may be labels, the row with the largest
+/// weight, the first of equal ones. A row with weight 0 does not count, even if it is NaN. Throws
+/// Error, naming the array, for a row that it has not.
 DataArray blended(const DataArray& array, std::span<const RowBlend> blends);
 std::vector<DataArray> blended(std::span<const DataArray> arrays, std::span<const RowBlend> blends);
 

@@ -5,7 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+
+#include "vtk_arrays.h"
 
 namespace brindle::paraview {
 namespace {
@@ -15,6 +18,34 @@ double area_of(const Mesh& mesh, const Triangle& triangle) {
     return mesh.positions[triangle[k]].cast<double>();
   };
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
+}
+
+/// A number for every entry of d d^T / |d|, column by column.
+constexpr std::size_t kTensor = 9;
+
+Eigen::Vector3d vector_at(std::span<const double> row) {
+  return {row[0], row[1], row.size() > 2 ? row[2] : 0};
+}
+
+std::vector<double> tensors_of(std::span<const double> vectors, std::size_t columns) {
+  std::vector<double> tensors;
+  for (std::size_t at = 0; at < vectors.size(); at += columns) {
+    const Eigen::Vector3d axis = vector_at(vectors.subspan(at, columns));
+    const Eigen::Matrix3d tensor = axis * axis.stableNormalized().transpose();
+    tensors.insert(tensors.end(), tensor.data(), tensor.data() + tensor.size());
+  }
+  return tensors;
+}
+
+/// Of axes around every vertex the side that they are taken on.
+std::vector<Eigen::Vector3d> sides_of(std::span<const double> tensors) {
+  std::vector<Eigen::Vector3d> sides;
+  for (std::size_t at = 0; at < tensors.size(); at += kTensor) {
+    const Eigen::Matrix3d tensor = Eigen::Map<const Eigen::Matrix3d>(&tensors[at]);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(tensor);
+    sides.push_back(solved.eigenvectors().col(2));
+  }
+  return sides;
 }
 
 }  // namespace
@@ -33,8 +64,27 @@ bool RankPiece::is_shared_like(const RankPiece& other) const {
   return sources_ == other.sources_ && ghosts_ == other.ghosts_;
 }
 
-std::vector<double> RankPiece::cells_to_points(const Mesh& mesh, std::span<const double> rows,
-                                               std::size_t columns) const {
+DataArray RankPiece::cells_to_points(const Mesh& mesh, const DataArray& rows) const {
+  const auto columns = static_cast<std::size_t>(rows.components);
+  const std::vector<double> numbers = doubles_of(rows);
+  const auto means = [&](std::span<const double> cells, std::size_t width, const Sign& sign) {
+    return means_of(mesh, cells, width, sign);
+  };
+  const auto as_it_is = [](std::size_t, Index) { return 1.0; };
+  DataArray points = make_data_array(rows.name, rows.components, means(numbers, columns, as_it_is));
+  if (!may_be_axes(rows)) return points;
+  const std::vector<double> tensors = means(tensors_of(numbers, columns), kTensor, as_it_is);
+  const std::vector<Eigen::Vector3d> sides = sides_of(tensors);
+  const std::vector<double> axes = means(numbers, columns, [&](std::size_t t, Index v) {
+    const Eigen::Vector3d axis = vector_at(std::span(numbers).subspan(t * columns, columns));
+    return axis.dot(sides[v]) < 0 ? -1.0 : 1.0;
+  });
+  points.axis_bytes = make_data_array(rows.name, rows.components, axes).bytes;
+  return points;
+}
+
+std::vector<double> RankPiece::means_of(const Mesh& mesh, std::span<const double> rows,
+                                        std::size_t columns, const Sign& sign) const {
   // A weight and the weighted sums.
   std::vector<std::vector<double>> sums(columns + 1, std::vector<double>(mesh.vertex_count()));
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -44,7 +94,8 @@ std::vector<double> RankPiece::cells_to_points(const Mesh& mesh, std::span<const
     const double area = area_of(mesh, mesh.triangles[t]);
     for (const Index v : mesh.triangles[t]) {
       sums[columns][v] += area;
-      for (std::size_t c = 0; c < columns; ++c) sums[c][v] += area * row[c];
+      const double share = area * sign(t, v);
+      for (std::size_t c = 0; c < columns; ++c) sums[c][v] += share * row[c];
     }
   }
   for (auto& by_vertex : sums) owners_.sum(std::span(by_vertex));

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include <brindle/data_arrays.h>
 #include <brindle/distributed_pattern.h>
 #include <brindle/distributed_surface.h>
 #include <brindle/mesh.h>
@@ -38,14 +40,20 @@ class RankPiece {
 
   /// Collective. What `cells_to_points` gives of rows per triangle, ghosts' rows left out and other
   /// ranks' counted.
-  std::vector<double> cells_to_points(const Mesh& mesh, std::span<const double> rows,
-                                      std::size_t columns) const;
+  DataArray cells_to_points(const Mesh& mesh, const DataArray& rows) const;
 
   /// Collective. The smallest and the largest number of all ranks, where each has some; the first
   /// above the second if none has.
   std::array<double, 2> extent(std::array<double, 2> own) const;
 
  private:
+  /// At a vertex the row of a triangle counts times this.
+  using Sign = std::function<double(std::size_t triangle, Index vertex)>;
+
+  /// Collective. Means of rows of numbers at vertices.
+  std::vector<double> means_of(const Mesh& mesh, std::span<const double> rows, std::size_t columns,
+                               const Sign& sign) const;
+
   /// A vertex as its owner knows it.
   struct Source {
     int rank;

@@ -257,10 +257,8 @@ const Creases& KnownCreases::split(Mesh& mesh, float angle) {
 DataArray InputSurface::array(const std::string& name, bool of_points) const {
   if (!of_points) {
     const DataArray rows = array_of_triangles(name);
-    if (!piece) return cells_to_points(surface->mesh, rows);
-    const auto each = static_cast<std::size_t>(rows.components);
-    return make_data_array(name, rows.components,
-                           piece->cells_to_points(surface->mesh, doubles_of(rows), each));
+    return piece ? piece->cells_to_points(surface->mesh, rows)
+                 : cells_to_points(surface->mesh, rows);
   }
   if (piece) return rows_of_piece(name, true);
   DataArray rows = data_array_of(found_array(*triangles, name, true));

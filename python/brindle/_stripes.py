@@ -40,10 +40,13 @@ class Field:
     def __init__(self, surface: Surface, given: Any, along: bool,
                  previous: "Optional[Stripes]" = None, match: Optional[str] = None,
                  options: Optional[Mapping[str, Any]] = None, symmetry: int = 2,
-                 measured: bool = True) -> None:
+                 measured: bool = True, oriented: bool = False) -> None:
+        """``oriented``: vectors of a named array have signs, and opposite ones cancel each
+        other."""
         begin = perf_counter()
         self.origin = _core.FieldOrigin()
         self.origin.measured = given is not None and measured
+        self._signs = oriented or (options or {}).get("field_arrows") is True
         self.directions = (self._following(surface, previous, match)
                            if given is None and previous is not None
                            else self._directions(surface, given))
@@ -100,7 +103,8 @@ class Field:
         if isinstance(given, str):
             self.origin.source = f"the array '{given}'"
             name, array, is_of_cells = surface._core.array_named(given)
-            directions = self._of_array(surface, name, surface.array(given))
+            rows = surface.array(given) if self._signs else surface.axes(given)
+            directions = self._of_array(surface, name, rows)
             if is_of_cells:  # before rows were moved to vertices
                 self.origin.rows_nonfinite = _core.nonfinite_rows(array)
                 if self.origin.tensor is None:

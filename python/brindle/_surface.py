@@ -322,17 +322,18 @@ class Surface:
         """(n, 3): vectors of any length projected into the tangent planes.
 
         ``vectors`` are (n, 3) or, in the plane of x and y, (n, 2); or the name of such an array:
-        "velocity", "points/velocity", "cells/velocity" (moved to the vertices). Zero, NaN and
+        "velocity", "points/velocity", "cells/velocity" (moved to the vertices, see ``axes``). Zero, NaN and
         normal vectors give zero: no wave.
         """
-        name, array = self._array(vectors, "directions")
+        name, array = ((vectors, self.axes(vectors)) if isinstance(vectors, str)
+                       else ("directions", vectors))
         return _core.array_field(self._core, name, array)[0]
 
     def tensor_field(self, tensors: "Union[str, ArrayLike]",
                      axis: str = "major") -> "NDArray[np.float32]":
         """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
-        YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor" or
-        "max-abs"."""
+        YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
+        "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface."""
         name, array = self._array(tensors, "tensors")
         return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"))[0]
 
@@ -392,17 +393,26 @@ class Surface:
         found, array, is_of_cells = self._core.array_named(word(name, "name"))
         return self.moved_to_points(array, found) if is_of_cells else array
 
-    def moved_to_points(self, cells: "ArrayLike", name: str = "array") -> "NDArray[Any]":
-        """An array of a row per triangle moved to the vertices: means weighted by area."""
-        return self._core.moved_to_points(name, cells)
+    def axes(self, name: str) -> "NDArray[Any]":
+        """The same of vectors whose signs do not count, as those of fibres: where rows are means of
+        others, after ``subdivided`` or of cells, they are means of axes. Patterns that follow a
+        named array read these."""
+        return self._core.axes_named(word(name, "name"))
+
+    def moved_to_points(self, cells: "ArrayLike", name: str = "array", *,
+                        axes: bool = False) -> "NDArray[Any]":
+        """An array of a row per triangle moved to the vertices: means weighted by area, with
+        ``axes`` of vectors whose signs do not count."""
+        return self._core.moved_to_points(name, cells, flag(axes, "axes"))
 
     def carried(self, array: "Union[str, ArrayLike]", to: Any,
-                max_distance: float = float("inf")) -> "NDArray[Any]":
+                max_distance: float = float("inf"), *, axes: bool = False) -> "NDArray[Any]":
         """An array of this surface at the vertices of another one: from the nearest place, or NaN
-        where that is farther than ``max_distance``."""
+        where that is farther than ``max_distance``. With ``axes``, signs of vectors do not
+        count."""
         name, values = self._core.array_named(array)[:2] if isinstance(array, str) else ("array", array)
         return self._core.carried(name, values, as_surface(to)._core,
-                                  distance(max_distance, "max_distance"))
+                                  distance(max_distance, "max_distance"), flag(axes, "axes"))
 
     def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
                 ) -> "tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.float64]]":

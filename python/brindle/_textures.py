@@ -222,10 +222,11 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given.pop("progress")
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
     options = solving(given, surface.is_points)
-    field = Field(surface, directions, flag(along, "along"), options=given)
+    oriented = flag(oriented, "oriented")
+    field = Field(surface, directions, flag(along, "along"), options=given, oriented=oriented)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.texture(surface._core, field.directions, count, frequency, stripes_v,
-                         frequencies_of(surface, frequency_v), flag(oriented, "oriented"),
+                         frequencies_of(surface, frequency_v), oriented,
                          field.origin, options, progress)
     warn(made.warnings(field.origin.source))
     return Texture(made, surface, invocation("texture", surface, given, _DEFAULTS))

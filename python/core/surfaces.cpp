@@ -407,9 +407,15 @@ py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_
                         owned(std::move(distances)));
 }
 
+// The means of numbers or those of axes.
+DataArray chosen(DataArray array, bool axes) {
+  if (axes && !array.axis_bytes.empty()) array.bytes = std::move(array.axis_bytes);
+  return array;
+}
+
 // An array of one surface at the vertices of another.
 py::array carried(const SurfaceData& from, const std::string& name, py::handle array,
-                  const SurfaceData& to, double max_distance) {
+                  const SurfaceData& to, double max_distance, bool axes) {
   const DataArray values = data_array_of(name, array);
   const Mesh& mesh = from.surface.mesh;
   if (values.rows() != mesh.vertex_count() && values.rows() != mesh.triangle_count()) {
@@ -421,13 +427,24 @@ py::array carried(const SurfaceData& from, const std::string& name, py::handle a
                      values.rows() != from.surface.mesh.vertex_count();
   return array_owning(until_interrupted([&](const Progress& progress) {
     const NearbyRows rows = nearby_rows(from.surface.mesh, to.surface.mesh, max_distance, progress);
-    return cells ? carried_from_cells(values, rows) : carried_from_points(values, rows);
+    return chosen(cells ? carried_from_cells(values, rows) : carried_from_points(values, rows),
+                  axes);
   }));
 }
 
-py::array moved_to_points(const SurfaceData& data, const std::string& name, py::handle cells) {
+py::array moved_to_points(const SurfaceData& data, const std::string& name, py::handle cells,
+                          bool axes) {
   const DataArray values = data_array_of(name, cells);
-  return array_owning(without_lock([&] { return cells_to_points(data.surface.mesh, values); }));
+  return array_owning(
+      without_lock([&] { return chosen(cells_to_points(data.surface.mesh, values), axes); }));
+}
+
+// The array NAME, points/NAME or cells/NAME: axes, one per vertex.
+py::array axes_named(const SurfaceData& data, const std::string& name) {
+  const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);
+  return array_owning(without_lock([&] {
+    return chosen(of_cells ? cells_to_points(data.surface.mesh, *array) : *array, true);
+  }));
 }
 
 // Polygons of any number of corners, `corners[offsets[i]] .. corners[offsets[i + 1] - 1]`, as
@@ -569,9 +586,10 @@ void bind_surfaces(py::module_& module) {
       .def("curvature", curvature_of)
       .def("nearest", nearest_places, py::arg("points"), py::arg("max_distance"))
       .def("carried", carried, py::arg("name"), py::arg("array"), py::arg("to"),
-           py::arg("max_distance"))
+           py::arg("max_distance"), py::arg("axes"))
+      .def("axes_named", axes_named, py::arg("name"))
       .def("array_named", array_named, py::arg("name"))
-      .def("moved_to_points", moved_to_points, py::arg("name"), py::arg("cells"));
+      .def("moved_to_points", moved_to_points, py::arg("name"), py::arg("cells"), py::arg("axes"));
   module.def("surface_of_arrays", from_arrays, py::arg("vertices"), py::arg("triangles"),
              py::arg("point_data"), py::arg("cell_data"), py::arg("repair"),
              py::arg("crease_angle"));

@@ -360,3 +360,33 @@ def test_paths_of_any_kind(torus, tmp_path):
     for kind in (path, str(path), os.fsencode(path)):
         torus.write(kind)
         assert brindle.read(kind).vertex_count == torus.vertex_count
+
+
+def test_signs_of_axes_do_not_count():
+    """Fibres run both ways: in cells, on finer meshes and on other surfaces."""
+    torus = brindle.shape("torus", resolution=24)
+    fibers = torus.projected_field((0.2, 1, 0.3))
+    signs = np.where(np.random.default_rng(3).random(torus.vertex_count) < 0.5, -1, 1)
+    of_cells = fibers[torus.triangles[:, 0]] * signs[torus.triangles[:, 1]][:, None]
+    surface = brindle.Surface(torus.vertices, torus.triangles,
+                              point_data={"fiber": fibers * signs[:, None], "even": fibers},
+                              cell_data={"of cells": of_cells,
+                                         "even cells": fibers[torus.triangles[:, 0]]})
+
+    def angles(a, b):
+        a, b = (v / np.linalg.norm(v, axis=1)[:, None] for v in (a, b))
+        return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(axis=1)), 0, 1)))
+
+    finer = surface.subdivided(1)
+    assert angles(finer.axes("fiber"), finer.axes("even")).max() < 0.1
+    assert angles(surface.axes("of cells"), surface.axes("even cells")).max() < 0.1
+    assert angles(surface.moved_to_points(of_cells, axes=True), surface.axes("of cells")).max() < 0.1
+    assert angles(surface.carried("fiber", finer, axes=True), finer.axes("even")).max() < 0.1
+    assert np.linalg.norm(finer.array("fiber"), axis=1).min() < 0.1, "numbers cancel"
+    for name, even in (("fiber", "even"), ("of cells", "even cells")):
+        for s in (surface, finer):
+            branches = [brindle.stripes(s, field, stripes=12).report["branches"]
+                        for field in (name, even)]
+            assert branches[0] == branches[1], (name, s)
+    oriented = brindle.texture(finer, "fiber", stripes=12, oriented=True)
+    assert oriented.report["vertices_without_wave"] > 0, "signs that are meant cancel"

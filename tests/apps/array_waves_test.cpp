@@ -104,6 +104,45 @@ TEST_F(ArrayWaves, OtherColumnsOfACsvFileAreNoFrequencies) {
   EXPECT_EQ(frequency("x,y,z,f\n", "1,0.2,0,7\n"), 7);  // as in files without names
 }
 
+TEST_F(ArrayWaves, TheOnlyTensorOfACsvFileIsItsField) {
+  write_text(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  const std::string names = "S:XX,S:YY,S:ZZ,S:XY,S:YZ,S:XZ", row = "3,1,0,0.5,0,0\n";
+  write_text(folder / "one.csv", names + "\n" + row + row + row + row);
+  EXPECT_EQ(lines({"square.obj", "--field", "one.csv"}),
+            lines({"square.obj", "--field", "one.csv:S"}));
+  write_text(folder / "two.csv", names + ",T:XX,T:YY,T:ZZ,T:XY,T:YZ,T:XZ\n" + "3,1,0,0.5,0,0," +
+                                     row + "3,1,0,0.5,0,0," + row + "3,1,0,0.5,0,0," + row +
+                                     "3,1,0,0.5,0,0," + row);
+  expect_refusal(1, "choose one: two.csv:S", {"stripe", "square.obj", "--field", "two.csv"});
+}
+
+/// Fibres are measured without a sign; wind that blows both ways cancels out between both.
+TEST_F(ArrayWaves, SignsOfVectorsDoNotCountUnlessAskedFor) {
+  TextMesh mesh = hill(21, 0);
+  const auto fiber = [](double x, double y) {
+    const double sign = std::fmod(x * x * 37 + y * 53, 2) < 1 ? -1 : 1;
+    return Row{sign, sign * 0.05 * std::sin(x / 6), 0};
+  };
+  mesh.points = {per_point(mesh, "fiber", fiber)};
+  mesh.cells = {per_cell(mesh, "of cells", fiber)};
+  write("flat.vtp", mesh);
+  write("other.vtp", hill(27, 0));
+  for (const Arguments& more : std::vector<Arguments>{
+           {}, {"--subdivide", "1"}, {"--subdivide", "2"}, {"--field-mesh", "flat.vtp"}}) {
+    for (const std::string name : {"array:fiber", "array:of cells"}) {
+      const bool other = !more.empty() && more.front() == "--field-mesh";
+      Arguments arguments = {other ? "other.vtp" : "flat.vtp", "--field", name, "--stripes", "8"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Json found = report(arguments);
+      EXPECT_EQ(found["branches"], 0) << name << ' ' << testing::PrintToString(more);
+      EXPECT_EQ(found["vertices_without_wave"], 0) << name << ' ' << testing::PrintToString(more);
+    }
+  }
+  const Arguments oriented = {"flat.vtp",    "--field", "array:fiber", "--stripes", "8",
+                              "--subdivide", "1",       "--texture",   "dots",      "--oriented"};
+  EXPECT_GT(report(oriented)["vertices_without_wave"], 100);
+}
+
 TEST_F(ArrayWaves, AlongAConstantVectorAreThoseAlongADirection) {
   TextMesh mesh = hill();
   const auto row = [](double, double) { return Row{0.25, 1, -0.5}; };
@@ -351,10 +390,12 @@ TEST_F(ArrayWaves, AlongTensorsAreCounted) {
 TEST_F(ArrayWaves, MayBeTakenFromAnotherMesh) {
   TextMesh coarse = hill(6, 0), fine = hill(21, 0);
   coarse.points = fine.points = {};
+  // Without its centre, at which opposite vectors meet.
+  const auto round = [](double x, double y) { return vortex(x + 3, y + 4); };
   coarse.points = {
-      per_point(coarse, "velocity", vortex),
+      per_point(coarse, "velocity", round),
       per_point(coarse, "density", [](double x, double) { return Row{0.2 + x / 25}; })};
-  fine.points = {per_point(fine, "velocity", vortex),
+  fine.points = {per_point(fine, "velocity", round),
                  per_point(fine, "density", [](double x, double) { return Row{0.2 + x / 25}; })};
   write("coarse.vtp", coarse);
   write("fine.vtp", fine);

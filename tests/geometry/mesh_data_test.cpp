@@ -43,6 +43,28 @@ TEST(CellsToPoints, LeavesWhatIsTheSameEverywhereExactly) {
   EXPECT_EQ(number(cells_to_points(mesh, make_data_array("a", 1, labels)), 5), 7);
 }
 
+TEST(CellsToPoints, MeansOfAxesDoNotKnowSigns) {
+  const Mesh mesh = make_torus({.resolution = 20});
+  std::vector<float> alike, mixed;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const float sign = t * t % 7 < 3 ? -1.0f : 1.0f;
+    for (const float number : {1.0f, 0.1f * static_cast<float>(t % 3), 0.2f}) {
+      alike.push_back(number);
+      mixed.push_back(sign * number);
+    }
+  }
+  const DataArray expected = cells_to_points(mesh, make_data_array("fiber", 3, alike));
+  const DataArray found = cells_to_points(mesh, make_data_array("fiber", 3, mixed));
+  const std::vector<Vec3> axes = vectors_of(found.axes(), "axes");
+  const std::vector<Vec3> expected_axes = vectors_of(expected.axes(), "axes");
+  for (std::size_t v = 0; v < axes.size(); ++v) {
+    const Vec3 turned = axes[v].x() < 0 ? Vec3(-axes[v]) : axes[v];
+    EXPECT_EQ(turned, expected_axes[v]) << v;
+    EXPECT_LT((turned - vectors_of(expected.view(), "numbers")[v]).norm(), 0.02f) << v;
+  }
+  EXPECT_NE(found.bytes, expected.bytes) << "numbers stay means of numbers";
+}
+
 TEST(CellsToPoints, WeighsRowsByAreas) {
   for (const float size : {1.0f, 1e-25f, 1e15f}) {
     const DataArray points = cells_to_points(

@@ -77,6 +77,14 @@ TEST(DirectionFieldOf, VectorsMayHaveAnyLength) {
   }
 }
 
+TEST(DirectionFieldOf, OppositeMeansHaveAWaveUnlessTheirSignsCount) {
+  DataArray fibers = numbers({1, 1, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0}, 3);
+  fibers.axis_bytes = fibers.bytes;
+  fibers.bytes = numbers({0, 0, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0, 1, 1, 0}, 3).bytes;
+  EXPECT_FALSE(direction_field_of(square(), fibers)[0].isZero(0));
+  EXPECT_TRUE(direction_field_of(square(), fibers, true)[0].isZero(0));
+}
+
 TEST(DirectionFieldOf, RefusesWhatIsNoVectorPerVertex) {
   expect_error("'speed' has 1 numbers in a row", [] {
     direction_field_of(square(), numbers({1, 2, 3, 4, 5}));

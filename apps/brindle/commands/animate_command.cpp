@@ -193,7 +193,6 @@ void check_outputs(const AnimateArguments& arguments, const std::optional<Series
   }
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
   check_files(inputs_of(arguments, series), outputs);
-  if (draws(arguments)) check_pictures_available();
   for (const FrameOutput& output : arguments.outputs) check_frame_output(output);
   check_report("--report", arguments.report);
 }
@@ -336,7 +335,7 @@ std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArgu
   if (!tile && !is_styled(command)) return std::nullopt;
   return FrameStyle{.style = arguments.style,
                     .tile = std::move(tile),
-                    .oriented = arguments.texture.oriented,
+                    .oriented = arguments.waves.oriented,
                     .whole_tiles = arguments.texture.whole,
                     .waves = arguments.waves,
                     .animator = arguments.animation.animator,

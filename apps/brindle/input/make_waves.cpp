@@ -55,15 +55,15 @@ Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOp
   throw CLI::ValidationError("--tensor", "has no effect here: " + why);
 }
 
-Field array_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
+Field array_field(const Surface& surface, const DataArray& array, const WaveOptions& options) {
   Field field;
   if (is_tensor(array)) {
-    field = tensor_field(surface, array, options);
-  } else if (options.tensor) {
+    field = tensor_field(surface, array, options.arrays);
+  } else if (options.arrays.tensor) {
     refuse_tensor("the array '" + array.name + "' has " + std::to_string(array.components) +
                   " numbers in a row, and is no tensor");
   } else {
-    field.directions = direction_field_of(surface, array);
+    field.directions = direction_field_of(surface, array, has_signs(options));
   }
   field.rows_nonfinite = nonfinite_rows(array);
   field.data.array = array;
@@ -75,7 +75,7 @@ Field file_field(const Surface& surface, const WaveOptions& options, const FileD
   if (const std::optional<CsvField> csv = read_csv_field(name)) {
     const DataArray rows = with_copies(surface, csv->array);
     const DataArray array = csv->of_globe ? globe_vectors(surface.mesh, rows) : rows;
-    Field field = array_field(surface, array, options.arrays);
+    Field field = array_field(surface, array, options);
     if (!csv->frequency) return field;
     field.frequencies = frequencies_of(with_copies(surface, *csv->frequency), field.directions);
     field.may_have_gaps = true;
@@ -148,7 +148,7 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
   }
   if (!is_array(options.field)) return file_field(surface, options, data);
   ArraySource::PerVertex found = arrays.array(parse_array("--field", options.field));
-  Field field = array_field(surface, found.array, options.arrays);
+  Field field = array_field(surface, found.array, options);
   field.rows_nonfinite = found.rows_nonfinite;  // before rows were moved to vertices
   // Eigenvectors of the mean of tensors are better than means of eigenvectors.
   if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};

@@ -47,6 +47,8 @@ float curvature_anchor(const WaveOptions& options) {
 
 bool is_measured(const WaveOptions& options) { return !options.direction && !is_smooth(options); }
 
+bool has_signs(const WaveOptions& options) { return options.oriented || options.detail.arrows; }
+
 int symmetry_of(const WaveOptions& options) {
   if (options.cross) return 4;
   return options.detail.arrows ? 1 : 2;

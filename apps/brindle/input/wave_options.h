@@ -34,6 +34,7 @@ struct WaveOptions {
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
   std::optional<float> stripes_v;  ///< the same of the crossing stripes
   std::optional<float> frequency_v;
+  bool oriented = false;       ///< of a texture: the field's signs are meant
   float frequency_factor = 1;  ///< multiplies all frequencies, whoever says them
   ArrayOptions arrays;
   FieldDetailChoice detail;
@@ -54,9 +55,10 @@ struct WaveOptions {
     add("--stripes", stripes);
   }
 
-  /// The same for crossing stripes.
+  /// The same for textures.
   template <class Add>
-  void visit_crossing(const Add& add) {
+  void visit_texture(const Add& add) {
+    add("--oriented", oriented);
     add("--stripes-v", stripes_v);
     add("--frequency-v", frequency_v);
   }
@@ -65,6 +67,9 @@ struct WaveOptions {
 /// Whether the field is `smooth_direction_field`, drawn to curvature with this weight or not.
 bool is_smooth(const WaveOptions& options);
 float curvature_anchor(const WaveOptions& options);
+
+/// Whether vectors of the field run one way, and not both: opposite ones cancel each other.
+bool has_signs(const WaveOptions& options);
 
 /// How many directions of the field are alike: 1 of arrows, 2 of lines, 4 of crosses.
 int symmetry_of(const WaveOptions& options);

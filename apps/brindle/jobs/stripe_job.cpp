@@ -19,7 +19,7 @@ PatternRequest request_of(const StripeArguments& arguments, Preparation& prepare
   PatternRequest request{kind, arguments.solving.stripes, arguments.making};
   if (kind == PatternKind::texture) {
     request.frequencies_v = std::move(prepared.frequencies_v);
-    request.oriented = arguments.texture.oriented;
+    request.oriented = arguments.waves.oriented;
   }
   return request;
 }

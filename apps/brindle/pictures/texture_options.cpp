@@ -33,7 +33,7 @@ std::optional<bool> parse_whole(std::string_view name) {
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves) {
   add_fields(app, choice);
   add_named_option(app, "--tiles", choice.whole, parse_whole);
-  waves.visit_crossing(AddField(app));
+  waves.visit_texture(AddField(app));
 }
 
 Drawn drawn_by(const TextureChoice& choice, bool has_tiles) {

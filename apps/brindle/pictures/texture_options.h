@@ -1,4 +1,4 @@
-/// Which texture is laid over the surface. A build without OpenGL offers none.
+/// Which texture is laid over the surface.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,12 @@ namespace brindle::tool {
 
 struct TextureChoice {
   std::string tile;           ///< a built-in tile or a PNG file; empty: no texture
-  bool oriented = false;      ///< the field's signs are meant
   std::optional<bool> whole;  ///< --tiles whole or cut; nothing: as suits the tile
 
   /// Calls `add("--option", field)` for the options that set a field.
   template <class Add>
   void visit(const Add& add) {
     add("--texture", tile);
-    add("--oriented", oriented);
   }
 };
 

@@ -281,7 +281,7 @@ struct Tiles {
 };
 
 std::string tiles_key(const StripeArguments& arguments) {
-  return arguments.waves.cross ? "cross" : arguments.texture.oriented ? "oriented" : "texture";
+  return arguments.waves.cross ? "cross" : arguments.waves.oriented ? "oriented" : "texture";
 }
 
 struct LiveStages {

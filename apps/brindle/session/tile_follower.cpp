@@ -26,9 +26,9 @@ TileFollower::TileFollower(const StripeArguments& arguments,
   if (arguments.waves.cross) {
     cross_.emplace(prepared_->surface, frame_options(arguments.solving.stripes));
   } else {
-    texture_.emplace(prepared_->surface,
-                     TextureAnimatorOptions{arguments.texture.oriented,
-                                            frame_options(arguments.solving.stripes)});
+    texture_.emplace(
+        prepared_->surface,
+        TextureAnimatorOptions{arguments.waves.oriented, frame_options(arguments.solving.stripes)});
   }
 }
 

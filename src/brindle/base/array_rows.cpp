@@ -1,7 +1,10 @@
 #include "brindle/base/array_rows.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "brindle/error.h"
 
@@ -26,13 +29,17 @@ void check_rows_per_triangle(const DataArray& array, std::size_t triangles) {
 }
 
 void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner) {
+  std::vector<Index> rows;
   for (DataArray& array : arrays) {
-    const std::size_t size = size_of(array.type) * static_cast<std::size_t>(array.components);
-    for (std::size_t v = 0; v < partner.size(); ++v) {
-      std::copy_n(array.bytes.data() + size * partner[v], partner[v] == v ? 0 : size,
-                  array.bytes.data() + size * v);
-    }
+    rows.resize(array.rows());
+    std::iota(rows.begin(), rows.end(), Index{0});
+    std::copy(partner.begin(), partner.end(), rows.begin());
+    array = rows_of(array, rows);
   }
+}
+
+void set_axes(DataArray& array, std::vector<std::byte> axes) {
+  if (axes != array.bytes) array.axis_bytes = std::move(axes);
 }
 
 }  // namespace brindle

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "brindle/data_arrays.h"
 #include "brindle/types.h"
@@ -17,5 +18,8 @@ void check_rows_per_triangle(const DataArray& array, std::size_t triangles);
 /// For vertices that were joined with another at their place, and so have none of their own. Arrays
 /// have a row for every entry.
 void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner);
+
+/// Sets the means of axes, rows of the array's own type, unless they are the array's numbers.
+void set_axes(DataArray& array, std::vector<std::byte> axes);
 
 }  // namespace brindle

@@ -1,11 +1,15 @@
 #include "brindle/data_arrays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/base/array_rows.h"
+#include "brindle/base/axis_mean.h"
+#include "brindle/base/parallel.h"
 
 namespace brindle {
 namespace {
@@ -57,6 +61,61 @@ void append_means(DataArray& result, const DataArray& array, std::span<const Row
   }
 }
 
+template <class Number>
+Eigen::Vector3d vector_at(const DataArray& array, Index row) {
+  const ArrayView axes = array.axes();
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  for (std::size_t c = 0; c < axes.columns(); ++c) {
+    Number number;
+    std::memcpy(&number, axes.address(row, c), sizeof number);
+    vector[static_cast<Eigen::Index>(c)] = number;
+  }
+  return vector;
+}
+
+/// Rows of `means` where axes have to be turned to one side first.
+template <class Number>
+void mend_means(const DataArray& array, std::span<const RowBlend> blends,
+                std::vector<std::byte>& means) {
+  const std::size_t row_bytes = static_cast<std::size_t>(array.components) * sizeof(Number);
+  parallel_for(blends.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::array<WeightedAxis, 3> axes;
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double weight = blends[i].weights[k];
+        if (weight == 0) continue;
+        axes[count++] = {vector_at<Number>(array, blends[i].rows[k]), weight};
+      }
+      const auto mean = mean_of_turned(std::span(axes).first(count));
+      if (!mean) continue;
+      const Eigen::Matrix<Number, 3, 1> axis = mean->template cast<Number>();
+      std::memcpy(&means[i * row_bytes], axis.data(), row_bytes);
+    }
+  });
+}
+
+std::vector<std::byte> chosen_rows(const std::vector<std::byte>& bytes, std::size_t row_bytes,
+                                   std::span<const Index> rows) {
+  std::vector<std::byte> result(rows.size() * row_bytes);
+  std::byte* out = result.data();
+  for (const Index row : rows) {
+    std::memcpy(out, &bytes[row * row_bytes], row_bytes);
+    out += row_bytes;
+  }
+  return result;
+}
+
+ArrayView view_of(const DataArray& array, const std::vector<std::byte>& bytes) {
+  const auto size = static_cast<std::ptrdiff_t>(size_of(array.type));
+  return {bytes.data(),
+          array.type,
+          array.rows(),
+          static_cast<std::size_t>(array.components),
+          size * array.components,
+          size};
+}
+
 }  // namespace
 
 std::size_t size_of(NumberType type) {
@@ -69,10 +128,10 @@ std::size_t DataArray::rows() const {
   return bytes.size() / (size_of(type) * static_cast<std::size_t>(components));
 }
 
-ArrayView DataArray::view() const {
-  const auto size = static_cast<std::ptrdiff_t>(size_of(type));
-  return {bytes.data(),      type, rows(), static_cast<std::size_t>(components),
-          size * components, size};
+ArrayView DataArray::view() const { return view_of(*this, bytes); }
+
+ArrayView DataArray::axes() const {
+  return view_of(*this, axis_bytes.empty() ? bytes : axis_bytes);
 }
 
 DataArray make_data_array(std::string name, std::span<const Vec3> vectors) {
@@ -81,6 +140,8 @@ DataArray make_data_array(std::string name, std::span<const Vec3> vectors) {
       std::move(name), 3,
       std::span(reinterpret_cast<const float*>(vectors.data()), 3 * vectors.size()));
 }
+
+bool may_be_axes(const DataArray& array) { return array.components == 2 || array.components == 3; }
 
 const DataArray* find_array(std::span<const DataArray> arrays, std::string_view name) {
   const auto found = std::find_if(arrays.begin(), arrays.end(),
@@ -92,13 +153,9 @@ DataArray rows_of(const DataArray& array, std::span<const Index> rows) {
   DataArray result{array.name, array.type, array.components, {}};
   const std::size_t row_bytes = size_of(array.type) * static_cast<std::size_t>(array.components);
   const std::size_t count = array.rows();
-  result.bytes.resize(rows.size() * row_bytes);
-  std::byte* out = result.bytes.data();
-  for (const Index row : rows) {
-    check_row(array, row, count);
-    std::memcpy(out, &array.bytes[row * row_bytes], row_bytes);
-    out += row_bytes;
-  }
+  for (const Index row : rows) check_row(array, row, count);
+  result.bytes = chosen_rows(array.bytes, row_bytes, rows);
+  if (!array.axis_bytes.empty()) result.axis_bytes = chosen_rows(array.axis_bytes, row_bytes, rows);
   return result;
 }
 
@@ -114,9 +171,20 @@ DataArray blended(const DataArray& array, std::span<const RowBlend> blends) {
     std::transform(blends.begin(), blends.end(), rows.begin(), heaviest_row);
     return rows_of(array, rows);
   }
-  DataArray result{array.name, array.type, array.components, {}};
-  if (array.type == NumberType::float32) append_means<float>(result, array, blends);
-  if (array.type == NumberType::float64) append_means<double>(result, array, blends);
+  const bool single = array.type == NumberType::float32;
+  const auto means_of = [&](const DataArray& rows) {
+    DataArray means{rows.name, rows.type, rows.components, {}};
+    single ? append_means<float>(means, rows, blends) : append_means<double>(means, rows, blends);
+    return means;
+  };
+  DataArray result = means_of(array);
+  if (!may_be_axes(array)) return result;
+  std::vector<std::byte> axes = result.bytes;
+  if (!array.axis_bytes.empty()) {
+    axes = means_of({array.name, array.type, array.components, array.axis_bytes}).bytes;
+  }
+  single ? mend_means<float>(array, blends, axes) : mend_means<double>(array, blends, axes);
+  set_axes(result, std::move(axes));
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/base/axis_mean.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
@@ -18,6 +19,10 @@
 
 namespace brindle {
 namespace {
+
+std::vector<double> rows_of_none(std::size_t numbers) {
+  return std::vector<double>(numbers, std::numeric_limits<double>::quiet_NaN());
+}
 
 /// The area of every triangle whose row counts, and zero for the others. In double precision: the
 /// square of a small length is no float.
@@ -62,6 +67,20 @@ void mean_of_cells(std::span<const Index> cells, std::span<const double> weights
   }
 }
 
+/// The same of axes.
+void axis_of_cells(std::span<const Index> cells, std::span<const double> weights,
+                   std::span<const double> numbers, std::span<double> mean) {
+  mean_of_cells(cells, weights, numbers, mean);
+  const std::size_t columns = mean.size();
+  std::vector<WeightedAxis> axes;
+  for (const Index cell : cells) {
+    const double* row = &numbers[cell * columns];
+    if (weights[cell] == 0) continue;
+    axes.push_back({{row[0], row[1], columns > 2 ? row[2] : 0}, weights[cell]});
+  }
+  if (const auto axis = mean_of_turned(axes)) std::copy_n(axis->data(), columns, mean.data());
+}
+
 constexpr std::size_t kSearchGrain = 256;  // a search takes longer than what others do per vertex
 
 /// Calls `take(v, point)` for all vertices of `to`, in coordinates of `from`.
@@ -81,16 +100,20 @@ void for_each_vertex_near(const Mesh& from, const Mesh& to, const Progress& prog
 
 /// `rows` has a row per point that was found.
 DataArray spread(const DataArray& rows, const NearbyRows& nearby) {
-  const std::vector<double> numbers = doubles_of(rows.view());
-  const auto columns = static_cast<std::size_t>(rows.components);
-  std::vector<double> all(nearby.found.size() * columns, std::numeric_limits<double>::quiet_NaN());
-  auto next = numbers.begin();
-  for (std::size_t v = 0; v < nearby.found.size(); ++v) {
-    if (nearby.found[v] == 0) continue;
-    std::copy_n(next, columns, &all[v * columns]);
-    next += rows.components;
-  }
-  return make_data_array(rows.name, rows.components, all);
+  const auto at_all = [&](const ArrayView& view) {
+    const std::vector<double> numbers = doubles_of(view);
+    std::vector<double> all = rows_of_none(nearby.found.size() * view.columns());
+    auto next = numbers.begin();
+    for (std::size_t v = 0; v < nearby.found.size(); ++v) {
+      if (nearby.found[v] == 0) continue;
+      std::copy_n(next, view.columns(), &all[v * view.columns()]);
+      next += rows.components;
+    }
+    return make_data_array(rows.name, rows.components, all);
+  };
+  DataArray result = at_all(rows.view());
+  if (!rows.axis_bytes.empty()) set_axes(result, at_all(rows.axes()).bytes);
+  return result;
 }
 
 template <class Row>
@@ -110,14 +133,19 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells) {
   const auto columns = static_cast<std::size_t>(cells.components);
   const std::vector<double> weights = weights_of_cells(mesh, numbers, columns);
   const VertexTriangles around = vertex_triangles(mesh);
-  std::vector<double> means(mesh.vertex_count() * columns,
-                            std::numeric_limits<double>::quiet_NaN());
-  parallel_for(mesh.vertex_count(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      mean_of_cells(around.of(v), weights, numbers, std::span(means).subspan(v * columns, columns));
-    }
-  });
-  return make_data_array(cells.name, cells.components, means);
+  const auto at_vertices = [&](const auto& take_mean) {
+    std::vector<double> means = rows_of_none(mesh.vertex_count() * columns);
+    parallel_for(mesh.vertex_count(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) {
+        const auto mean = std::span(means).subspan(v * columns, columns);
+        take_mean(around.of(v), weights, numbers, mean);
+      }
+    });
+    return make_data_array(cells.name, cells.components, means);
+  };
+  DataArray result = at_vertices(mean_of_cells);
+  if (may_be_axes(cells)) set_axes(result, at_vertices(axis_of_cells).bytes);
+  return result;
 }
 
 NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,

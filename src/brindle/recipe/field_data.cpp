@@ -24,7 +24,7 @@ constexpr const char* kWeightOption = "--field-weight";
 /// Calls `body` with every row of vectors of two or three numbers.
 template <class Body>
 void for_vectors(const DataArray& array, const Body& body) {
-  const std::vector<double> numbers = doubles_of(array.view());
+  const std::vector<double> numbers = doubles_of(array.axes());
   const auto columns = static_cast<std::size_t>(array.components);
   for (std::size_t row = 0; row + columns <= numbers.size(); row += columns) {
     body(Eigen::Vector3d(numbers[row], numbers[row + 1], columns > 2 ? numbers[row + 2] : 0));

@@ -20,6 +20,7 @@ constexpr auto kTileRows = in_group(
       .kind = OptionKind::flag,
       .needs = "texture",
       .excludes = "cross",
+      .stale = OptionStage::field,
       .help = "texture: the field's vectors are meant with their signs, and arrows follow them; "
               "otherwise an orientation is looked for"},
      {.name = "tiles",

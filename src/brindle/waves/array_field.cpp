@@ -19,7 +19,7 @@ namespace {
 
 /// A number per row, or the length of a vector, also of extreme ones.
 std::vector<double> lengths_of_rows(const DataArray& array) {
-  std::vector<double> numbers = doubles_of(array.view());
+  std::vector<double> numbers = doubles_of(array.axes());
   if (array.components == 1) return numbers;
   const Eigen::Map<const Eigen::MatrixXd> rows(numbers.data(), array.components,
                                                static_cast<Eigen::Index>(array.rows()));
@@ -69,7 +69,7 @@ std::size_t nonfinite_rows(const DataArray& array) {
   return count;
 }
 
-DirectionField direction_field_of(const Surface& surface, const DataArray& vectors) {
+DirectionField direction_field_of(const Surface& surface, const DataArray& vectors, bool signs) {
   check_rows_per_vertex(vectors, surface.mesh.vertex_count());
   const auto columns = static_cast<std::size_t>(vectors.components);
   if (columns != 2 && columns != 3) {
@@ -77,7 +77,7 @@ DirectionField direction_field_of(const Surface& surface, const DataArray& vecto
                 " numbers in a row; a direction needs 3 (a vector), or 2 (one in the plane of x "
                 "and y)");
   }
-  const std::vector<double> numbers = doubles_of(vectors.view());
+  const std::vector<double> numbers = doubles_of(signs ? vectors.view() : vectors.axes());
   DirectionField directions(vectors.rows());
   parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {

@@ -40,10 +40,10 @@ class CellMeans {
   DataArray means(const std::string& name) {
     hear();
     const DataArray own = own_means(name);
-    std::vector<double> numbers = doubles_of(own.view());
-    numbers.resize(piece_.vertex_ids.size() * columns_);
-    ask(numbers);
-    return make_data_array(name, static_cast<int>(columns_), numbers);
+    DataArray all = everywhere(own, own.view());
+    // Collective, whether this rank has other axes than numbers or not.
+    if (may_be_axes(own)) set_axes(all, everywhere(own, own.axes()).bytes);
+    return all;
   }
 
  private:
@@ -105,6 +105,13 @@ class CellMeans {
     for (const Index t : order) mesh.triangles.push_back(around_.triangles[t]);
     const DataArray rows = make_data_array(name, static_cast<int>(columns_), rows_);
     return cells_to_points(mesh, rows_of(rows, order));
+  }
+
+  DataArray everywhere(const DataArray& own, const ArrayView& rows) const {
+    std::vector<double> numbers = doubles_of(rows);
+    numbers.resize(piece_.vertex_ids.size() * columns_);
+    ask(numbers);
+    return make_data_array(own.name, own.components, numbers);
   }
 
   /// Owners' numbers for the vertices of others.

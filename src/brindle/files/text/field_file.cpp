@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "brindle/base/axis_mean.h"
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
@@ -67,33 +67,6 @@ bool has_named_columns(const std::vector<std::string>& names) {
          has_column(names, "frequency_v");
 }
 
-/// The mean direction of the rows of one vertex.
-class RowMean {
- public:
-  void add(const Vec3& vector) {
-    const Vec3 unit = vector.stableNormalized();
-    if (!unit.allFinite() || unit.isZero(0)) return;
-    if (first_.isZero(0)) first_ = vector, unit_ = unit;
-    alike_ = alike_ && (unit == unit_ || unit == -unit_);
-    const Eigen::Vector3d exact = unit.cast<double>();
-    sum_ += exact * exact.transpose();
-  }
-
-  /// The first vector if all have its direction, otherwise the axis that is nearest to them all, on
-  /// the first one's side; zero if there is none.
-  Vec3 mean() const {
-    if (alike_) return first_;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(sum_);
-    const Vec3 axis = axes.eigenvectors().col(2).cast<float>();
-    return axis.dot(unit_) < 0 ? Vec3(-axis) : axis;
-  }
-
- private:
-  Vec3 first_ = Vec3::Zero(), unit_ = Vec3::Zero();
-  bool alike_ = true;
-  Eigen::Matrix3d sum_ = Eigen::Matrix3d::Zero();
-};
-
 std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
                          std::span<const Index> vertex_of_row) {
   if (rows.empty()) return {};
@@ -109,15 +82,25 @@ std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
   return result;
 }
 
+/// Of axes that all weigh 1; zero if there are none.
+Vec3 mean_of(std::span<const WeightedAxis> axes) {
+  if (const auto turned = mean_of_turned(axes)) return turned->cast<float>();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const WeightedAxis& one : axes) sum += one.axis / static_cast<double>(axes.size());
+  return sum.cast<float>();
+}
+
 /// The field of a mesh's vertices from the rows of its file's vertices.
 FieldFile of_vertices(const FieldFile& rows, std::size_t vertex_count,
                       std::span<const Index> vertex_of_row) {
-  std::vector<RowMean> gathered(vertex_count);
+  std::vector<std::vector<WeightedAxis>> gathered(vertex_count);
   for (std::size_t row = 0; row < rows.vectors.size(); ++row) {
-    gathered[vertex_of_row[row]].add(rows.vectors[row]);
+    const Vec3& vector = rows.vectors[row];
+    const bool has_direction = vector.allFinite() && !vector.isZero(0);
+    if (has_direction) gathered[vertex_of_row[row]].push_back({vector.cast<double>(), 1});
   }
   FieldFile field;
-  for (const RowMean& vertex : gathered) field.vectors.push_back(vertex.mean());
+  for (const auto& axes : gathered) field.vectors.push_back(mean_of(axes));
   field.frequencies = means(rows.frequencies, vertex_count, vertex_of_row);
   field.frequencies_v = means(rows.frequencies_v, vertex_count, vertex_of_row);
   return field;
