@@ -57,6 +57,26 @@ TEST_F(StyleTool, EveryStyleChangesThePicture) {
   }
 }
 
+// As those within volumes, and copies that reading has joined with others.
+TEST_F(StyleTool, VerticesThatNoTriangleUsesAreNotSeen) {
+  ASSERT_EQ(run({"stripe", "shape:torus,resolution=12", "-o", "torus.obj", "-q"}).exit_code, 0);
+  write_text(folder / "more.obj", content(folder / "torus.obj") + "v 0 0 100\nv 50 0 -3\n");
+  const std::vector<Arguments> styles = {{"--color-by", "height", "--ground-shadow"},
+                                         {"--width-by", "distance:1,0,0", "--field", "curvature"},
+                                         {"--opacity-by", "height"},
+                                         {"--texture", "dots", "--tile-size-by", "height"},
+                                         {"--depth-cue", "haze", "--frequency-by", "height"},
+                                         {"--with", "torus.obj@color-by=height"}};
+  for (const Arguments& style : styles) {
+    Arguments with_more = style;
+    for (std::string& word : with_more) {
+      if (word.starts_with("torus.obj")) word.replace(0, 9, "more.obj");
+    }
+    EXPECT_EQ(picture(with_more, "more.obj").pixels, picture(style, "torus.obj").pixels)
+        << style[0];
+  }
+}
+
 // Whatever reads the light reads the one that is asked for.
 TEST_F(StyleTool, LightMovesAllThatFollowsIt) {
   for (const Arguments& follows :

@@ -49,7 +49,7 @@ std::vector<float> scalar_values(const std::string& option, const DataArray& arr
     throw Error(option + ": '" + array.name + "' has " + std::to_string(array.components) +
                 " numbers in a row; take an array of one, or of three, whose length counts");
   }
-  const std::vector<double> numbers = doubles_of(array.view());
+  const std::vector<double> numbers = doubles_of(array.axes());
   const auto columns = static_cast<std::size_t>(array.components);
   std::vector<float> values(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -183,7 +183,9 @@ std::string value_file(const std::string& text) {
   return !is_array(text) && is_csv(text) ? csv_field_name(text).path : std::string();
 }
 
-VertexValues vertex_values(const std::string& option, const std::string& text,
+namespace {
+
+VertexValues values_at_all(const std::string& option, const std::string& text,
                            const ValueSource& source) {
   const Surface& surface = source.surface;
   if (is_array(text)) return array_values(option, text, source);
@@ -199,6 +201,19 @@ VertexValues vertex_values(const std::string& option, const std::string& text,
   }
   VertexValues values = csv_values(option, text, surface.own_vertex_count(), source.vertex_of_row);
   add_rows_of_copies(surface.creases, values.values);
+  return values;
+}
+
+}  // namespace
+
+VertexValues vertex_values(const std::string& option, const std::string& text,
+                           const ValueSource& source) {
+  VertexValues values = values_at_all(option, text, source);
+  // Nothing is drawn at vertices that no triangle uses.
+  const Adjacency& neighborhood = *source.surface.neighborhood;
+  for (Index v = 0; v < values.values.size(); ++v) {
+    if (neighborhood.of(v).empty()) values.values[v] = kNone;
+  }
   return values;
 }
 

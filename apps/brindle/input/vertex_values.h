@@ -72,7 +72,8 @@ bool depends_on_up(const std::string& text);
 /// Whether they are others where the field is.
 bool depends_on_field(const std::string& text);
 
-/// Throws Error for arrays and columns that are not there, that have not one number a row (vectors
+/// Values of vertices that triangles use, or that are points; none at others. Throws Error for
+/// arrays and columns that are not there, that have not one number a row (vectors
 /// count by their lengths) or not a row per vertex, for values of a camera without a
 /// viewpoint, and for the agreement of data that were not seen at any scale.
 VertexValues vertex_values(const std::string& option, const std::string& text,
