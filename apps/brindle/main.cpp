@@ -56,6 +56,14 @@ std::string option_suggestion(const CLI::App& app, const std::vector<std::string
   return "";
 }
 
+// CLI11 names what it does not know from the last word to the first.
+std::string words_of(const CLI::ParseError& error, const std::vector<std::string>& unknown) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  std::string words;
+  for (const std::string& word : unknown) words += ' ' + word;
+  return "not expected:" + words;
+}
+
 // What is wrong with the command line whose first word is `first`, and where help is.
 std::string explanation(const CLI::ParseError& error, const std::vector<Command>& commands,
                         const CLI::App& app, const std::string& first) {
@@ -64,7 +72,8 @@ std::string explanation(const CLI::ParseError& error, const std::vector<Command>
   for (const Command& command : commands) {
     const std::string name = command.app->get_name();
     if (command.app->parsed()) {
-      return error.what() + option_suggestion(*command.app, command.app->remaining()) +
+      const std::vector<std::string> unknown = command.app->remaining();
+      return words_of(error, unknown) + option_suggestion(*command.app, unknown) +
              "\nbrindle: 'brindle " + name + " --help' tells more";
     }
     known.push_back(name);

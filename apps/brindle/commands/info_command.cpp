@@ -114,8 +114,9 @@ void run_points(const SurfaceOptions& options) {
     display.note(describe_kind(options));
     display.stage("counting");
     const int neighbors = options.neighbors.value_or(kDefaultNeighbors);
-    statistics = point_statistics(
-        loaded.cloud, point_neighborhood(loaded.cloud.positions, loaded.cloud.used, neighbors));
+    statistics =
+        point_statistics(loaded.cloud, point_neighborhood(loaded.cloud.positions, loaded.cloud.used,
+                                                          neighbors, display.progress()));
   }
   print_statistics(std::cout, loaded.cloud, statistics);
   print_arrays(std::cout, "points", loaded.arrays);
@@ -130,7 +131,7 @@ void run_mesh(const SurfaceOptions& options) {
     display.stage("loading " + shown(options.mesh));
     loaded = load_mesh(options, display.progress());
     display.stage("counting");
-    statistics = mesh_statistics(loaded.mesh);
+    statistics = mesh_statistics(loaded.mesh, display.progress());
   }
   print_statistics(std::cout, loaded.mesh, statistics);
   print_arrays(std::cout, "points", loaded.arrays.points);

@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/parallel.h"
+
 namespace brindle::tool {
 namespace {
 
@@ -22,18 +24,18 @@ struct Side {
   std::pair<Index, Index> edge() const { return {low, high}; }
 };
 
-std::vector<Side> sorted_sides(const Mesh& mesh) {
+std::vector<Side> sorted_sides(const Mesh& mesh, const Progress& progress) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangle_count());
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+  reported_for(mesh.triangle_count(), progress.part(0, 0.2), [&](std::size_t t) {
     for (std::size_t c = 0; c < 3; ++c) {
       const Index from = mesh.triangles[t][c];
       const Index to = mesh.triangles[t][(c + 1) % 3];
       sides.push_back({std::min(from, to), std::max(from, to), static_cast<Index>(t), from < to});
     }
-  }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.edge() < b.edge(); });
+  });
+  ticking_sort(sides.begin(), sides.end(), progress,
+               [](const Side& a, const Side& b) { return a.edge() < b.edge(); });
   return sides;
 }
 
@@ -73,22 +75,24 @@ class ParitySets {
   std::vector<std::uint8_t> parity_;
 };
 
-void count_components(const Mesh& mesh, MeshStatistics& statistics) {
+void count_components(const Mesh& mesh, const Progress& progress, MeshStatistics& statistics) {
   ParitySets sets(mesh.vertex_count());
   std::vector<bool> used(mesh.vertex_count(), false);
-  for (const Triangle& triangle : mesh.triangles) {
+  reported_for(mesh.triangle_count(), progress, [&](std::size_t t) {
+    const Triangle& triangle = mesh.triangles[t];
     sets.unite(triangle[0], triangle[1], 0);
     sets.unite(triangle[0], triangle[2], 0);
     for (const Index vertex : triangle) used[vertex] = true;
-  }
+  });
   for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex) {
     if (!used[vertex]) ++statistics.unused_vertices;
     if (used[vertex] && sets.is_root(vertex)) ++statistics.components;
   }
 }
 
-void count_edges(const Mesh& mesh, MeshStatistics& statistics) {
-  const std::vector<Side> sides = sorted_sides(mesh);
+void count_edges(const Mesh& mesh, const Progress& progress, MeshStatistics& statistics) {
+  const std::vector<Side> sides = sorted_sides(mesh, progress.part(0, 0.8));
+  Reporter reporter(progress.part(0.8, 1), sides.size());
   ParitySets windings(mesh.triangle_count());
   double length_sum = 0;
   statistics.edge_length_min = std::numeric_limits<double>::max();
@@ -111,6 +115,7 @@ void count_edges(const Mesh& mesh, MeshStatistics& statistics) {
     length_sum += length;
     statistics.edge_length_min = std::min(statistics.edge_length_min, length);
     statistics.edge_length_max = std::max(statistics.edge_length_max, length);
+    reporter.done(static_cast<std::size_t>(triangles));
     side = next;
   }
   statistics.edge_length_mean = length_sum / static_cast<double>(statistics.edges);
@@ -128,13 +133,14 @@ double area(const Mesh& mesh) {
 
 }  // namespace
 
-MeshStatistics mesh_statistics(const Mesh& mesh) {
+MeshStatistics mesh_statistics(const Mesh& mesh, const Progress& progress) {
   MeshStatistics statistics;
   statistics.box = bounding_box(mesh);
   if (mesh.triangles.empty()) return statistics;
-  count_components(mesh, statistics);
-  count_edges(mesh, statistics);
+  count_components(mesh, progress.part(0, 0.2), statistics);
+  count_edges(mesh, progress.part(0.2, 0.9), statistics);
   statistics.area = area(mesh);
+  progress.report(1);
   return statistics;
 }
 

@@ -5,6 +5,7 @@
 
 #include "brindle/mesh.h"
 #include "brindle/points.h"
+#include "brindle/progress.h"
 #include "brindle/types.h"
 
 namespace brindle::tool {
@@ -24,7 +25,8 @@ struct MeshStatistics {
   BoundingBox box;
 };
 
-MeshStatistics mesh_statistics(const Mesh& mesh);
+/// Throws Cancelled if `progress` asks for it.
+MeshStatistics mesh_statistics(const Mesh& mesh, const Progress& progress = {});
 
 struct PointStatistics {
   std::size_t used = 0;        ///< finite, and the first at their place
