@@ -159,6 +159,7 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const W
   if (read.original_ids.empty() && read.numbered) {
     read.original_ids.assign(read.piece.vertex_ids.begin(), read.piece.vertex_ids.end());
   }
+  read.subdivided = options.subdivide;
   if (options.subdivide > 0) subdivide_piece(ranks, options.subdivide, read);
   return read;
 }

@@ -24,6 +24,7 @@ struct ReadPiece {
   /// none if it gives none.
   std::vector<std::int64_t> original_ids = {};
   std::size_t vertices_joined = 0;
+  int subdivided = 0;                ///< times
   std::vector<Index> vertex_of_row;  ///< on rank 0, as LoadedMesh has it; none if subdivided
   std::vector<Index> partners;       ///< on rank 0, as Preparation has it
   DataArrays arrays = {};            ///< those asked for: a row per vertex, and per triangle

@@ -52,6 +52,7 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   made.agreement = std::move(seen.agreement);
   made.figures = {measure_waves(surface, made.waves), seen.missing};
   made.figures.measured = is_measured(options);
+  made.figures.subdivided = read.subdivided;
   made.figures.detail = seen.detail;
   made.figures.frequency_detail = seen.frequency_detail;
   ranks.throw_on_all([&] { check_wave_report(made.figures, source_of(options)); });

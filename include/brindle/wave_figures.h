@@ -50,13 +50,17 @@ struct WarningWords {
   std::string fewer =
       "take fewer stripes, or a lower frequency, which counts stripes per unit of the mesh's own "
       "length";
-  std::string subdivide = "subdivide the mesh, times:";  ///< a number follows
+  std::string subdivide = "subdivide the mesh, times:";  ///< a number follows; empty: in no way
+  int subdivided = 0;                                    ///< times that count to that number
   std::string field = "field";                           ///< as in "a smoother field"
   std::string source = "the field";                      ///< of directions
   std::string detail = "FieldDetail";  ///< what smooths measured fields to stripe resolution
   std::string singularities = "FieldDetailOptions::singularities";  ///< what limits their number
   std::string join = "join them with make_repaired_mesh";           ///< vertices at one place
 };
+
+/// "; or subdivide the mesh, times: 2", or nothing.
+std::string or_subdivide(int times, const WarningWords& words);
 
 /// Warnings of likely mistakes, one sentence each without a full stop: more than 1 % of the
 /// vertices without a wave; stripes finer than the mesh can resolve.

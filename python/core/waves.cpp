@@ -150,6 +150,7 @@ WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::hand
   in.prepared.figures.detail = made.detail;
   in.prepared.figures.frequency_detail = made.frequency_detail;
   in.prepared.figures.measured = origin.measured;
+  if (data.is_points()) in.prepared.figures.subdivided.reset();
   tell_origin(origin, in.prepared);
   in.prepared.field_milliseconds = origin.milliseconds + watch.lap();
   return in;

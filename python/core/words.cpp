@@ -12,7 +12,7 @@ const std::map<std::string, std::string>& other_names() {
       {"lambda", "lambda_"},   {"curvature-direction", "curvature"},
       {"field", "directions"}, {"rotate", "turned_field"},
       {"texture", "tile"},     {"frequency-range", "range"},
-      {"cross", "crosses"}};
+      {"cross", "crosses"},    {"subdivide", "subdivided"}};
   return kNames;
 }
 

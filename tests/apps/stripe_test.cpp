@@ -186,6 +186,19 @@ INSTANTIATE_TEST_SUITE_P(Global, AcceptedOption,
                                              true,
                                              {"--solver", "global"}}));
 #else
+/// The line of the field, the warning and the report say one number.
+TEST_F(Stripe, SingularitiesThatAreLeftAreTold) {
+  const ToolResult result =
+      run({"stripe", "shape:sphere,resolution=20", "--field", "raw-curvature", "--field-detail",
+           "1", "--field-singularities", "0", "--stripes", "10", "--report", "report.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json report = Json::parse(content(folder / "report.json"));
+  const auto left = std::to_string(report["field_singularities"].get<std::size_t>());
+  ASSERT_NE(left, "0");
+  EXPECT_TRUE(has(result.err, "warning: " + left + " singularities")) << result.err;
+  EXPECT_TRUE(has(result.out, ", " + left + " singularities of")) << result.out;
+}
+
 TEST_F(Stripe, MissingGlobalSolverIsNamed) {
   expect_refusal(1, "CHOLMOD", {"stripe", kTorus64, "--solver", "global"});
 }

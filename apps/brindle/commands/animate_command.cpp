@@ -290,6 +290,7 @@ AnimationReport play_scene(const AnimateArguments& arguments, const Device& devi
   animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
   animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
   animation.along = arguments.waves.along;
+  animation.subdivided = arguments.surface.subdivide;
   animation.animator.slack = make_slack(arguments.slack, surface, vertex_of_row);
   // A row for every vertex of the file says nothing of vertices that were added.
   const bool rows = arguments.surface.subdivide == 0;

@@ -107,8 +107,8 @@ void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
 }
 
 WaveReport noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
-                       JobListener& listener, const MissingWaves& missing) {
-  WaveReport figures{measure_waves(surface, waves), missing};
+                       JobListener& listener, WaveReport figures) {
+  static_cast<WaveFigures&>(figures) = measure_waves(surface, waves);
   check_wave_report(figures, source);
   listener.note(warnings(figures, source));
   return figures;
@@ -160,11 +160,17 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
   result.turn_deg = turn_deg(waves);
   result.field_rows_nonfinite = made.field_rows_nonfinite;
   result.field_step = made.field_step;
-  result.figures =
-      noted_waves(prepared.surface, result.waves, source_of(waves), listener, made.missing);
-  result.figures.measured = is_measured(waves);
-  result.figures.detail = made.detail;
-  result.figures.frequency_detail = made.frequency_detail;
+  WaveReport known;
+  known.missing = made.missing;
+  known.measured = is_measured(waves);
+  if (prepared.points) {
+    known.subdivided = std::nullopt;
+  } else {
+    known.subdivided = surface.subdivide;
+  }
+  known.detail = made.detail;
+  known.frequency_detail = made.frequency_detail;
+  result.figures = noted_waves(prepared.surface, result.waves, source_of(waves), listener, known);
   result.seen_field = std::move(made.seen_field);
   result.agreement = std::move(made.agreement);
   result.field_milliseconds = watch.lap();

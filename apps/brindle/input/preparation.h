@@ -94,8 +94,8 @@ WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
 void take_waves(PreparedWaves waves, Preparation& prepared);
 
 /// Measures waves; throws and notes as `prepare` does. `source` says where they come from: "the
-/// field of V"; `missing`, why there are none where there are none.
+/// field of V"; `figures`, what is known of them beside what is measured here.
 WaveReport noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
-                       JobListener& listener, const MissingWaves& missing = {});
+                       JobListener& listener, WaveReport figures = {});
 
 }  // namespace brindle::tool

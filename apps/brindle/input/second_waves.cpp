@@ -12,7 +12,8 @@
 namespace brindle::tool {
 
 FirstWaves first_waves(const Preparation& prepared) {
-  return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row};
+  return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row,
+          prepared.figures.subdivided};
 }
 
 WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options,
@@ -36,7 +37,9 @@ WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& opti
     waves.frequencies = constant_frequency_field(*frequency, surface.mesh.vertex_count());
   }
   if (options.wales.periods > 0) waves = waves_round(surface, waves.directions, options.wales);
-  if (is_other(options)) noted_waves(surface, waves, "the field of V", listener);
+  WaveReport known;
+  known.subdivided = first.subdivided;
+  if (is_other(options)) noted_waves(surface, waves, "the field of V", listener, known);
   return waves;
 }
 

@@ -38,6 +38,7 @@ struct FirstWaves {
   const WaveSet& waves;                 ///< U's
   const FrequencyField& frequencies_v;  ///< that U's file has of V; empty: none
   std::span<const Index> vertex_of_row;
+  std::optional<int> subdivided;  ///< as WaveReport has it
 };
 
 FirstWaves first_waves(const Preparation& prepared);

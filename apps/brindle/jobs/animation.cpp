@@ -198,6 +198,7 @@ AnimationReport play(const FrameData& data, const AnimationOptions& options, con
                      const ShowFrame& show, ProgressDisplay& display) {
   const Surface& surface = data.surface;
   AnimationReport report;
+  report.waves.subdivided = options.subdivided;
   report.scene = options.scene.kind;
   report.options = options.animator;
   report.vertices = surface.mesh.vertex_count();
@@ -225,7 +226,9 @@ AnimationReport play(const FrameData& data, const AnimationOptions& options, con
     watch.lap();
     const SceneFrame& wanted = scene.frame(number);
     frame_report.scene_milliseconds = watch.lap();
-    if (number == 0) report.waves = noted_waves(surface, wanted.waves, source, display);
+    if (number == 0) {
+      report.waves = noted_waves(surface, wanted.waves, source, display, report.waves);
+    }
     const FrameResult result = animator->frame(input_of(wanted.waves), of_frame.part(0, 0.5));
     of_frame.report(0.5);
     const YieldedFrame yielded(wanted, result);

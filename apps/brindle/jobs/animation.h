@@ -99,6 +99,7 @@ struct AnimationOptions {
   SceneOptions scene;
   AnimatorOptions animator;
   int frames = 121;
+  int subdivided = 0;  ///< times that triangles were split, for warnings
   bool along = false;  ///< waves are turned by 90 degrees: stripes run along the scene's field
   bool compare_from_scratch = false;
 };

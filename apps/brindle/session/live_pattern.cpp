@@ -637,7 +637,8 @@ class StageUpdate {
   FirstWaves first_waves() const {
     const Preparation& prepared = *stages_.surface.made;
     const PreparedWaves& waves = *stages_.waves.made;
-    return {prepared.surface, waves.waves, waves.frequencies_v, prepared.vertex_of_row};
+    return {prepared.surface, waves.waves, waves.frequencies_v, prepared.vertex_of_row,
+            waves.figures.subdivided};
   }
 
   const SecondWaveOptions& second_options() const {

@@ -46,7 +46,7 @@ std::vector<std::string> quality_warnings(const WaveFigures& figures, const Patt
   return {formatted("on %.0f %% of the area stripes run more than 5 degrees off their field, in "
                     "triangles longer than half a period; ",
                     100 * coarse) +
-          words.fewer + "; or " + words.subdivide + " 1"};
+          words.fewer + or_subdivide(1, words)};
 }
 
 PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v) {

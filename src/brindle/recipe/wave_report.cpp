@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brindle/base/text.h"
+#include "brindle/error.h"
 #include "brindle/pattern_warnings.h"
 
 namespace brindle {
@@ -40,12 +41,13 @@ std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves&
   return detail.unfilled - std::min(others, detail.unfilled);
 }
 
-WarningWords words_of_options(const std::string& source) {
+WarningWords words_of_options(const std::string& source, std::optional<int> subdivided) {
   WarningWords words;
   words.fewer =
       "take fewer --stripes, or a lower --frequency, which counts stripes per unit of the mesh's "
       "own length";
-  words.subdivide = "--subdivide";
+  words.subdivide = subdivided ? "--subdivide" : "";
+  words.subdivided = subdivided.value_or(0);
   words.field = "--field";
   words.detail = "--field-detail 1";
   words.singularities = "--field-singularities";
@@ -56,23 +58,28 @@ WarningWords words_of_options(const std::string& source) {
 void check_wave_report(const WaveReport& figures, const std::string& source) {
   std::string why;
   for (const std::string& reason : reasons(figures.missing)) why += "; " + reason;
+  const bool all_told = figures.missing.total() >= figures.used;
+  if (figures.used > 0 && figures.without_wave == figures.used && all_told) {
+    throw Error("no vertex has a wave" + why);
+  }
   check_figures(figures, words_of_options(source), why);
 }
 
 std::string warnings(const WaveReport& figures, const std::string& source) {
+  const WarningWords words = words_of_options(source, figures.subdivided);
   std::string text;
   for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
   if (figures.detail) {
-    text += warning_lines(detail_warnings(*figures.detail, words_of_options(source)));
+    text += warning_lines(detail_warnings(*figures.detail, words));
   }
   WaveFigures unexplained = figures;
   unexplained.without_wave -= figures.missing.total();
-  return text + warning_lines(wave_warnings(unexplained, words_of_options(source)));
+  return text + warning_lines(wave_warnings(unexplained, words));
 }
 
 std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,
                             std::size_t triangles) {
-  const WarningWords words = words_of_options("");
+  const WarningWords words = words_of_options("", figures.subdivided);
   std::vector<std::string> sentences = quality_warnings(figures, quality, triangles, words);
   if (figures.measured && !figures.detail) {
     for (std::string& sentence : noise_warnings(quality.field_singularities, triangles, words)) {

@@ -22,6 +22,7 @@ std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves&
 struct WaveReport : WaveFigures {
   MissingWaves missing;
   bool measured = false;                          ///< the field may have noise
+  std::optional<int> subdivided = 0;              ///< times so far; nothing: points cannot be
   std::optional<FieldDetailFigures> detail = {};  ///< of one seen at the scale of its stripes
   std::optional<FrequencyDetailReport> frequency_detail = {};  ///< of frequencies seen so
 };
@@ -40,7 +41,7 @@ struct PreparationFigures {
 };
 
 /// The names of options for the library's warnings; `source` is "the field 'wind.csv'".
-WarningWords words_of_options(const std::string& source);
+WarningWords words_of_options(const std::string& source, std::optional<int> subdivided = 0);
 
 /// Throws Error if there is no wave at all, or waves are too fine for any number.
 void check_wave_report(const WaveReport& figures, const std::string& source);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFewestEdges = 2;         // a period
 constexpr double kMostWithoutWave = 0.01;  // share of the vertices
-constexpr int kMostSubdivisions = 3;       // that are worth proposing
+constexpr int kMostSubdivisions = 6;       // that are worth proposing
 
 std::string rounded_text(double number, int digits) { return formatted("%.*g", digits, number); }
 
@@ -22,8 +22,7 @@ std::string of_all(std::size_t count, std::size_t all) {
 
 std::string subdivisions_proposed(double edges_per_period, const WarningWords& words) {
   const int times = static_cast<int>(std::ceil(std::log2(kFewestEdges / edges_per_period)));
-  if (times > kMostSubdivisions) return "";
-  return "; or " + words.subdivide + " " + std::to_string(times);
+  return times > kMostSubdivisions ? "" : or_subdivide(times, words);
 }
 
 }  // namespace
@@ -91,6 +90,11 @@ void check_figures(const WaveFigures& figures, const WarningWords& words, const 
   }
   const double edges = figures.edges_per_period_median;
   if (edges != 0 && edges <= kFewestEdgesAtHalf) refuse_noise(edges, "", words.fewer);
+}
+
+std::string or_subdivide(int times, const WarningWords& words) {
+  if (words.subdivide.empty()) return "";
+  return "; or " + words.subdivide + " " + std::to_string(words.subdivided + times);
 }
 
 std::vector<std::string> wave_warnings(const WaveFigures& figures, const WarningWords& words) {
