@@ -43,11 +43,15 @@ TEST_F(TextureTool, ReportsDistortionAndSeamsBesideTheContractsKeys) {
   EXPECT_TRUE(report.contains("energy"));
   const Json& texture = report.at("texture");
   for (const char* key :
-       {"energy_v", "branches_v", "turned_edges", "mirrored_edges", "unoriented_triangles",
-        "angle_distortion_mean_deg", "angle_distortion_95th_deg", "area_distortion_mean",
-        "area_distortion_95th"}) {
+       {"energy_v", "branches_u", "branches_v", "turned_edges", "mirrored_edges",
+        "unoriented_triangles", "angle_distortion_mean_deg", "angle_distortion_95th_deg",
+        "area_distortion_mean", "area_distortion_95th"}) {
     EXPECT_TRUE(texture.contains(key)) << key;
   }
+  // Tiles are cut by branches of either wave.
+  const auto u = texture["branches_u"].get<int>(), v = texture["branches_v"].get<int>();
+  EXPECT_GE(report["branches"], std::max(u, v));
+  EXPECT_LE(report["branches"], u + v);
   EXPECT_LE(texture["angle_distortion_mean_deg"].get<double>(),
             texture["angle_distortion_95th_deg"].get<double>());
   EXPECT_FALSE(this->report({}).contains("texture"));

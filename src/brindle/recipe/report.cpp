@@ -12,6 +12,7 @@ namespace {
 
 nlohmann::ordered_json to_json(const TextureReport& texture) {
   return {{"energy_v", texture.energy_v},
+          {"branches_u", texture.branches_u},
           {"branches_v", texture.branches_v},
           {"turned_edges", texture.seams.turned},
           {"mirrored_edges", texture.seams.mirrored},
@@ -71,9 +72,10 @@ void print_followed(std::ostream& out, const FollowedReport& followed) {
 
 void print_texture(std::ostream& out, const TextureReport& texture) {
   out << formatted(
-      "texture   %zu branches across the field; turned round at %zu edges, mirrored at "
+      "texture   %zu branches along the field, %zu across it; turned round at %zu edges, mirrored "
+      "at "
       "%zu, %zu triangles without orientation\n",
-      texture.branches_v, texture.seams.turned, texture.seams.mirrored,
+      texture.branches_u, texture.branches_v, texture.seams.turned, texture.seams.mirrored,
       texture.seams.unoriented_triangles);
 }
 
@@ -157,6 +159,19 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   return report;
 }
 
+namespace {
+
+/// Triangles in which tiles are cut, by either wave.
+std::size_t branches_of_both(const TexturePattern& texture) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < texture.u.corners.size(); ++t) {
+    count += is_branch(texture.u.corners[t].kind) || is_branch(texture.v.corners[t].kind) ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const TexturePattern& texture, Solver solver) {
   Report report = make_report(surface, prepared, texture.u, solver);
@@ -168,8 +183,9 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   report.milliseconds.merge += more.merge;
   report.milliseconds.pattern += more.pattern + texture.orientation_milliseconds;
   report.frequency_v = frequency_report(texture.v.frequency_change, texture.v.quality);
-  report.texture = TextureReport{texture.v.solution.energy, texture.v.quality.branches,
-                                 texture.seams, texture.quality};
+  report.quality.branches = branches_of_both(texture);
+  report.texture = TextureReport{texture.v.solution.energy, texture.u.quality.branches,
+                                 texture.v.quality.branches, texture.seams, texture.quality};
   return report;
 }
 

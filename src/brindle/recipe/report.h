@@ -36,7 +36,7 @@ void print_frequency(std::ostream& out, const FrequencyReport& report);
 /// The figures of a texture beside those of its stripes along the field.
 struct TextureReport {
   double energy_v = 0;
-  std::size_t branches_v = 0;
+  std::size_t branches_u = 0, branches_v = 0;
   TextureSeams seams;
   TextureQuality quality;
 };
