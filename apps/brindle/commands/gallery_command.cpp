@@ -313,7 +313,6 @@ void run_gallery(const CLI::App& command, const GalleryArguments& arguments) {
     check_files(inputs_of_gallery(arguments), {{"--output", arguments.output}});
     check_is_drawn(arguments.output);
     check_output_path(arguments.output);
-    check_pictures_available();
   }
   std::optional<TemporaryFolder> temporary;
   std::string folder = arguments.data;

@@ -20,7 +20,6 @@ CurveOutput planned_curves(const std::string& path, bool tubes) {
   check_output_path(path);
   if (kind == ".json") return CurveOutput::report;
   if (is_drawing_file(path) || kind == ".png") {
-    check_pictures_available();
     check_drawing_file(path);
     return is_drawing_file(path) ? CurveOutput::drawing : CurveOutput::picture;
   }

@@ -1,4 +1,4 @@
-/// The frames of an animation as pictures. A build without OpenGL draws nothing.
+/// The frames of an animation as pictures.
 #pragma once
 
 #include <memory>

@@ -29,10 +29,7 @@ SampleOutput planned_sample(const std::string& path) {
   check_output_path(path);
   const std::string kind = lower_extension(path);
   if (kind == ".json") return SampleOutput::report;
-  if (kind == ".png") {
-    check_pictures_available();
-    return SampleOutput::picture;
-  }
+  if (kind == ".png") return SampleOutput::picture;
   if (is_sample_format(path)) return SampleOutput::samples;
   refuse_output(path, "'" + kind +
                           "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, "

@@ -37,12 +37,8 @@ void check_points(const CLI::App& command, const StripeArguments& arguments,
   refuse_triangle_options(command);
 }
 
-void check_cross(const StripeArguments& arguments, const std::vector<Output>& outputs) {
+void check_cross(const StripeArguments& arguments) {
   refuse_usage([&] { check_view_of_crosses(shows_stripes(*arguments.picture)); });
-  // The tile goes along with every mesh.
-  for (const Output& output : outputs) {
-    if (output.kind == OutputKind::mesh) check_pictures_available();
-  }
 }
 
 bool is_drawing(const Output& output) {
@@ -166,7 +162,7 @@ bool has_style(const CLI::App& command, const std::vector<Output>& outputs) {
 void check_stripe_options(const CLI::App& command, const StripeArguments& arguments,
                           const std::vector<Output>& outputs) {
   check_options(command, arguments, outputs, has_tiles(arguments));
-  if (arguments.waves.cross) check_cross(arguments, outputs);
+  if (arguments.waves.cross) check_cross(arguments);
 }
 
 void check_stripe_points(const CLI::App& command, const StripeArguments& arguments,

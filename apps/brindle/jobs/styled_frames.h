@@ -1,4 +1,4 @@
-/// Frames of an animation in the style that was asked for. A build without OpenGL draws nothing.
+/// Frames of an animation in the style that was asked for.
 #pragma once
 
 #include <memory>

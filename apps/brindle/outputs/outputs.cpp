@@ -19,7 +19,6 @@ namespace {
 Output plan_output(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".png" || is_drawing_file(path)) {
-    check_pictures_available();
     check_drawing_file(path);
     return {path, OutputKind::picture};
   }

@@ -141,8 +141,6 @@ std::string_view quality_name(const PictureOptions& options) {
   return options.render.quality == PictureQuality::interactive ? "interactive" : "final";
 }
 
-void check_pictures_available() {}
-
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
                    std::span<const CornerPhases> corners) {
   if (view == View::branches) return branch_overlay(mesh, corners);

@@ -1,4 +1,4 @@
-/// Pictures of a pattern. A build without OpenGL offers none of the options and draws nothing.
+/// Pictures of a pattern.
 #pragma once
 
 #include <filesystem>
@@ -35,12 +35,11 @@ std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
 /// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
 void stand_on_z(PictureOptions& options);
 
-/// Where pictures are taken from; nothing in a build without OpenGL. For patterns, which are those
-/// of the whole surface: without a slice.
+/// Where pictures are taken from. For patterns, which are those of the whole surface: without a
+/// slice.
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options);
 
-/// The same for what a picture alone has, with its slice, which shows inner sides. Not in a build
-/// without OpenGL.
+/// The same for what a picture alone has, with its slice, which shows inner sides.
 Viewpoint seen_viewpoint_of(const PictureOptions& options);
 
 /// Whether pictures show stripes and nothing on top of them.
@@ -48,9 +47,6 @@ bool shows_stripes(const PictureOptions& options);
 
 /// "interactive" or "final".
 std::string_view quality_name(const PictureOptions& options);
-
-/// Throws Error in a build without OpenGL.
-void check_pictures_available();
 
 /// What is drawn on a surface in one colour: tubes along curves, discs at samples.
 struct Ornament {

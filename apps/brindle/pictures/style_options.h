@@ -1,4 +1,4 @@
-/// How strokes and surfaces of a picture look. A build without OpenGL offers none of the options.
+/// How strokes and surfaces of a picture look.
 #pragma once
 
 #include <algorithm>
