@@ -120,6 +120,29 @@ TEST(CreasesTest, FoldsFromBorderToBorderPartAndFoldsThatRunOutDoNot) {
   EXPECT_TRUE(split_at_creases(sinks).empty());
 }
 
+TEST(CreasesTest, SharpFoldsOfSheetsThatAreWoundAgainstEachOtherPart) {
+  Mesh mesh = roof(20, 20);
+  for (Triangle& triangle : mesh.triangles) {
+    float x = 0;
+    for (const Index v : triangle) x += mesh.positions[v].x();
+    if (x < 0) std::swap(triangle[0], triangle[1]);
+  }
+  EXPECT_EQ(split_at_creases(mesh).copied.size(), 21u);
+}
+
+TEST(CreasesTest, UnitsDoNotMatter) {
+  for (const float scale : {1e-8f, 1e8f}) {
+    Mesh part = extruded(toothed_circle(48, 1, 0.8f), 0.3f), round = make_shape("torus");
+    Mesh unscaled = part;
+    const std::size_t copies = split_at_creases(unscaled).copied.size();
+    for (Mesh* mesh : {&part, &round}) {
+      for (Vec3& position : mesh->positions) position *= scale;
+    }
+    EXPECT_EQ(split_at_creases(part).copied.size(), copies) << scale;
+    EXPECT_TRUE(split_at_creases(round).empty()) << scale;
+  }
+}
+
 TEST(CreasesTest, ThreeSheetsAtAnEdgePartWhereTheyBend) {
   // A plane, and a wall upon it.
   Mesh mesh;

@@ -1,11 +1,13 @@
 #include "brindle/creases.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -21,8 +23,6 @@
 namespace brindle {
 namespace {
 
-/// Sides of a crease bend by this share of the angle at least when they are averaged.
-constexpr float kAveragedShare = 1.0f;
 /// A side is averaged over so many triangles at most, which bounds the work at hubs.
 constexpr std::size_t kMostOfSide = 24;
 
@@ -43,71 +43,82 @@ std::vector<Vec3> area_vectors(const Mesh& mesh) {
   return vectors;
 }
 
-/// Whether a and b, of any length, bend by less than the angle of this cosine; so does no area.
-bool bends_less(const Vec3& a, const Vec3& b, float cosine) {
-  const float lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
-  return !(lengths > 0) || a.dot(b) >= cosine * lengths;
+/// Whether a and b, of any length, bend by less than the angle of this cosine; so does no area. In
+/// doubles: squares of areas leave the range of float where units are very small or large.
+bool bends_less(const Vec3& a, const Vec3& b, double cosine) {
+  const Eigen::Vector3d x = a.cast<double>(), y = b.cast<double>();
+  const double lengths = std::sqrt(x.squaredNorm() * y.squaredNorm());
+  return !(lengths > 0) || x.dot(y) >= cosine * lengths;
 }
 
-/// Whether any two triangles with a common edge bend by more than the angle: on most scans and
-/// built-in shapes none do, and nothing else is looked at.
-bool is_sharp_anywhere(const Mesh& mesh, const std::vector<Vec3>& areas, float cosine) {
-  const VertexTriangles around = vertex_triangles(mesh);
-  const auto is_sharp = [&](Index v, Index s, Index t) {
-    const Triangle &a = mesh.triangles[s], &b = mesh.triangles[t];
-    for (int m = 0; m < 3; ++m) {
-      for (int n = 0; n < 3; ++n) {
-        if (a[m] != b[n] || a[m] == v) continue;
-        const bool against = (a[(m + 1) % 3] == v) == (b[(n + 1) % 3] == v);
-        if (!bends_less(areas[s], against ? Vec3(-areas[t]) : areas[t], cosine)) return true;
-      }
-    }
-    return false;
-  };
-  std::atomic<bool> found = false;
-  parallel_for(mesh.vertex_count(), [&](std::size_t begin, std::size_t end) {
-    for (auto v = static_cast<Index>(begin); v < end && !found; ++v) {
-      const std::span<const Index> triangles = around.of(v);
-      for (std::size_t j = 1; j < triangles.size(); ++j) {
-        for (std::size_t i = 0; i < j; ++i) {
-          if (bends_less(areas[triangles[i]], areas[triangles[j]], cosine)) continue;
-          if (is_sharp(v, triangles[i], triangles[j])) found = true;
-        }
-      }
-    }
+/// An edge at a vertex, as one of its triangles has it.
+struct Spoke {
+  Index other;  ///< the vertex at its other end
+  Index half_edge;
+  Index number;  ///< of the triangle among those around the vertex
+};
+
+/// Calls `visit` with the spokes of each edge at the vertex, in ascending order of their other
+/// vertex, then of half-edges.
+template <class Visit>
+void for_each_edge(const Mesh& mesh, Index v, std::span<const Index> around, const Visit& visit) {
+  thread_local std::vector<Spoke> spokes;
+  spokes.clear();
+  for (Index n = 0; n < around.size(); ++n) {
+    const Triangle& triangle = mesh.triangles[around[n]];
+    const Index leaving = 3 * around[n] + static_cast<Index>(corner_of(triangle, v));
+    const Index coming = previous_in_triangle(leaving);
+    spokes.push_back({vertex_at(mesh.triangles, next_in_triangle(leaving)), leaving, n});
+    spokes.push_back({vertex_at(mesh.triangles, coming), coming, n});
+  }
+  ranges::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+    return std::pair(a.other, a.half_edge) < std::pair(b.other, b.half_edge);
   });
-  return found;
+  for (std::size_t begin = 0, end = 0; begin < spokes.size(); begin = end) {
+    while (end < spokes.size() && spokes[end].other == spokes[begin].other) ++end;
+    visit(std::span<const Spoke>(spokes).subspan(begin, end - begin));
+  }
 }
 
+/// Finds creases with no more than the triangles around vertices: on most surfaces few edges are
+/// sharp, and nearly all vertices are passed at a glance.
 class CreaseFinder {
  public:
-  CreaseFinder(const Mesh& mesh, const std::vector<Vec3>& areas, float angle_deg,
-               const Progress& progress)
+  CreaseFinder(const Mesh& mesh, float angle_deg, const Progress& progress)
       : mesh_(mesh),
-        areas_(areas),
         cosine_(cosine_of(angle_deg)),
-        averaged_cosine_(cosine_of(kAveragedShare * angle_deg)),
-        edges_(mesh_edges(mesh, vertex_neighborhood(mesh, progress.part(0, 0.4)),
-                          progress.part(0.4, 0.8))),
-        crease_(edges_.count()) {
-    for (Index e = 0; e < edges_.count(); ++e) crease_[e] = is_sharp(e) ? 1 : 0;
+        cosine_of_half_(cosine_of(0.49f * angle_deg)),
+        areas_(area_vectors(mesh)),
+        around_(vertex_triangles(mesh, progress.part(0, 0.5))),
+        is_crease_(3 * mesh.triangle_count()) {
+    find_sharp_edges(progress.part(0.5, 1));
     drop_noise();
     drop_open_chains();
   }
 
-  const MeshEdges& edges() const { return edges_; }
-  bool any() const { return ranges::find(crease_, std::uint8_t{1}) != crease_.end(); }
+  std::span<const Index> around(Index v) const { return around_.of(v); }
 
-  /// Whether the surface goes on without a crease from one half-edge to another of the same edge.
-  bool goes_on(Index a, Index b) const {
-    const Index edge = edges_.of_triangle[a / 3][a % 3];
-    if (crease_[edge] == 0) return true;
-    return edges_.triangle_count(edge) > 2 && bends_less(areas_[a / 3], turned_area(a, b), cosine_);
+  /// Whether the surface goes on without a crease from one half-edge to another of the same edge,
+  /// which has so many triangles.
+  bool goes_on(Index a, Index b, std::size_t triangles) const {
+    if (is_crease_[a] == 0) return true;
+    return triangles > 2 && bends_less(areas_[a / 3], turned_area(a, b), cosine_);
   }
 
-  bool is_crease(Index edge) const { return crease_[edge] != 0; }
+  /// Calls `visit` with the ends, the lower number first, and the half-edges of all creases.
+  template <class Visit>
+  void for_each_crease(const Visit& visit) const {
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+      if (is_crease(e)) visit(ends_[e], half_edges_.of(e));
+    }
+  }
 
  private:
+  bool is_crease(std::size_t edge) const { return is_crease_[half_edges_.of(edge)[0]] != 0; }
+  void drop(std::size_t edge) {
+    for (const Index h : half_edges_.of(edge)) is_crease_[h] = 0;
+  }
+
   /// Whether the triangles of two half-edges of one edge are wound against each other: those that
   /// are wound alike run along it in opposite ways.
   bool run_against(Index a, Index b) const {
@@ -120,13 +131,76 @@ class CreaseFinder {
   }
   Vec3 turned_area(Index a, Index b) const { return turned(a, b, areas_[b / 3]); }
 
-  bool is_sharp(Index edge) const {
-    const std::span<const Index> along = edges_.half_edges.of(edge);
-    for (std::size_t k = 1; k < along.size(); ++k) {
-      const Index a = along[k - 1];
-      if (!bends_less(areas_[a / 3], turned_area(a, along[k]), cosine_)) return true;
+  bool is_sharp(std::span<const Spoke> edge) const {
+    for (std::size_t k = 1; k < edge.size(); ++k) {
+      const Index a = edge[k - 1].half_edge;
+      if (!bends_less(areas_[a / 3], turned_area(a, edge[k].half_edge), cosine_)) return true;
     }
     return false;
+  }
+
+  /// Whether it is plain that no edge at the vertex is sharp: all triangles bend from one of them
+  /// by less than half the angle, and none are wound against each other.
+  bool is_smooth(Index v) const {
+    constexpr std::size_t kFew = 12;
+    const std::span<const Index> around = around_.of(v);
+    if (around.size() > kFew) return false;
+    std::array<Index, kFew> next, previous;
+    for (std::size_t n = 0; n < around.size(); ++n) {
+      const Vec3& area = areas_[around[n]];
+      if (area.isZero(0) || !bends_less(areas_[around[0]], area, cosine_of_half_)) return false;
+      const Triangle& triangle = mesh_.triangles[around[n]];
+      const int corner = corner_of(triangle, v);
+      next[n] = triangle[(corner + 1) % 3];
+      previous[n] = triangle[(corner + 2) % 3];
+      for (std::size_t k = 0; k < n; ++k) {
+        if (next[k] == next[n] || previous[k] == previous[n]) return false;
+      }
+    }
+    return true;
+  }
+
+  /// In the order of their higher ends, then of their lower ones.
+  void find_sharp_edges(const Progress& progress) {
+    const auto for_sharp_below = [&](Index v, const auto& visit) {
+      for_each_edge(mesh_, v, around_.of(v), [&](std::span<const Spoke> edge) {
+        if (edge[0].other < v && is_sharp(edge)) visit(edge);
+      });
+    };
+    std::vector<std::uint8_t> has_sharp(mesh_.vertex_count());
+    parallel_for(has_sharp.size(), progress, [&](std::size_t begin, std::size_t end) {
+      for (auto v = static_cast<Index>(begin); v < end; ++v) {
+        if (!is_smooth(v)) for_sharp_below(v, [&](const auto&) { has_sharp[v] = 1; });
+      }
+    });
+    for (Index v = 0; v < has_sharp.size(); ++v) {
+      if (has_sharp[v] == 0) continue;
+      for_sharp_below(v, [&](std::span<const Spoke> edge) {
+        ends_.push_back({edge[0].other, v});
+        for (const Spoke& spoke : edge) {
+          half_edges_.entries.push_back(spoke.half_edge);
+          is_crease_[spoke.half_edge] = 1;
+        }
+        half_edges_.offsets.push_back(static_cast<Index>(half_edges_.entries.size()));
+      });
+    }
+  }
+
+  /// The half-edge of the one other triangle at an edge; nothing at a boundary, and where several
+  /// meet.
+  std::optional<Index> across(Index half_edge) const {
+    const Index a = vertex_at(mesh_.triangles, half_edge);
+    const Index b = vertex_at(mesh_.triangles, next_in_triangle(half_edge));
+    std::optional<Index> found;
+    for (const Index t : around_.of(a)) {
+      const Triangle& triangle = mesh_.triangles[t];
+      if (t == half_edge / 3 || ranges::find(triangle, b) == triangle.end()) continue;
+      if (found) return std::nullopt;
+      const Index leaving = 3 * t + static_cast<Index>(corner_of(triangle, a));
+      const bool leads = vertex_at(mesh_.triangles, next_in_triangle(leaving)) == b;
+      found = leads ? leaving : previous_in_triangle(leaving);
+    }
+    return found;
   }
 
   /// A triangle of a side, and whether it is wound as the first.
@@ -138,51 +212,56 @@ class CreaseFinder {
   /// The mean normal, of any length, of the triangles nearest to this one that are reached from it
   /// over edges that are not sharp.
   Vec3 side(Index triangle) const {
-    std::vector<SideTriangle> reached = {{triangle, true}};
+    std::array<SideTriangle, kMostOfSide> reached;
+    reached[0] = {triangle, true};
     Vec3 sum = Vec3::Zero();
-    for (std::size_t next = 0; next < reached.size(); ++next) {
+    for (std::size_t next = 0, count = 1; next < count; ++next) {
       const auto [t, alike] = reached[next];
       sum += alike ? areas_[t] : Vec3(-areas_[t]);
-      for (Index m = 0; m < 3 && reached.size() < kMostOfSide; ++m) {
-        const Index edge = edges_.of_triangle[t][m];
-        const Index beyond = edges_.beyond(t, static_cast<int>(m));
-        if (beyond == kNoTriangle || crease_[edge] != 0) continue;
-        const auto is_same = [&](const SideTriangle& s) { return s.triangle == beyond; };
-        if (std::any_of(reached.begin(), reached.end(), is_same)) continue;
-        const std::span<const Index> along = edges_.half_edges.of(edge);
-        reached.push_back({beyond, alike != run_against(along[0], along[1])});
+      for (Index h = 3 * t; h < 3 * t + 3 && count < kMostOfSide; ++h) {
+        if (is_crease_[h] != 0) continue;
+        const std::optional<Index> beyond = across(h);
+        if (!beyond) continue;
+        const auto is_same = [&](const SideTriangle& s) { return s.triangle == *beyond / 3; };
+        if (std::any_of(reached.begin(), reached.begin() + count, is_same)) continue;
+        reached[count++] = {*beyond / 3, alike != run_against(h, *beyond)};
       }
     }
     return sum;
   }
 
   void drop_noise() {
-    std::vector<std::uint8_t> kept = crease_;
-    parallel_for(edges_.count(), [&](std::size_t begin, std::size_t end) {
-      for (Index e = static_cast<Index>(begin); e < end; ++e) {
-        if (crease_[e] == 0 || edges_.triangle_count(e) != 2) continue;
-        const std::span<const Index> along = edges_.half_edges.of(e);
+    std::vector<std::uint8_t> is_noise(ends_.size());
+    const auto find_noise = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) {
+        const std::span<const Index> along = half_edges_.of(e);
+        if (along.size() != 2) continue;
         const Vec3 a = side(along[0] / 3);
         const Vec3 b = turned(along[0], along[1], side(along[1] / 3));
-        if (bends_less(a, b, averaged_cosine_)) kept[e] = 0;
+        is_noise[e] = bends_less(a, b, cosine_) ? 1 : 0;
       }
-    });
-    crease_ = std::move(kept);
+    };
+    constexpr std::size_t kGrain = 64;
+    parallel_for(ends_.size(), find_noise, kGrain);
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+      if (is_noise[e] != 0) drop(e);
+    }
+  }
+
+  bool is_at_boundary(Index v) const {
+    bool found = false;
+    for_each_edge(mesh_, v, around_.of(v), [&](auto edge) { found = found || edge.size() == 1; });
+    return found;
   }
 
   /// Creases of a part go round its faces: they close, or run from boundary to boundary. Chains
   /// that do neither are folds of something round, or noise.
   void drop_open_chains() {
-    std::vector<std::uint8_t> at_boundary(mesh_.vertex_count());
-    for (Index e = 0; e < edges_.count(); ++e) {
-      if (edges_.triangle_count(e) != 1) continue;
-      for (const Index v : edges_.vertices[e]) at_boundary[v] = 1;
-    }
     const CompressedRows<Index> at_vertex =
         compressed_rows<Index>(mesh_.vertex_count(), [&](const auto& add) {
-          for (Index e = 0; e < edges_.count(); ++e) {
-            if (crease_[e] == 0) continue;
-            for (const Index v : edges_.vertices[e]) add(v, e);
+          for (std::size_t e = 0; e < ends_.size(); ++e) {
+            if (!is_crease(e)) continue;
+            for (const Index v : ends_[e]) add(v, static_cast<Index>(e));
           }
         });
     std::vector<std::uint8_t> seen(mesh_.vertex_count());
@@ -195,25 +274,27 @@ class CreaseFinder {
       std::size_t ends_at_boundary = 0;
       for (std::size_t next = 0; next < vertices.size(); ++next) {
         const Index v = vertices[next];
-        ends_at_boundary += at_boundary[v];
+        ends_at_boundary += is_at_boundary(v) ? 1 : 0;
         for (const Index e : at_vertex.of(v)) {
-          const auto& [low, high] = edges_.vertices[e];
+          const auto& [low, high] = ends_[e];
           const Index other = v == low ? high : low;
           if (v == low) chain.push_back(e);
           if (std::exchange(seen[other], std::uint8_t{1}) == 0) vertices.push_back(other);
         }
       }
       if (chain.size() >= vertices.size() || ends_at_boundary > 1) continue;
-      for (const Index e : chain) crease_[e] = 0;
+      for (const Index e : chain) drop(e);
     }
   }
 
   const Mesh& mesh_;
-  const std::vector<Vec3>& areas_;
   float cosine_;
-  float averaged_cosine_;
-  MeshEdges edges_;
-  std::vector<std::uint8_t> crease_;  ///< by edge
+  float cosine_of_half_;
+  std::vector<Vec3> areas_;
+  VertexTriangles around_;
+  std::vector<std::array<Index, 2>> ends_;  ///< of sharp edges, the lower number first
+  CompressedRows<Index> half_edges_;        ///< of sharp edges, in ascending order
+  std::vector<std::uint8_t> is_crease_;     ///< by half-edge
 };
 
 /// Splits the vertices of a mesh at the creases that were found.
@@ -222,52 +303,34 @@ class Splitter {
   Splitter(Mesh& mesh, const CreaseFinder& found) : mesh_(mesh), found_(found) {}
 
   Creases split() {
-    const VertexTriangles around = vertex_triangles(mesh_);
     std::vector<std::uint8_t> on_crease(mesh_.vertex_count());
-    for (Index e = 0; e < found_.edges().count(); ++e) {
-      if (!found_.is_crease(e)) continue;
-      for (const Index v : found_.edges().vertices[e]) on_crease[v] = 1;
-    }
-    const std::vector<Triangle> before = mesh_.triangles;
+    found_.for_each_crease([&](const std::array<Index, 2>& ends, std::span<const Index>) {
+      for (const Index v : ends) on_crease[v] = 1;
+    });
     for (Index v = 0; v < on_crease.size(); ++v) {
-      if (on_crease[v] != 0) split_vertex(v, around.of(v), before);
+      if (on_crease[v] != 0) split_vertex(v);
     }
-    add_edges(before);
+    for (const auto& [corner, copy] : moved_) mesh_.triangles[corner / 3][corner % 3] = copy;
+    found_.for_each_crease([&](const std::array<Index, 2>& ends, std::span<const Index> along) {
+      add_edges(ends[0], along);
+    });
     return std::move(result_);
   }
 
  private:
-  /// A half-edge at the vertex, with the number of its triangle among those around.
-  struct Spoke {
-    Index edge;
-    Index half_edge;
-    Index number;
-  };
-
-  void split_vertex(Index v, std::span<const Index> around, const std::vector<Triangle>& before) {
-    spokes_.clear();
+  void split_vertex(Index v) {
+    const std::span<const Index> around = found_.around(v);
     sector_.resize(around.size());
     std::iota(sector_.begin(), sector_.end(), Index{0});
-    for (Index n = 0; n < around.size(); ++n) {
-      for (Index m = 0; m < 3; ++m) {
-        const Index half_edge = 3 * around[n] + m;
-        if (vertex_at(before, half_edge) != v &&
-            vertex_at(before, next_in_triangle(half_edge)) != v) {
-          continue;
+    for_each_edge(mesh_, v, around, [&](std::span<const Spoke> edge) {
+      for (std::size_t i = 0; i < edge.size(); ++i) {
+        for (std::size_t j = i + 1; j < edge.size(); ++j) {
+          if (found_.goes_on(edge[i].half_edge, edge[j].half_edge, edge.size())) {
+            merge(edge[i].number, edge[j].number);
+          }
         }
-        spokes_.push_back({found_.edges().of_triangle[around[n]][m], half_edge, n});
       }
-    }
-    ranges::sort(spokes_.begin(), spokes_.end(), [](const Spoke& a, const Spoke& b) {
-      return std::pair(a.edge, a.half_edge) < std::pair(b.edge, b.half_edge);
     });
-    for (std::size_t i = 0; i < spokes_.size(); ++i) {
-      for (std::size_t j = i + 1; j < spokes_.size() && spokes_[j].edge == spokes_[i].edge; ++j) {
-        if (found_.goes_on(spokes_[i].half_edge, spokes_[j].half_edge)) {
-          merge(spokes_[i].number, spokes_[j].number);
-        }
-      }
-    }
     copy_sectors(v, around);
   }
 
@@ -293,36 +356,37 @@ class Splitter {
       } else {
         copy_[n] = copy_[first];
       }
-      for (Index& corner : mesh_.triangles[around[n]]) {
-        if (corner == v) corner = copy_[n];
+      if (copy_[n] == v) continue;
+      for (Index corner = 3 * around[n]; corner < 3 * around[n] + 3; ++corner) {
+        if (vertex_at(mesh_.triangles, corner) == v) moved_.push_back({corner, copy_[n]});
       }
     }
   }
 
-  /// The edges whose sides have vertices of their own now.
-  void add_edges(const std::vector<Triangle>& before) {
-    for (Index e = 0; e < found_.edges().count(); ++e) {
-      if (!found_.is_crease(e)) continue;
-      const std::span<const Index> along = found_.edges().half_edges.of(e);
-      for (std::size_t k = 1; k < along.size(); ++k) {
-        const auto side = [&](std::size_t n) -> std::array<Index, 2> {
-          const auto [low, high] = found_.edges().vertices[e];
-          return {now_at(before, along[n] / 3, low), now_at(before, along[n] / 3, high)};
-        };
-        const CreaseEdge edge{side(k - 1), side(k)};
-        if (edge.first != edge.second) result_.edges.push_back(edge);
-      }
+  /// The edges whose sides have vertices of their own now, with the lower end first.
+  void add_edges(Index low, std::span<const Index> along) {
+    const auto side = [&](Index half_edge) -> std::array<Index, 2> {
+      const Index from = vertex_at(mesh_.triangles, half_edge);
+      const Index to = vertex_at(mesh_.triangles, next_in_triangle(half_edge));
+      if (result_.original(from, mesh_.vertex_count()) == low) return {from, to};
+      return {to, from};
+    };
+    for (std::size_t k = 1; k < along.size(); ++k) {
+      const CreaseEdge edge{side(along[k - 1]), side(along[k])};
+      if (edge.first != edge.second) result_.edges.push_back(edge);
     }
   }
 
-  Index now_at(const std::vector<Triangle>& before, Index t, Index v) const {
-    return mesh_.triangles[t][static_cast<std::size_t>(corner_of(before[t], v))];
-  }
+  /// A corner that gets a copy of its vertex.
+  struct MovedCorner {
+    Index corner;
+    Index copy;
+  };
 
   Mesh& mesh_;
   const CreaseFinder& found_;
   Creases result_;
-  std::vector<Spoke> spokes_;
+  std::vector<MovedCorner> moved_;  ///< once all is found, by the triangles as they are
   std::vector<Index> sector_;  ///< of each triangle around: one before it in its sector, or itself
   std::vector<Index> copy_;
 };
@@ -335,11 +399,7 @@ Creases split_at_creases(Mesh& mesh, float angle_deg, const Progress& progress) 
   }
   if (angle_deg == 180) return {};
   check_mesh(mesh);
-  const std::vector<Vec3> areas = area_vectors(mesh);
-  progress.tick();
-  if (!is_sharp_anywhere(mesh, areas, cosine_of(angle_deg))) return {};
-  const CreaseFinder found(mesh, areas, angle_deg, progress);
-  if (!found.any()) return {};
+  const CreaseFinder found(mesh, angle_deg, progress);
   return Splitter(mesh, found).split();
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "brindle/base/compressed_rows.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/joined_edges.h"
@@ -74,13 +73,13 @@ void check_mesh(const Mesh& mesh) {
 
 namespace {
 
-/// Vertices at one place on the two sides of a crease, each pair once.
+/// Vertices at one place on the two sides of a crease, each pair in both orders.
 std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
   std::vector<std::array<Index, 2>> links;
   for (const CreaseEdge& edge : creases.edges) {
     for (int end = 0; end < 2; ++end) {
-      const auto [low, high] = std::minmax(edge.first[end], edge.second[end]);
-      if (low != high) links.push_back({low, high});
+      const Index a = edge.first[end], b = edge.second[end];
+      if (a != b) links.insert(links.end(), {{a, b}, {b, a}});
     }
   }
   ranges::sort(links.begin(), links.end());
@@ -91,17 +90,22 @@ std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
 /// The neighbourhood with links over creases.
 Adjacency with_links(const Adjacency& neighborhood, const Creases& creases) {
   const std::vector<std::array<Index, 2>> links = links_of(creases);
-  auto rows = compressed_rows<Index>(neighborhood.node_count(), [&](const auto& add) {
-    for (Index v = 0; v < neighborhood.node_count(); ++v) {
-      for (const Index neighbor : neighborhood.of(v)) add(v, neighbor);
+  Adjacency linked;
+  linked.offsets.assign(1, 0);
+  linked.offsets.reserve(neighborhood.offsets.size());
+  linked.neighbors.reserve(neighborhood.neighbors.size() + links.size());
+  auto next = links.begin();
+  for (Index v = 0; v < neighborhood.node_count(); ++v) {
+    const std::span<const Index> row = neighborhood.of(v);
+    linked.neighbors.insert(linked.neighbors.end(), row.begin(), row.end());
+    const auto first = next;
+    for (; next != links.end() && (*next)[0] == v; ++next) linked.neighbors.push_back((*next)[1]);
+    if (next != first) {
+      ranges::sort(linked.neighbors.begin() + linked.offsets.back(), linked.neighbors.end());
     }
-    for (const auto& [a, b] : links) {
-      add(a, b);
-      add(b, a);
-    }
-  });
-  for (std::size_t v = 0; v < rows.size(); ++v) ranges::sort(rows.of(v).begin(), rows.of(v).end());
-  return {std::move(rows.offsets), std::move(rows.entries)};
+    linked.offsets.push_back(static_cast<Index>(linked.neighbors.size()));
+  }
+  return linked;
 }
 
 }  // namespace

@@ -74,10 +74,12 @@ std::vector<JobStage> multilevel_stages();
 
 /// The whole solver, without the phase graph: `couple` sets the couplings of the finest level.
 /// `start`, with one unit number per node, replaces the descent before the cycles; empty: none.
-/// `solve_milliseconds` are without those of `couple`. Throws Error for options out of range.
+/// `finish` changes the phases (by node) at the end. `solve_milliseconds` are without those of
+/// `couple`. Throws Error for options out of range.
 PhaseSolution solve_multilevel(const Adjacency& adjacency,
                                const std::function<void(Level& finest)>& couple,
                                const SolverOptions& options, std::span<const Complex> start = {},
-                               const Progress& progress = {});
+                               const Progress& progress = {},
+                               const std::function<void(std::span<Complex> z)>& finish = {});
 
 }  // namespace brindle

@@ -72,8 +72,10 @@ class FaceSewing {
         const Index v = queue[next];
         face_[v] = face;
         for (const Index w : neighborhood.of(v)) {
-          const float cosine = waves_.directions[v].dot(waves_.directions[w]);
+          // Each edge once: later ones have been looked at from there.
+          if (sense_[w] != 0 && w < v) continue;
           if (waves_.directions[w].isZero(0)) continue;
+          const float cosine = waves_.directions[v].dot(waves_.directions[w]);
           const auto sense = static_cast<std::int8_t>(cosine < 0 ? -sense_[v] : sense_[v]);
           if (sense_[w] == 0) {
             sense_[w] = sense;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -112,6 +113,11 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
   const SolvePhases solve = options.solve ? options.solve : solve_phases;
   result.solution = solve(graph, options.solver, stages.begin("solve"), data);
   set_fixed_phases(graph, options.fixed_phases, result.solution);
+  if (!surface.linked || is_anchored(options)) return;
+  watch.lap();
+  sew_faces(surface, waves, result.solution.z);
+  result.solution.energy = energy(graph, result.solution.z);
+  result.solution.solve_milliseconds += watch.lap();
 }
 
 /// From waves to phases. The multilevel solver couples waves in the order of its sweeps
@@ -130,17 +136,12 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
                    normals_of_links(surface), finest.couplings);
       result.milliseconds.couple = watch.lap();
     };
-    result.solution = solve_multilevel(*surface.coupled(), couple, options.solver, {}, progress);
+    std::function<void(std::span<Complex>)> sew;
+    if (surface.linked) sew = [&](std::span<Complex> z) { sew_faces(surface, waves, z); };
+    result.solution =
+        solve_multilevel(*surface.coupled(), couple, options.solver, {}, progress, sew);
   } else {
     solve_as_graph(surface, waves, options, weights, progress, result);
-  }
-  if (surface.linked && !is_anchored(options)) {
-    watch.lap();
-    sew_faces(surface, waves, result.solution.z);
-    const PhaseGraph graph = build_phase_graph(surface.coupled(), waves, options.phase_shift,
-                                               weights, {}, surface.normals);
-    result.solution.energy = energy(graph, result.solution.z);
-    result.solution.solve_milliseconds += watch.lap();
   }
   result.milliseconds.couple += weigh_milliseconds;
   result.milliseconds.topology += result.solution.topology_milliseconds;
