@@ -9,6 +9,7 @@ const $ = (id) => document.getElementById(id);
 const canvas = $('canvas'), body = document.body;
 const names = { plane: 'Plane', cylinder: 'Cylinder', tube: 'Tube', sphere: 'Sphere', torus: 'Torus',
                 trefoil: 'Trefoil knot', vessels: 'Vessels', molecule: 'Molecule', box: 'Box',
+                bracket: 'Bracket', gear: 'Gear',
                 hemisphere: 'Hemisphere', mobius: 'Möbius strip', sheets: 'Sheets', pieces: 'Pieces' };
 const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 

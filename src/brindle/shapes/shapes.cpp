@@ -10,6 +10,7 @@
 #include "brindle/base/number_text.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
+#include "brindle/shapes/flat_parts.h"
 #include "brindle/shapes/implicit_shapes.h"
 #include "brindle/shapes/noise.h"
 #include "brindle/shapes/parametric_shapes.h"
@@ -294,11 +295,72 @@ Shape pieces() {
           }};
 }
 
+Mesh checked_bracket(const BracketShape& shape) {
+  if (!(shape.hole < room_for_hole(shape))) {
+    throw Error(
+        "shape 'bracket': the holes do not fit; hole must be below half of depth, and of what "
+        "thickness and fillet leave of length and height");
+  }
+  return make_bracket(shape);
+}
+
+Shape bracket() {
+  const BracketShape s;
+  return {"bracket",
+          "two plates at right angles with holes and a fillet, flat and coarse as from CAD",
+          {{"length", s.length, 0.1, 10, false, "along x"},
+           {"depth", s.depth, 0.1, 10, false, "along y"},
+           {"height", s.height, 0.1, 10, false, "along z"},
+           {"thickness", s.thickness, 0.01, 5, false, "of the plates"},
+           {"fillet", s.fillet, 0.01, 5, false, "radius between the plates"},
+           {"hole", s.hole, 0.01, 5, false, "radius of the holes"},
+           resolution(s.resolution, 1, 200, "edges along a quarter of a circle")},
+          [](const Values& v, const Progress&) {
+            return checked_bracket({.length = v.real("length"),
+                                    .depth = v.real("depth"),
+                                    .height = v.real("height"),
+                                    .thickness = v.real("thickness"),
+                                    .fillet = v.real("fillet"),
+                                    .hole = v.real("hole"),
+                                    .resolution = v.whole("resolution")});
+          }};
+}
+
+Mesh checked_gear(const GearShape& shape) {
+  if (shape.tooth > shape.radius / 2) {
+    throw Error("shape 'gear': tooth must be at most half of radius");
+  }
+  if (shape.bore > 0.8f * (shape.radius - shape.tooth)) {
+    throw Error("shape 'gear': bore must be at most 0.8 of what tooth leaves of radius");
+  }
+  return make_gear(shape);
+}
+
+Shape gear() {
+  const GearShape s;
+  return {"gear",
+          "a gear with a bore, flat and coarse as from CAD",
+          {{"teeth", static_cast<double>(s.teeth), 3, 200, true, "number of teeth"},
+           {"radius", s.radius, 0.1, 10, false, "to the tips of the teeth"},
+           {"tooth", s.tooth, 0.001, 5, false, "height of a tooth"},
+           {"width", s.width, 0.01, 10, false, "along z"},
+           {"bore", s.bore, 0.01, 8, false, "radius of the bore"},
+           resolution(s.resolution, 2, 20, "edges of the bore for each tooth")},
+          [](const Values& v, const Progress&) {
+            return checked_gear({.teeth = v.whole("teeth"),
+                                 .radius = v.real("radius"),
+                                 .tooth = v.real("tooth"),
+                                 .width = v.real("width"),
+                                 .bore = v.real("bore"),
+                                 .resolution = v.whole("resolution")});
+          }};
+}
+
 const std::vector<Shape>& catalogue() {
   static const std::vector<Shape> shapes = [] {
-    std::vector<Shape> all = {plane(),   cylinder(), tube(),     sphere(), torus(),
-                              trefoil(), vessels(),  molecule(), box(),    hemisphere(),
-                              mobius(),  sheets(),   pieces()};
+    std::vector<Shape> all = {plane(),   cylinder(),   tube(),     sphere(), torus(),
+                              trefoil(), vessels(),    molecule(), box(),    bracket(),
+                              gear(),    hemisphere(), mobius(),   sheets(), pieces()};
     for (Shape& shape : all) {
       shape.parameters.push_back(
           {"noise", 0, 0, 10, false, "displacement of vertices, in mean edge lengths"});
