@@ -1,21 +1,26 @@
 // Patterns of parts with flat faces and sharp edges: a wave for every face at a vertex.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "brindle/crease_slip.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/frequency_field.h"
+#include "brindle/normals.h"
 #include "brindle/quality.h"
+#include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/stripe_tracer.h"
+#include "brindle/threads.h"
 #include "brindle/windings.h"
 #include "extruded.h"
 
@@ -162,6 +167,64 @@ TEST(CreasedParts, HaveStripesThatMeetAtTheirEdges) {
     const FrameResult frame = animator.frame(
         {pattern.waves.positions, pattern.waves.directions, pattern.waves.frequencies});
     EXPECT_LT(crease_slip(surface, pattern.waves, frame.z)->share, 0.15) << stripes;
+  }
+}
+
+bool is_in_flat_face(const Surface& surface, const Triangle& triangle) {
+  const Vec3 normal = triangle_normal(surface.mesh, triangle);
+  return std::all_of(triangle.begin(), triangle.end(),
+                     [&](Index v) { return (surface.normals[v] - normal).norm() < 1e-5f; });
+}
+
+TEST(CreasedShapes, HaveNoBranchesOnFlatFaces) {
+  for (const std::string shape : {"bracket", "gear"}) {
+    for (const int times : {0, 2}) {
+      const Surface surface = with_creases(subdivide(make_shape(shape), times));
+      for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, 2, 3)}) {
+        const StripePattern pattern = stripes_along(surface, axis, 40);
+        EXPECT_LT(pattern.quality.angle_error_mean_deg, 1) << shape << times << axis.y();
+        for (std::size_t t = 0; t < pattern.corners.size(); ++t) {
+          if (!is_in_flat_face(surface, surface.mesh.triangles[t])) continue;
+          EXPECT_FALSE(is_branch(pattern.corners[t].kind)) << shape << times << axis.y();
+        }
+      }
+    }
+  }
+}
+
+TEST(CreasedShapes, HaveCalmSmoothFields) {
+  for (const std::string shape : {"bracket", "gear"}) {
+    const Surface surface = with_creases(make_shape(shape));
+    const StripePattern pattern =
+        stripe_pattern(surface, smooth_direction_field(surface),
+                       frequency_of_stripes(40, bounding_box(surface.mesh).diagonal()));
+    EXPECT_EQ(pattern.quality.branches, 0u) << shape;
+  }
+}
+
+TEST(CreasedShapes, AreTheSameMovedMirroredAndOnAnyNumberOfThreads) {
+  for (const std::string shape : {"bracket", "gear"}) {
+    const Mesh mesh = make_shape(shape);
+    const Vec3 axis(1, 2, 3);
+    const StripePattern as_is = stripes_along(with_creases(mesh), axis, 20);
+    const ThreadLimit one(1);
+    EXPECT_EQ(stripes_along(with_creases(mesh), axis, 20).solution.z, as_is.solution.z) << shape;
+    Eigen::Affine3f motion =
+        Eigen::Translation3f(3, -1, 2) * Eigen::AngleAxisf(0.7f, Vec3(2, -1, 1).normalized());
+    for (const bool mirrored : {false, true}) {
+      Mesh moved = mesh;
+      if (mirrored) {
+        motion = motion * Eigen::Scaling(Vec3(-1, 1, 1));
+        for (Triangle& triangle : moved.triangles) std::swap(triangle[0], triangle[1]);
+      }
+      for (Vec3& position : moved.positions) position = motion * position;
+      const Surface surface = with_creases(moved);
+      const StripePattern pattern = stripe_pattern(
+          surface, projected_direction_field(motion.linear() * axis, surface.normals),
+          frequency_of_stripes(20, bounding_box(mesh).diagonal()));
+      EXPECT_EQ(pattern.quality.branches, as_is.quality.branches) << shape << mirrored;
+      EXPECT_NEAR(pattern.solution.energy, as_is.solution.energy, 1e-4) << shape << mirrored;
+    }
   }
 }
 
