@@ -150,10 +150,26 @@ enum class Midpoints { straight, rounded };
 Mesh subdivide(Mesh mesh, int times, Midpoints midpoints, const Progress& progress = {});
 
 /// Appends the triangles of a polygon, wound as it is, to `triangles`: n - 2 for n corners, none
-/// for fewer than 3. Quadrangles are cut along their shorter inner diagonal, others by ear clipping
-/// in the plane of the polygon's mean normal. Polygons of more than 1000 corners are taken as
-/// convex. All of Brindle cuts polygons so. `corners` are numbers of `positions`.
-void triangulate_polygon(std::span<const Vec3> positions, std::span<const Index> corners,
+/// for fewer than 3. Polygons may be concave and touch themselves, as those do that reach a hole by
+/// a bridge of two equal edges. Quadrangles are cut along their shorter inner diagonal, others by
+/// ear clipping in the plane of the polygon's mean normal, those of more than 1000 corners into a
+/// fan if that covers them. All of Brindle cuts polygons so. `corners` are numbers of `positions`.
+/// Returns whether the triangles cover the area that the polygon encloses by Newell's formula. They
+/// cover more where it crosses itself.
+bool triangulate_polygon(std::span<const Vec3> positions, std::span<const Index> corners,
                          std::vector<Triangle>& triangles);
+
+/// Polygons for which `triangulate_polygon` returned false.
+struct CrossedPolygons {
+  std::size_t count = 0;
+  std::size_t first = 0;  ///< number of the first one
+
+  void add(std::size_t polygon) {
+    if (count++ == 0) first = polygon;
+  }
+};
+
+/// A line for the user; empty if there are none.
+std::string describe(const CrossedPolygons& polygons);
 
 }  // namespace brindle

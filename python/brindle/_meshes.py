@@ -83,11 +83,12 @@ def surface_of(mesh: Any) -> Surface:
     if len(polygons.offsets) < 2:
         points = Surface._of(_core.surface_of_points(polygons.vertices, None, 8, polygons.point_data))
         return points
-    triangles, polygon = _core.triangles_of_polygons(polygons.vertices, polygons.offsets,
-                                                     polygons.corners)
+    triangles, polygon, crossed = _core.triangles_of_polygons(polygons.vertices, polygons.offsets,
+                                                              polygons.corners)
     rows = polygons.cell_rows[polygon]
     surface = Surface(polygons.vertices, triangles, repair=True, point_data=polygons.point_data,
                       cell_data={name: array[rows] for name, array in polygons.cell_data.items()})
+    surface._core.left_out = crossed
     kept = surface._core.kept_triangles
     surface._source = Source(rows[kept] if len(kept) else rows, polygons.cell_count)
     return surface

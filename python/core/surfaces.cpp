@@ -215,7 +215,8 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
   check_crease_angle(crease_angle);
   return Job(callback).run([&](const Progress& progress) {
     SurfaceFile file(path);
-    if (!(points ? *points : !file.has_faces(progress))) {
+    const auto is_cloud = [&] { return file.is_point_cloud(progress); };
+    if (!(points ? *points : saying_in_pythons_words(is_cloud))) {
       return from_mesh_file(file, std::move(data), split, crease_angle, progress);
     }
     if (split.times > 0)
@@ -448,7 +449,7 @@ py::array axes_named(const SurfaceData& data, const std::string& name) {
 }
 
 // Polygons of any number of corners, `corners[offsets[i]] .. corners[offsets[i + 1] - 1]`, as
-// triangles; and of which polygon each is.
+// triangles; of which polygon each is; and a line on those that cross themselves.
 py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::handle corners) {
   const Table positions = columns_of_three(vertices, "vertices");
   const Mesh placed = unchecked_points(positions.view);
@@ -458,6 +459,7 @@ py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::han
   std::vector<Index> polygon;
   std::vector<Triangle> triangles;
   std::vector<std::int32_t> origins;
+  CrossedPolygons crossed;
   for (py::ssize_t i = 0; i + 1 < rows.size(); ++i) {
     if (rows.at(i) < 0 || rows.at(i) > rows.at(i + 1) || rows.at(i + 1) > ends.size()) {
       throw Error("polygons: the offsets of polygon " + std::to_string(i) + " name no corners");
@@ -471,12 +473,14 @@ py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::han
       }
       polygon.push_back(static_cast<Index>(ends.at(k)));
     }
-    if (polygon.size() >= 3) triangulate_polygon(placed.positions, polygon, triangles);
+    if (!triangulate_polygon(placed.positions, polygon, triangles)) {
+      crossed.add(static_cast<std::size_t>(i));
+    }
     origins.resize(triangles.size(), static_cast<std::int32_t>(i));
   }
   const auto count = static_cast<py::ssize_t>(triangles.size());
   return py::make_tuple(owned<std::int32_t>(std::move(triangles), {count, 3}),
-                        owned(std::move(origins)));
+                        owned(std::move(origins)), describe(crossed));
 }
 
 // The array NAME, points/NAME or cells/NAME: its own name, itself, and whether it is of triangles.
@@ -491,7 +495,7 @@ void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
       .def_property_readonly("stands_on_z",
                              [](const SurfaceData& data) { return data.stands_on_z; })
       .def_property_readonly("is_points", &SurfaceData::is_points)
-      .def_property_readonly("left_out", [](const SurfaceData& data) { return data.left_out; })
+      .def_readwrite("left_out", &SurfaceData::left_out)
       .def_property_readonly(
           "vertex_count", [](const SurfaceData& data) { return data.surface.mesh.vertex_count(); })
       .def_property_readonly(
