@@ -231,6 +231,150 @@ TEST_F(GltfReading, BuffersOfOneNameAreReadOnce) {
   EXPECT_EQ(read(file.dump()).mesh.vertex_count(), 15000u);
 }
 
+const std::vector<float> kOneWeight = {1, 0, 0, 0};
+
+std::vector<float> repeated(const std::vector<float>& row, std::size_t times) {
+  std::vector<float> rows;
+  for (std::size_t i = 0; i < times; ++i) rows.insert(rows.end(), row.begin(), row.end());
+  return rows;
+}
+
+// glTF 2.0, 3.7.3.3: only the joints' transforms apply.
+TEST_F(GltfReading, SkinnedMeshesFollowTheirJointsAndNotTheirNode) {
+  GltfText text;
+  const auto position = text.add(kTriangle, "VEC3", 5126);
+  const auto normal = text.add(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 5126);
+  const auto joints =
+      text.add(std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4", 5121);
+  const auto weights =
+      text.add(std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0, .75f, .25f, 0, 0}, "VEC4", 5126);
+  // The second joint is bound two to the right of where it stands.
+  std::vector<float> bind = repeated({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, 2);
+  bind[16 + 12] = -2;
+  text.file["accessors"].push_back({});
+  const auto matrices = text.file["accessors"].size() - 1;
+  const auto raw = text.add(bind, "VEC4", 5126);
+  text.file["accessors"][matrices] = text.file["accessors"][raw];
+  text.file["accessors"][matrices].update({{"type", "MAT4"}, {"count", 2}});
+  text.add_primitive(
+      {{"POSITION", position}, {"NORMAL", normal}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}});
+  text.file["nodes"] = {
+      {{"mesh", 0}, {"skin", 0}, {"scale", {10, 1, 1}}, {"translation", {9, 0, 0}}},
+      {{"children", {2}}, {"translation", {0, 0, 3}}},
+      {{"rotation", {1, 0, 0, 0}}}};
+  text.file["skins"] = {{{"joints", {1, 2}}, {"inverseBindMatrices", matrices}}};
+  const LoadedMesh loaded = read(text);
+  // The second joint is turned by half a turn about x: (x, y, z) to (x - 2, -y, 3 - z).
+  EXPECT_EQ(loaded.mesh.positions, (std::vector<Vec3>{{0, 0, 3}, {-1, 0, 3}, {-.5f, .5f, 3}}));
+  const std::vector<Vec3> normals =
+      vectors_of(find_array(loaded.arrays.points, "normal")->view(), "normals");
+  EXPECT_EQ(normals[0], Vec3(0, 0, 1));
+  EXPECT_EQ(normals[1], Vec3(0, 0, -1));
+}
+
+TEST_F(GltfReading, SkinsThatMakeNoSenseAreErrors) {
+  const auto skinned = [&](int joint, const json& skin, int node_skin) {
+    GltfText text;
+    text.add_primitive(
+        {{"POSITION", text.add(kTriangle, "VEC3", 5126)},
+         {"JOINTS_0",
+          text.add(std::vector<std::uint8_t>(12, static_cast<std::uint8_t>(joint)), "VEC4", 5121)},
+         {"WEIGHTS_0", text.add(repeated(kOneWeight, 3), "VEC4", 5126)}});
+    text.file["nodes"][0]["skin"] = node_skin;
+    text.file["skins"] = {skin};
+    std::ofstream(folder / "data.bin", std::ios::binary) << text.data();
+    return error_of(text.text("data.bin"));
+  };
+  EXPECT_EQ(skinned(0, {{"joints", {0}}}, 0), "");
+  EXPECT_NE(skinned(1, {{"joints", {0}}}, 0), "");
+  EXPECT_NE(skinned(0, {{"joints", {7}}}, 0), "");
+  EXPECT_NE(skinned(0, {{"joints", {0}}}, 1), "");
+  EXPECT_NE(skinned(0, {{"joints", {0}}, {"inverseBindMatrices", 0}}, 0), "");
+}
+
+TEST_F(GltfReading, WeightsOfMorphTargetsAreSaidToBeLeftOut) {
+  for (const bool own : {false, true}) {
+    GltfText text;
+    const auto position = text.add(kTriangle, "VEC3", 5126);
+    text.add_primitive({{"POSITION", position}}, {{"targets", {{{"POSITION", position}}}}});
+    EXPECT_EQ(read(text).left_out, "");
+    text.file["meshes"][0]["weights"] = {own ? 0.0 : 0.5};
+    if (own) text.file["nodes"][0]["weights"] = {0.25};
+    EXPECT_NE(read(text).left_out.find("morph targets"), std::string::npos);
+  }
+}
+
+TEST_F(GltfReading, InstancesAreMeshesOfTheirOwn) {
+  GltfText text;
+  text.file["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  text.add_primitive({{"POSITION", text.add(kTriangle, "VEC3", 5126)}});
+  const auto translation = text.add(std::vector<float>{0, 0, 0, 0, 0, 3}, "VEC3", 5126);
+  const auto rotation =
+      text.add(std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 127, 0}, "VEC4", 5120, true);
+  const auto scale = text.add(std::vector<float>{1, 1, 1, 2, 2, 2}, "VEC3", 5126);
+  text.file["nodes"][0]["translation"] = {5, 0, 0};
+  json& attributes = text.file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes = {{"TRANSLATION", translation}, {"ROTATION", rotation}, {"SCALE", scale}};
+  const LoadedMesh loaded = read(text);
+  EXPECT_EQ(loaded.mesh.positions,
+            (std::vector<Vec3>{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 3}, {3, 0, 3}, {5, -2, 3}}));
+  EXPECT_EQ(loaded.mesh.triangle_count(), 2u);
+  attributes["SCALE"] = 0;  // of three vertices
+  std::ofstream(folder / "data.bin", std::ios::binary) << text.data();
+  EXPECT_NE(error_of(text.text("data.bin")), "");
+}
+
+TEST_F(GltfReading, RequiredExtensionsThatMayChangeTheMeshAreRefusedByName) {
+  GltfText text;
+  text.add_primitive({{"POSITION", text.add(kTriangle, "VEC3", 5126)}});
+  std::ofstream(folder / "data.bin", std::ios::binary) << text.data();
+  text.file["extensionsRequired"] = {"KHR_materials_unlit", "KHR_texture_transform"};
+  EXPECT_EQ(error_of(text.text("data.bin")), "");
+  text.file["extensionsRequired"].push_back("ACME_teapots");
+  EXPECT_NE(error_of(text.text("data.bin")).find("'ACME_teapots'"), std::string::npos);
+}
+
+TEST_F(GltfReading, OtherVersionsAreNamed) {
+  EXPECT_NE(error_of(R"({"asset":{"version":"1.0"},"bufferViews":{}})").find("version 1.0"),
+            std::string::npos);
+}
+
+TEST_F(GltfReading, SparseAccessorsAreReadAndMayBeUnused) {
+  GltfText text;
+  const auto position = text.add(kTriangle, "VEC3", 5126);
+  const auto indices = text.add(std::vector<std::uint16_t>{2, 1}, "SCALAR", 5123);
+  const auto values = text.add(std::vector<float>{0, 7, 0, 5, 0, 1}, "VEC3", 5126);
+  const json sparse = {{"count", 2},
+                       {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                       {"values", {{"bufferView", values}}}};
+  json& accessors = text.file["accessors"];
+  json on_view = accessors[position], on_zeros = accessors[position];
+  on_view["sparse"] = on_zeros["sparse"] = sparse;
+  on_zeros.erase("bufferView");
+  accessors.push_back(on_view);
+  accessors.push_back(on_zeros);
+  text.add_primitive({{"POSITION", position}}, {{"targets", {{{"POSITION", 4}}}}});
+  EXPECT_EQ(read(text).mesh.vertex_count(), 3u);
+  text.file["meshes"][0]["primitives"] = json::array();
+  text.add_primitive({{"POSITION", 3}});
+  text.add_primitive({{"POSITION", 4}});
+  EXPECT_EQ(read(text).mesh.positions,
+            (std::vector<Vec3>{{0, 0, 0}, {5, 0, 1}, {0, 7, 0}, {0, 0, 0}, {5, 0, 1}, {0, 7, 0}}));
+  const std::vector<std::pair<std::string, json>> changes = {
+      {"count", 4},
+      {"count", 0},
+      {"count", 3},
+      {"indices", {{"bufferView", values}, {"byteOffset", 4}, {"componentType", 5123}}},
+      {"indices", {{"bufferView", indices}, {"componentType", 5126}}},
+      {"indices", {{"bufferView", 99}, {"componentType", 5123}}},
+      {"values", {{"bufferView", values}, {"byteOffset", 4}}}};
+  for (const auto& [key, value] : changes) {
+    text.file["accessors"][3]["sparse"] = sparse;
+    text.file["accessors"][3]["sparse"][key] = value;
+    EXPECT_NE(error_of(text.text("data.bin")), "") << key << value;
+  }
+}
+
 }  // namespace
 }  // namespace brindle
 

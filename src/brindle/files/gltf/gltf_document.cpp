@@ -12,6 +12,7 @@
 #include "brindle/base/base64.h"
 #include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
+#include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files/text/text_words.h"
@@ -63,11 +64,18 @@ Json parse(const InputFile& file, const char* text, std::size_t size) {
   }
 }
 
+[[noreturn]] void fail_version(const InputFile& file, const std::string& version) {
+  file.fail_whole("is of glTF version " + printable(version, 20) +
+                  ", and brindle reads version 2.0; convert it");
+}
+
 GltfDocument read_glb(InputFile& file) {
   const std::uint64_t size = file.remaining();
   if (read_word(file) != kGltfMagic)
     file.fail_whole("is not a GLB file: it does not begin with 'glTF'");
-  if (read_word(file) != 2) file.fail_whole("is not of glTF version 2; convert it");
+  if (const std::uint32_t version = read_word(file); version != 2) {
+    fail_version(file, std::to_string(version));
+  }
   if (read_word(file) > size) {
     file.fail_whole("is shorter than its header says: it is truncated; copy or export it again");
   }
@@ -93,6 +101,8 @@ class GltfParts {
       : file_(file), document_(document), json_(document.json), binary_(binary) {}
 
   void read() {
+    check_version();
+    check_extensions();
     for (const Json& view : list("bufferViews")) document_.views.push_back(read_view(view));
     for (const Json& accessor : list("accessors")) {
       document_.accessors.push_back(read_accessor(accessor));
@@ -104,12 +114,43 @@ class GltfParts {
       }
     }
     read_nodes();
+    for (const Json& skin : list("skins")) document_.skins.push_back(read_skin(skin));
     read_scenes();
   }
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
     file_.fail_whole("is a damaged glTF file, export it again: " + what);
+  }
+
+  void check_version() const {
+    const auto asset = json_.find("asset");
+    if (asset == json_.end() || !asset->is_object()) return;
+    const auto version = asset->find("version");
+    if (version == asset->end() || !version->is_string()) return;
+    const std::string& text = version->get_ref<const std::string&>();
+    if (!text.starts_with("2.")) fail_version(file_, text);
+  }
+
+  /// Refuses extensions that may change the geometry in a way that brindle does not know.
+  void check_extensions() const {
+    constexpr std::array<std::string_view, 4> kRead = {
+        "KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
+        // Refused, with their remedies, where a mesh uses them.
+        "KHR_draco_mesh_compression", "EXT_meshopt_compression"};
+    constexpr std::array<std::string_view, 8> kOfLooks = {
+        "KHR_materials_", "EXT_materials_", "KHR_texture_", "EXT_texture_",
+        "MSFT_texture_",  "KHR_lights_",    "EXT_lights_",  "KHR_xmp"};
+    for (const Json& extension : list("extensionsRequired")) {
+      if (!extension.is_string()) fail("'extensionsRequired' holds what is no text");
+      const std::string& name = extension.get_ref<const std::string&>();
+      const bool is_known =
+          ranges::find(kRead, name) != kRead.end() ||
+          ranges::any_of(kOfLooks, [&](auto prefix) { return name.starts_with(prefix); });
+      if (is_known) continue;
+      file_.fail_whole("requires the glTF extension " + in_quotes(name) +
+                       ", which brindle does not read; export it without");
+    }
   }
 
   const Json& list(const char* name) const {
@@ -189,9 +230,6 @@ class GltfParts {
     accessor.components = components->second;
     accessor.is_matrix = components->first.starts_with("MAT");
     accessor.count = number(json, "count");
-    if (json.contains("sparse")) {
-      file_.fail_whole("has sparse accessors, which brindle does not read; export it without");
-    }
     if (accessor.count == 0 || accessor.count > 0xfffffffe) {
       fail("an accessor has an impossible number of entries");
     }
@@ -199,15 +237,55 @@ class GltfParts {
     accessor.is_normalized = normalized != json.end() && *normalized == true;
     // Without a view, as with compressed data, there is nothing to check here.
     if (json.contains("bufferView")) place(json, accessor);
+    if (json.contains("sparse")) accessor.sparse = read_sparse(json["sparse"], accessor);
     return accessor;
+  }
+
+  GltfSparse read_sparse(const Json& json, const GltfAccessor& accessor) const {
+    GltfSparse sparse;
+    sparse.count = number(json, "count");
+    if (sparse.count == 0 || sparse.count > accessor.count) {
+      fail("a sparse accessor has an impossible number of entries");
+    }
+    const Json &indices = member(json, "indices"), &values = member(json, "values");
+    switch (number(indices, "componentType")) {
+      case 5121:
+        sparse.index_type = NumberType::uint8;
+        break;
+      case 5123:
+        sparse.index_type = NumberType::uint16;
+        break;
+      case 5125:
+        break;
+      default:
+        fail("indices of a sparse accessor must be unsigned whole numbers");
+    }
+    sparse.index_view = number_of("bufferViews", indices, "bufferView");
+    sparse.index_offset = number(indices, "byteOffset", 0);
+    check_room(sparse.index_view, sparse.index_offset, sparse.count, size_of(sparse.index_type));
+    sparse.value_view = number_of("bufferViews", values, "bufferView");
+    sparse.value_offset = number(values, "byteOffset", 0);
+    check_room(sparse.value_view, sparse.value_offset, sparse.count, element_size(accessor));
+    return sparse;
+  }
+
+  static std::uint64_t element_size(const GltfAccessor& accessor) {
+    return size_of(accessor.type) * static_cast<std::uint64_t>(accessor.components);
+  }
+
+  void check_room(std::uint64_t number, std::uint64_t offset, std::uint64_t count,
+                  std::uint64_t element) const {
+    const GltfView& view = document_.views[number];
+    if (offset > view.length || count > (view.length - offset) / element) {
+      fail("a sparse accessor reaches beyond its view");
+    }
   }
 
   /// Reads where the numbers are.
   void place(const Json& json, GltfAccessor& accessor) const {
     accessor.view = number_of("bufferViews", json, "bufferView");
     GltfView& view = document_.views[*accessor.view];
-    const std::uint64_t element =
-        size_of(accessor.type) * static_cast<std::uint64_t>(accessor.components);
+    const std::uint64_t element = element_size(accessor);
     view.stride = number(json_["bufferViews"][*accessor.view], "byteStride", 0);
     accessor.offset = number(json, "byteOffset", 0);
     const std::uint64_t stride = std::max(view.stride, element);
@@ -248,6 +326,7 @@ class GltfParts {
       if (accessor.components != 1 || !is_unsigned) fail("indices must be unsigned whole numbers");
     }
     primitive.is_compressed = has_extension(json, "KHR_draco_mesh_compression");
+    primitive.has_targets = json.contains("targets");
     return primitive;
   }
 
@@ -261,6 +340,10 @@ class GltfParts {
       GltfNode& node = document_.nodes.emplace_back();
       node.json = &json;
       if (json.contains("mesh")) node.mesh = number_of("meshes", json, "mesh");
+      if (json.contains("skin")) node.skin = number_of("skins", json, "skin");
+      if (has_extension(json, "EXT_mesh_gpu_instancing")) {
+        node.instances = read_instances(json["extensions"]["EXT_mesh_gpu_instancing"]);
+      }
       if (json.contains("children")) node.children = indices(json["children"]);
       for (const std::uint64_t child : node.children) {
         if (child >= nodes.size()) fail("a node has a child that does not exist");
@@ -268,9 +351,46 @@ class GltfParts {
       }
     }
     for (std::uint64_t n = 0; n < nodes.size(); ++n) {
-      if (!has_parent[n]) document_.roots.push_back(n);
+      if (!has_parent[n]) document_.tops.push_back(n);
     }
+    document_.roots = document_.tops;
     check_depth();
+  }
+
+  std::map<std::string, std::uint64_t> read_instances(const Json& json) const {
+    static const std::map<std::string, int> kComponents = {
+        {"TRANSLATION", 3}, {"ROTATION", 4}, {"SCALE", 3}};
+    const Json& attributes = member(json, "attributes");
+    if (!attributes.is_object()) fail("'attributes' is no object");
+    std::map<std::string, std::uint64_t> instances;
+    std::uint64_t count = 0;
+    for (const auto& [name, components] : kComponents) {
+      if (!attributes.contains(name)) continue;
+      const std::uint64_t index = number_of("accessors", attributes, name.c_str());
+      const GltfAccessor& accessor = document_.accessors[index];
+      if (accessor.components != components || (count != 0 && accessor.count != count)) {
+        fail("the instances of a mesh have attributes of different lengths or unknown types");
+      }
+      count = accessor.count;
+      instances.emplace(name, index);
+    }
+    return instances;
+  }
+
+  GltfSkin read_skin(const Json& json) const {
+    GltfSkin skin;
+    skin.joints = indices(member(json, "joints"));
+    for (const std::uint64_t joint : skin.joints) {
+      if (joint >= document_.nodes.size()) fail("a skin has a joint that does not exist");
+    }
+    if (!json.contains("inverseBindMatrices")) return skin;
+    skin.inverse_bind_matrices = number_of("accessors", json, "inverseBindMatrices");
+    const GltfAccessor& matrices = document_.accessors[*skin.inverse_bind_matrices];
+    if (matrices.components != 16 || matrices.type != NumberType::float32 ||
+        matrices.count < skin.joints.size()) {
+      fail("a skin needs a matrix of 16 floats for each joint");
+    }
+    return skin;
   }
 
   void check_depth() const {

@@ -29,6 +29,14 @@ struct GltfView {
   bool is_compressed = false;  ///< by meshopt
 };
 
+/// Elements of an array that are not those of its view.
+struct GltfSparse {
+  std::uint64_t count = 0;
+  NumberType index_type = NumberType::uint32;
+  std::uint64_t index_view = 0, index_offset = 0;
+  std::uint64_t value_view = 0, value_offset = 0;
+};
+
 /// An array; its numbers lie within its view.
 struct GltfAccessor {
   NumberType type = NumberType::float32;
@@ -38,6 +46,9 @@ struct GltfAccessor {
   std::uint64_t count = 0;            ///< elements, 1 or more
   std::optional<std::uint64_t> view;  ///< without one all numbers are 0, or compressed
   std::uint64_t offset = 0;           ///< in the view
+  std::optional<GltfSparse> sparse;
+
+  bool has_data() const { return view || sparse; }
 };
 
 struct GltfPrimitive {
@@ -45,15 +56,23 @@ struct GltfPrimitive {
   std::map<std::string, std::uint64_t> attributes;  ///< accessors of equally many elements
   std::optional<std::uint64_t> indices;             ///< an accessor of unsigned whole numbers
   bool is_compressed = false;                       ///< by Draco
+  bool has_targets = false;                         ///< of morphing
+};
+
+struct GltfSkin {
+  std::vector<std::uint64_t> joints;                   ///< nodes
+  std::optional<std::uint64_t> inverse_bind_matrices;  ///< an accessor with one for each joint
 };
 
 struct GltfNode {
   const nlohmann::json* json = nullptr;  ///< for its transform, which is not checked
-  std::optional<std::uint64_t> mesh;
+  std::optional<std::uint64_t> mesh, skin;
   std::vector<std::uint64_t> children;
+  /// Accessors of EXT_mesh_gpu_instancing, of equally many elements.
+  std::map<std::string, std::uint64_t> instances;
 };
 
-/// Numbers of views, accessors, meshes, nodes and buffers exist, and nodes form trees.
+/// Numbers of views, accessors, meshes, nodes, skins and buffers exist, and nodes form trees.
 struct GltfDocument {
   nlohmann::json json;
   std::string data;  ///< a GLB's own buffer
@@ -61,13 +80,15 @@ struct GltfDocument {
   std::vector<GltfAccessor> accessors;
   std::vector<std::vector<GltfPrimitive>> meshes;
   std::vector<GltfNode> nodes;
+  std::vector<GltfSkin> skins;
+  std::vector<std::uint64_t> tops;  ///< all nodes without a parent
   /// The nodes of the default scene; of a file without scenes, all nodes without a parent.
   std::vector<std::uint64_t> roots;
 };
 
-/// Throws Error, naming the file and the remedy, if the file is truncated, or its nodes or
-/// accessors are not what the format demands: cycles of nodes, parts that do not exist, data beyond
-/// the end of a buffer.
+/// Throws Error, naming the file and the remedy, if the file is of another version, requires an
+/// extension that brindle does not know, is truncated, or its nodes or accessors are not what the
+/// format demands: cycles of nodes, parts that do not exist, data beyond the end of a buffer.
 GltfDocument read_gltf_document(const std::filesystem::path& path, const Progress& progress);
 
 /// The buffers of a document, read when they are first used. All functions throw Error naming the

@@ -50,6 +50,12 @@ class GltfReader {
       left_out += std::to_string(without_data_) +
                   " primitives: left out, because their positions or indices have no data\n";
     }
+    if (morphed_ > 0) {
+      left_out +=
+          std::to_string(morphed_) +
+          " meshes with weights of morph targets: these are left out, the meshes have their "
+          "base shapes\n";
+    }
     RawMesh raw = builder_.take(std::move(arrays));
     raw.left_out = std::move(left_out);
     return raw;
@@ -98,15 +104,103 @@ class GltfReader {
     const GltfNode& node = document_.nodes[number];
     const Affine3d transform = parent * transform_of(*node.json);
     if (node.mesh) {
-      first_vertex_.clear();
-      for (const GltfPrimitive& primitive : document_.meshes[*node.mesh]) {
-        add_primitive(primitive, transform);
+      note_morphing(node);
+      const std::vector<Affine3d> joints = joints_of(node);
+      for (const Affine3d& instance : instances_of(node)) {
+        first_vertex_.clear();
+        for (const GltfPrimitive& primitive : document_.meshes[*node.mesh]) {
+          add_primitive(primitive, {transform * instance, joints});
+        }
       }
     }
     for (const std::uint64_t child : node.children) add_node(child, transform);
   }
 
-  void add_primitive(const GltfPrimitive& primitive, const Affine3d& transform) {
+  void note_morphing(const GltfNode& node) {
+    const auto has_weights = [](const Json& json) {
+      const auto weights = json.find("weights");
+      return weights != json.end() && weights->is_array() &&
+             ranges::any_of(*weights, [](const Json& weight) { return weight != 0; });
+    };
+    const bool has_targets =
+        ranges::any_of(document_.meshes[*node.mesh],
+                       [](const GltfPrimitive& primitive) { return primitive.has_targets; });
+    const bool has_own = node.json->contains("weights");
+    const Json& weighted = has_own ? *node.json : document_.json["meshes"][*node.mesh];
+    if (has_targets && has_weights(weighted)) ++morphed_;
+  }
+
+  /// Where the node's mesh stands relative to the node.
+  std::vector<Affine3d> instances_of(const GltfNode& node) {
+    if (node.instances.empty()) return {Affine3d::Identity()};
+    const std::uint64_t count = document_.accessors[node.instances.begin()->second].count;
+    std::map<std::string, std::vector<double>> numbers;
+    for (const auto& [name, accessor] : node.instances) {
+      numbers[name] = numbers_of(document_.accessors[accessor]);
+    }
+    spend(count * sizeof(Affine3d));
+    std::vector<Affine3d> instances(count, Affine3d::Identity());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto row = [&](const char* name, std::size_t columns) -> const double* {
+        const auto found = numbers.find(name);
+        return found == numbers.end() ? nullptr : &found->second[i * columns];
+      };
+      if (const double* t = row("TRANSLATION", 3)) instances[i].translate(Vector3d(t));
+      if (const double* r = row("ROTATION", 4)) {
+        instances[i].rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
+      }
+      if (const double* s = row("SCALE", 3)) instances[i].scale(Vector3d(s));
+    }
+    return instances;
+  }
+
+  /// For every joint of the node's skin what it does to vertices; none without a skin.
+  std::vector<Affine3d> joints_of(const GltfNode& node) {
+    std::vector<Affine3d> joints;
+    if (!node.skin) return joints;
+    const GltfSkin& skin = document_.skins[*node.skin];
+    spend(skin.joints.size() * sizeof(Affine3d));
+    std::vector<double> inverse;
+    if (skin.inverse_bind_matrices) {
+      inverse = numbers_of(document_.accessors[*skin.inverse_bind_matrices]);
+    }
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      joints.push_back(in_scene(skin.joints[j]));
+      if (inverse.empty()) continue;
+      Affine3d bind;
+      bind.matrix() = Eigen::Map<const Eigen::Matrix4d>(&inverse[16 * j]);
+      joints.back() = joints.back() * bind;
+    }
+    return joints;
+  }
+
+  /// The transform of a node and of all above it.
+  const Affine3d& in_scene(std::uint64_t number) {
+    if (in_scene_.empty()) {
+      in_scene_.resize(document_.nodes.size());
+      for (const std::uint64_t top : document_.tops) place_in_scene(top, Affine3d::Identity());
+    }
+    return in_scene_[number];
+  }
+
+  void place_in_scene(std::uint64_t number, const Affine3d& parent) {
+    const GltfNode& node = document_.nodes[number];
+    in_scene_[number] = parent * transform_of(*node.json);
+    for (const std::uint64_t child : node.children) place_in_scene(child, in_scene_[number]);
+  }
+
+  /// Where a node's mesh is put: vertices that are bound to joints follow these alone.
+  struct Place {
+    Affine3d transform;
+    const std::vector<Affine3d>& joints;
+
+    bool is_skinned(const GltfPrimitive& primitive) const {
+      return !joints.empty() && primitive.attributes.contains("JOINTS_0") &&
+             primitive.attributes.contains("WEIGHTS_0");
+    }
+  };
+
+  void add_primitive(const GltfPrimitive& primitive, const Place& place) {
     if (primitive.mode < kTriangles || primitive.mode > kTriangleFan) return;  // points and lines
     if (primitive.is_compressed) {
       fail("is compressed with Draco, which brindle does not read; export it without compression");
@@ -115,15 +209,48 @@ class GltfReader {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) return;
     const GltfAccessor& positions = document_.accessors[position->second];
-    if (!positions.view || (primitive.indices && !document_.accessors[*primitive.indices].view)) {
+    if (!positions.has_data() ||
+        (primitive.indices && !document_.accessors[*primitive.indices].has_data())) {
       ++without_data_;  // all zeros, as the format says: no triangle has an area
       return;
     }
-    const Index first = add_vertices(primitive, positions, transform);
+    const std::vector<Affine3d> ways = ways_of(primitive, positions.count, place);
+    const Index first = add_vertices(primitive, positions, place, ways);
     std::vector<Index> corners = corners_of(primitive, static_cast<Index>(positions.count));
     for (Index& corner : corners) corner += first;
     add_triangles(corners, static_cast<PrimitiveMode>(primitive.mode),
-                  transform.linear().determinant() < 0);
+                  ways.front().linear().determinant() < 0);
+  }
+
+  /// How each vertex gets to its place, or one way for all.
+  std::vector<Affine3d> ways_of(const GltfPrimitive& primitive, std::uint64_t vertices,
+                                const Place& place) {
+    if (!place.is_skinned(primitive)) return {place.transform};
+    spend(vertices * sizeof(Affine3d));
+    std::vector<Eigen::Matrix4d> sums(vertices, Eigen::Matrix4d::Zero());
+    for (int set = 0;; ++set) {
+      const auto joints = primitive.attributes.find("JOINTS_" + std::to_string(set));
+      const auto weights = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
+      if (joints == primitive.attributes.end() || weights == primitive.attributes.end()) break;
+      const std::vector<double> numbers = numbers_of(document_.accessors[joints->second]);
+      const std::vector<double> shares = numbers_of(document_.accessors[weights->second]);
+      if (numbers.size() != 4 * vertices || shares.size() != 4 * vertices) {
+        fail("is a damaged glTF file, export it again: joints and weights must be of four numbers");
+      }
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (shares[i] == 0) continue;
+        if (!(numbers[i] < static_cast<double>(place.joints.size()))) {
+          fail("is a damaged glTF file, export it again: a vertex has a joint that does not exist");
+        }
+        sums[i / 4] += shares[i] * place.joints[static_cast<std::size_t>(numbers[i])].matrix();
+      }
+    }
+    std::vector<Affine3d> ways(vertices, Affine3d::Identity());
+    for (std::size_t v = 0; v < vertices; ++v) {
+      const double all = sums[v](3, 3);  // the weights' sum, which rounding may have changed
+      if (all > 0) ways[v].matrix() = sums[v] / all;
+    }
+    return ways;
   }
 
   /// Throws if a small file asks for so much memory in all.
@@ -137,7 +264,8 @@ class GltfReader {
 
   /// The same for memory that an accessor's data fill; reads them, which raises the limit.
   void spend(const GltfAccessor& accessor, std::uint64_t bytes) {
-    data_of(accessor);
+    if (accessor.view) data_of(*accessor.view);
+    if (accessor.sparse) data_of(accessor.sparse->value_view);
     spend(bytes);
   }
 
@@ -150,33 +278,39 @@ class GltfReader {
   /// Primitives share their vertices if they have all these in common.
   using Attributes = std::map<std::string, std::uint64_t>;
 
-  static Attributes shared_attributes(Attributes attributes) {
-    std::erase_if(attributes, [](const auto& entry) {
-      return entry.first != "POSITION" && !is_array(entry.first);
+  static Attributes shared_attributes(Attributes attributes, bool skinned) {
+    std::erase_if(attributes, [&](const auto& entry) {
+      return entry.first != "POSITION" && !is_array(entry.first) && !skinned;
     });
     return attributes;
   }
 
   /// The number of the first of a primitive's vertices.
   Index add_vertices(const GltfPrimitive& primitive, const GltfAccessor& positions,
-                     const Affine3d& transform) {
+                     const Place& place, const std::vector<Affine3d>& ways) {
     const auto [entry, is_new] = first_vertex_.try_emplace(
-        shared_attributes(primitive.attributes), static_cast<Index>(builder_.vertex_count()));
+        shared_attributes(primitive.attributes, place.is_skinned(primitive)),
+        static_cast<Index>(builder_.vertex_count()));
     if (!is_new) return entry->second;
     if (builder_.vertex_count() + positions.count > 0xfffffffe) {
       fail("has more vertices than brindle can number; split it into parts");
     }
     spend(positions, positions.count * sizeof(Vector3d));
     const double one = unit_of(positions);
+    std::size_t vertex = 0;
     with_number_type(positions.type, [&]<class Number>(Number) {
       for_each_element(positions, 3 * sizeof(Number), [&](const char* bytes) {
         Vector3d position = vector_at<Number>(bytes) / one;
         if (one > 1) position = position.cwiseMax(-1);  // the lowest number is a step beyond it
-        builder_.add_vertex(transform * position);
+        builder_.add_vertex(way_of(ways, vertex++) * position);
       });
     });
-    arrays_.add(arrays_of(primitive, transform.linear()));
+    arrays_.add(arrays_of(primitive, ways));
     return entry->second;
+  }
+
+  static const Affine3d& way_of(const std::vector<Affine3d>& ways, std::size_t vertex) {
+    return ways.size() > 1 ? ways[vertex] : ways.front();
   }
 
   template <class Number>
@@ -203,7 +337,8 @@ class GltfReader {
   }
 
   /// The arrays of a primitive's vertices.
-  std::vector<DataArray> arrays_of(const GltfPrimitive& primitive, const Eigen::Matrix3d& linear) {
+  std::vector<DataArray> arrays_of(const GltfPrimitive& primitive,
+                                   const std::vector<Affine3d>& ways) {
     std::vector<DataArray> arrays;
     for (const auto& [semantic, number] : primitive.attributes) {
       if (!is_array(semantic)) continue;
@@ -211,7 +346,7 @@ class GltfReader {
       // Columns of smaller numbers are padded; nobody stores data like that. Without a view there
       // are only zeros.
       const bool padded = accessor.is_matrix && accessor.type != NumberType::float32;
-      if (padded || !accessor.view) continue;
+      if (padded || !accessor.has_data()) continue;
       DataArray array{array_name(semantic), accessor.type, accessor.components, {}};
       const std::size_t row = size_of(array.type) * static_cast<std::size_t>(array.components);
       spend(accessor, row * accessor.count);
@@ -224,8 +359,14 @@ class GltfReader {
       const bool direction = semantic == "NORMAL" || semantic == "TANGENT";
       // Whole numbers of a direction are always shares of their largest.
       if (direction) array = as_floats(array, largest_of(array.type));
-      if (semantic == "NORMAL") turn(array, linear.inverse().transpose());
-      if (semantic == "TANGENT") turn(array, linear);
+      if (semantic == "NORMAL") {
+        turn(array, ways, [](const Affine3d& way) -> Eigen::Matrix3d {
+          return way.linear().inverse().transpose();
+        });
+      }
+      if (semantic == "TANGENT") {
+        turn(array, ways, [](const Affine3d& way) -> Eigen::Matrix3d { return way.linear(); });
+      }
       arrays.push_back(std::move(array));
     }
     return arrays;
@@ -274,16 +415,20 @@ class GltfReader {
     return make_data_array(array.name, array.components, numbers);
   }
 
-  /// Turns the vectors of an array by a node's transform.
-  static void turn(DataArray& array, const Eigen::Matrix3d& linear) {
+  /// Turns the vectors of an array by a matrix of their vertices' ways.
+  template <class MatrixOf>
+  static void turn(DataArray& array, const std::vector<Affine3d>& ways, const MatrixOf& matrix_of) {
     const bool vectors = array.type == NumberType::float32 && array.components >= 3;
-    if (!vectors || linear.isIdentity(0)) return;
+    if (!vectors) return;
     const std::size_t row = sizeof(float) * static_cast<std::size_t>(array.components);
-    for (std::size_t at = 0; at < array.bytes.size(); at += row) {
+    Eigen::Matrix3d linear = matrix_of(ways.front());
+    for (std::size_t v = 0; v < array.rows(); ++v) {
+      if (ways.size() > 1) linear = matrix_of(ways[v]);
+      if (linear.isIdentity(0)) continue;
       Vec3 vector;
-      std::memcpy(vector.data(), &array.bytes[at], sizeof vector);
+      std::memcpy(vector.data(), &array.bytes[v * row], sizeof vector);
       vector = (linear * vector.cast<double>()).stableNormalized().cast<float>();
-      std::memcpy(&array.bytes[at], vector.data(), sizeof vector);
+      std::memcpy(&array.bytes[v * row], vector.data(), sizeof vector);
     }
   }
 
@@ -323,23 +468,77 @@ class GltfReader {
     }
   }
 
+  /// All numbers of an accessor, as `unit_of` means them.
+  std::vector<double> numbers_of(const GltfAccessor& accessor) {
+    const auto columns = static_cast<std::size_t>(accessor.components);
+    if (!accessor.has_data()) fail("is a damaged glTF file, export it again: data are missing");
+    spend(accessor, accessor.count * columns * sizeof(double));
+    std::vector<double> numbers;
+    const double one = unit_of(accessor);
+    with_number_type(accessor.type, [&]<class Number>(Number) {
+      for_each_element(accessor, columns * sizeof(Number), [&](const char* bytes) {
+        for (std::size_t c = 0; c < columns; ++c) {
+          Number number;
+          std::memcpy(&number, bytes + c * sizeof number, sizeof number);
+          const double value = static_cast<double>(number) / one;
+          numbers.push_back(one > 1 ? std::max(-1.0, value) : value);
+        }
+      });
+    });
+    return numbers;
+  }
+
   /// Calls `use` with the first byte of every element, which is `size` bytes long.
   template <class Use>
   void for_each_element(const GltfAccessor& accessor, std::size_t size, const Use& use) {
-    const std::string& data = data_of(accessor);
-    const GltfView& view = document_.views[*accessor.view];
-    const std::uint64_t stride = std::max<std::uint64_t>(view.stride, size);
-    const char* const begin = data.data() + view.offset + accessor.offset;
+    if (accessor.sparse) {
+      const std::string elements = all_elements(accessor, size);
+      for (std::uint64_t i = 0; i < accessor.count; ++i) use(elements.data() + i * size);
+    } else {
+      for_each_in_view(accessor, size, use);
+    }
+  }
+
+  template <class Use>
+  void for_each_in_view(const GltfAccessor& accessor, std::size_t size, const Use& use) {
+    const std::uint64_t stride =
+        std::max<std::uint64_t>(document_.views[*accessor.view].stride, size);
+    const char* const begin = data_of(*accessor.view) + accessor.offset;
     for (std::uint64_t i = 0; i < accessor.count; ++i) use(begin + i * stride);
   }
 
-  /// The buffer that has an accessor's numbers.
-  const std::string& data_of(const GltfAccessor& accessor) {
-    const GltfView& view = document_.views[*accessor.view];
+  /// The elements of a sparse accessor, one after the other.
+  std::string all_elements(const GltfAccessor& accessor, std::size_t size) {
+    std::string elements;
+    elements.reserve(accessor.count * size);
+    if (accessor.view) {
+      for_each_in_view(accessor, size, [&](const char* bytes) { elements.append(bytes, size); });
+    } else {
+      elements.assign(accessor.count * size, '\0');
+    }
+    const GltfSparse& sparse = *accessor.sparse;
+    const char* index_bytes = data_of(sparse.index_view) + sparse.index_offset;
+    const char* values = data_of(sparse.value_view) + sparse.value_offset;
+    for (std::uint64_t i = 0; i < sparse.count; ++i, index_bytes += size_of(sparse.index_type)) {
+      std::uint32_t index = 0;  // little endian, as the format is
+      std::memcpy(&index, index_bytes, size_of(sparse.index_type));
+      if (index >= accessor.count) {
+        fail(
+            "is a damaged glTF file, export it again: a sparse accessor names an element that "
+            "does not exist");
+      }
+      std::memcpy(&elements[index * size], values + i * size, size);
+    }
+    return elements;
+  }
+
+  /// The first byte of a view.
+  const char* data_of(std::uint64_t number) {
+    const GltfView& view = document_.views[number];
     if (view.is_compressed) {
       fail("is compressed with meshopt, which brindle does not read; export it without");
     }
-    return buffers_.buffer(view.buffer);
+    return buffers_.buffer(view.buffer).data() + view.offset;
   }
 
   std::filesystem::path path_;
@@ -351,6 +550,8 @@ class GltfReader {
   std::map<Attributes, Index> first_vertex_;  ///< of the node's primitives
   std::uint64_t spent_ = 0;                   ///< bytes of memory
   std::size_t without_data_ = 0;
+  std::size_t morphed_ = 0;         ///< meshes with weights of morph targets
+  std::vector<Affine3d> in_scene_;  ///< of nodes; filled where it is needed
 };
 
 }  // namespace
