@@ -68,8 +68,9 @@ Adjacency point_neighborhood(std::span<const Vec3> positions, std::span<const In
 /// Joins every point to its `neighbors` nearest and, if the cloud has no normals, fits and orients
 /// them. Points that are not used, and those whose neighbours lie on a line, have a zero normal and
 /// so carry no wave. Everything that works on a Surface works on the result, from direction fields
-/// to `stripe_pattern`; what needs triangles finds none. Throws Error if no point has a normal, and
-/// what `point_neighborhood` throws; Cancelled if `progress` asks for it.
+/// to `stripe_pattern`; what needs triangles finds none. Throws Error if no point has a normal, for
+/// points without normals that fill a volume, and what `point_neighborhood` throws; Cancelled if
+/// `progress` asks for it.
 Surface make_point_surface(PointCloud cloud, int neighbors = 8, const Progress& progress = {});
 
 }  // namespace brindle

@@ -570,6 +570,7 @@ def searching_points(s):
 
 def making_points(s):
     points = np.random.default_rng(1).normal(size=(200_000, 3))
+    points /= np.linalg.norm(points, axis=1)[:, None]
     return lambda: brindle.points(points)
 
 

@@ -183,6 +183,25 @@ TEST(PointSurface, RefusesCloudsThatAreNone) {
   EXPECT_THROW(make_point_surface(bad), Error);
 }
 
+TEST(PointSurface, PointsThatFillAVolumeAreRefusedUnlessTheyHaveNormals) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> coordinate(0, 1);
+  std::vector<Vec3> scattered, lattice, rough;
+  for (int i = 0; i < 1000; ++i) {
+    scattered.push_back({coordinate(random), coordinate(random), coordinate(random)});
+    const auto place = static_cast<float>(i);
+    lattice.push_back(
+        {std::fmod(place, 10.f), std::fmod(std::floor(place / 10), 10.f), std::floor(place / 100)});
+    // A surface with noise of half the distance of its points.
+    rough.push_back({coordinate(random), coordinate(random), 0.016f * coordinate(random)});
+  }
+  EXPECT_THROW(make_point_surface(make_point_cloud(scattered).cloud), Error);
+  EXPECT_THROW(make_point_surface(make_point_cloud(lattice).cloud), Error);
+  EXPECT_NO_THROW(make_point_surface(make_point_cloud(rough).cloud));
+  const std::vector<Vec3> normals(scattered.size(), Vec3(0, 0, 1));
+  EXPECT_NO_THROW(make_point_surface(make_point_cloud(scattered, normals).cloud));
+}
+
 TEST(PointSurface, ThreePointsMakeOneAndFewerOrALineDoNot) {
   const auto surface_of = [](std::vector<Vec3> points) {
     return make_point_surface(make_point_cloud(std::move(points)).cloud);

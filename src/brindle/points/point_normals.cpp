@@ -20,7 +20,8 @@ constexpr double kThin = 0.1;
 
 struct PlaneFit {
   Eigen::Vector3d normal;
-  double width;  ///< square of the width over the length
+  double width;      ///< square of the width over the length
+  double thickness;  ///< square of the thickness over the width
 };
 
 /// The plane through the point and `others`.
@@ -39,7 +40,8 @@ PlaneFit fitted_plane(Index point, std::span<const Vec3> positions, std::span<co
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& squares = solver.eigenvalues();
-  return {solver.eigenvectors().col(0), squares[2] > 0 ? squares[1] / squares[2] : 0};
+  return {solver.eigenvectors().col(0), squares[2] > 0 ? squares[1] / squares[2] : 0,
+          squares[1] > 0 ? squares[0] / squares[1] : 0};
 }
 
 /// The neighbours and their neighbours.
@@ -122,6 +124,27 @@ std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacenc
   for_all_points(progress.part(0.5, 1),
                  [&](Index i) { normals[i] = mean_axis(i, fitted, neighborhood); });
   return normals;
+}
+
+bool fill_volume(std::span<const Vec3> positions, std::span<const Index> used,
+                 const Adjacency& neighborhood) {
+  constexpr std::size_t kFewest = 50, kSamples = 1000;
+  // In volumes the medians are 0.45 and 0.55, of points at random and on lattices. A few neighbours
+  // are as thick on noisy surfaces, and many on thin tubes, but not both.
+  constexpr double kNear = 0.3, kWide = 0.4;
+  if (used.size() < kFewest) return false;
+  std::vector<double> near, wide;
+  for (std::size_t k = 0; k < used.size(); k += 1 + used.size() / kSamples) {
+    const Index point = used[k];
+    near.push_back(fitted_plane(point, positions, neighborhood.of(point)).thickness);
+    wide.push_back(fitted_plane(point, positions, wider_neighbors(point, neighborhood)).thickness);
+  }
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  return median(near) > kNear && median(wide) > kWide;
 }
 
 void orient_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,

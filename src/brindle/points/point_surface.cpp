@@ -15,6 +15,11 @@ namespace {
 std::vector<Vec3> normals_of(PointCloud& cloud, const Adjacency& neighborhood,
                              const Progress& progress) {
   if (cloud.normals.empty()) {
+    if (fill_volume(cloud.positions, cloud.used, neighborhood)) {
+      throw Error(
+          "the points fill a volume, and stripes lie on surfaces: take the points of a surface, or "
+          "give points with normals");
+    }
     std::vector<Vec3> normals =
         fitted_normals(cloud.positions, neighborhood, progress.part(0, 0.6));
     orient_normals(cloud.positions, neighborhood, normals, progress.part(0.6, 1));
