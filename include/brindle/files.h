@@ -123,6 +123,11 @@ class SurfaceFile {
   /// Throws Cancelled if `progress` asks for it.
   bool has_faces(const Progress& progress = {});
 
+  /// Whether the file is to be read as points unless somebody chose: it has no faces. Throws Error,
+  /// with the remedy, for a file of lines without faces, whose points are on curves and not all
+  /// over a surface; and Cancelled if `progress` asks for it.
+  bool is_point_cloud(const Progress& progress = {});
+
   /// What `read_mesh` returns, and throws.
   LoadedMesh mesh(const Progress& progress = {});
 

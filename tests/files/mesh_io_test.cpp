@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "brindle/base/random.h"
@@ -216,6 +218,72 @@ TEST_F(MeshIo, ReadsPolygons) {
 
 TEST_F(MeshIo, ReadsFacesThatComeBeforeTheirVertices) {
   EXPECT_EQ(read("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").mesh.triangle_count(), 1u);
+}
+
+/// A square of area 16 with a window of area 4, as one face with a bridge, in every text format.
+std::vector<std::pair<std::string, std::string>> squares_with_windows() {
+  const std::string places = "0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 1 0\n1 3 0\n3 3 0\n3 1 0\n";
+  std::string obj;
+  std::istringstream lines(places);
+  for (std::string line; std::getline(lines, line);) obj += "v " + line + '\n';
+  const std::string face = "10 0 1 2 3 0 4 5 6 7 4\n", obj_face = "f 1 2 3 4 1 5 6 7 8 5\n";
+  return {{"a.obj", obj + obj_face},
+          {"b.obj", obj_face + obj},
+          {"a.off", "OFF\n8 1 0\n" + places + face},
+          {"a.ply", ply_header("ascii", "8", "1") + places + face},
+          {"a.vtk", "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n" +
+                        places + "POLYGONS 1 11\n" + face}};
+}
+
+TEST_F(MeshIo, WindowsOfFacesStayOpenInEveryFormat) {
+  for (const auto& [name, text] : squares_with_windows()) {
+    const LoadedMesh loaded = read(name, text);
+    double area = 0;
+    for (const auto& [a, b, c] : loaded.mesh.triangles) {
+      const std::vector<Vec3>& p = loaded.mesh.positions;
+      area += 0.5 * static_cast<double>((p[b] - p[a]).cross(p[c] - p[a]).norm());
+    }
+    EXPECT_NEAR(area, 12, 1e-6) << name;
+    EXPECT_EQ(loaded.left_out, "") << name;
+  }
+}
+
+TEST_F(MeshIo, FacesThatCrossThemselvesAreTold) {
+  const LoadedMesh loaded =
+      read("a.obj", kPyramidObj + "v 5 0 0\nv 7 0 0\nv 5 1 0\nv 7 2 0\nf 6 7 8 9\n");
+  EXPECT_NAMES(loaded.left_out, "1 polygons cross themselves");
+  EXPECT_NAMES(loaded.left_out, "number 5,");
+}
+
+TEST_F(MeshIo, ColorsAndCoordinatesOfObjAreSaidToBeLeftOut) {
+  const std::string face = "f 1 2 3\n";
+  const auto left_out = [&](const std::string& vertices) {
+    return read("a.obj", vertices + face).left_out;
+  };
+  EXPECT_EQ(left_out("v 0 0 0\nv 1 0 0 1\nv 0 1 0 # 1 2 3\nvn 0 0 1\n"), "");
+  const std::string both = left_out("v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\n");
+  EXPECT_NAMES(both, "colors of vertices: left out");
+  EXPECT_NAMES(both, "texture coordinates: left out");
+  EXPECT_EQ(std::count(both.begin(), both.end(), '\n'), 2);
+  EXPECT_NAMES(read_points(save("b.obj", "v 0 0 0 1 0 0\n")).left_out, "colors");
+}
+
+TEST_F(MeshIo, ObjThatIsNoTextIsNamedAsWhatItIs) {
+  std::string wide = "\xff\xfe";
+  for (const char letter : kPyramidObj) wide += {letter, '\0'};
+  EXPECT_NAMES(error_of("a.obj", wide), "UTF-16");
+  EXPECT_NAMES(error_of("a.obj", std::string("\xff\xff\xfe") + "created by me\n\n"), "FreeSurfer");
+  EXPECT_NAMES(error_of("a.obj", wide.substr(2)), "binary");
+  EXPECT_TRUE(SurfaceFile(save("a.obj", wide)).has_faces()) << "its mesh says why";
+  EXPECT_THROW(read_points(save("a.obj", wide)), Error);
+}
+
+TEST_F(MeshIo, StlIsReadInCapitals) {
+  std::string text = "solid a\n" + stl_facet(0) + stl_facet(2) + "endsolid a\n";
+  const Mesh small = read("a.stl", text).mesh;
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  EXPECT_EQ(read("b.stl", text).mesh.triangles, small.triangles);
 }
 
 TEST_F(MeshIo, ReadsOffVariants) {

@@ -78,6 +78,21 @@ TEST_F(PointIo, ReadsPlyWithNormalsAmongOtherProperties) {
   EXPECT_EQ(cloud.normals, (std::vector<Vec3>{{1, 0, 0}, {0, 0, -1}}));
 }
 
+TEST_F(PointIo, ReadsNormalsByTheNamesOfOtherPrograms) {
+  for (const std::string stem : {"n", "normal", "normal_"}) {
+    std::string header = kPlyStart + "element vertex 1\n";
+    for (const std::string& name : {std::string("x"), std::string("y"), std::string("z"),
+                                    stem + "x", stem + "y", stem + "z"}) {
+      header += "property float " + name + "\n";
+    }
+    const LoadedPoints ply = read_points(file("a.ply", header + "end_header\n1 2 3 0 1 0\n"));
+    EXPECT_EQ(ply.cloud.normals, (std::vector<Vec3>{{0, 1, 0}})) << stem;
+    const LoadedPoints csv = read_points(
+        file("a.csv", "a,x,y,z," + stem + "x," + stem + "y," + stem + "z\n7,1,2,3,0,1,0\n"));
+    EXPECT_EQ(csv.cloud.normals, (std::vector<Vec3>{{0, 1, 0}})) << stem;
+  }
+}
+
 TEST_F(PointIo, ReadsObjWithAsManyNormalsAsPoints) {
   const std::string points = "v 0 0 0\nv 1 0 0\nvn 0 0 1\n";
   EXPECT_TRUE(read_points(file("a.obj", points)).cloud.normals.empty());

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "brindle/files.h"
 #include "parametric_meshes.h"
 #include "vtk_surfaces.h"
@@ -80,6 +81,34 @@ TEST_F(SurfaceFiles, FacesAreFoundWhereverTheyStand) {
   for (const std::string& text : {many, many + comment, vertices + "# f\nfoo f\nl 1 \\\nf\n"}) {
     EXPECT_FALSE(SurfaceFile(save("a.obj", text)).has_faces());
   }
+}
+
+TEST_F(SurfaceFiles, LinesAreNoSurfaceUnlessTheirPointsAreAskedFor) {
+  const std::string vtk =
+      "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+      "0 0 0 1 0 0 0 1 0\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 1\n";
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"a.vtk", vtk + "LINES 1 4\n3 0 1 2\n"},
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"},
+      {"a.ply", ply}};
+  for (const auto& [name, text] : files) {
+    SurfaceFile file(save(name, text));
+    EXPECT_FALSE(file.has_faces()) << name;
+    try {
+      file.is_point_cloud();
+      FAIL() << name;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("--points"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(file.points().cloud.positions.size(), 3u) << name;
+  }
+  EXPECT_TRUE(SurfaceFile(save("b.vtk", vtk + "VERTICES 1 2\n1 0\n")).is_point_cloud());
+  EXPECT_FALSE(SurfaceFile(save("c.vtk", vtk + "LINES 1 3\n2 0 1\nPOLYGONS 1 4\n3 0 1 2\n"))
+                   .is_point_cloud());
 }
 
 TEST_F(SurfaceFiles, ThatCannotBeReadSayWhyAsMeshes) {

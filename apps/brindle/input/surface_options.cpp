@@ -91,7 +91,7 @@ std::string describe(const LoadedMesh& loaded) {
 }
 
 bool is_points(const SurfaceOptions& options) {
-  return options.points || (!is_shape(options) && !file_of(options).has_faces());
+  return options.points || (!is_shape(options) && file_of(options).is_point_cloud());
 }
 
 LoadedPoints load_points(const SurfaceOptions& options) {

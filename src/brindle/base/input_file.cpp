@@ -170,6 +170,23 @@ void InputFile::report(std::uint64_t count) {
   progress_.report(stage_, std::min(1.0, static_cast<double>(read_) / static_cast<double>(size_)));
 }
 
+void InputFile::check_text(const std::string& kind) {
+  constexpr std::uint64_t kLooked = 1024;
+  std::string begin(static_cast<std::size_t>(std::min(kLooked, size_)), '\0');
+  read_at(0, std::as_writable_bytes(std::span(begin)));
+  if (begin.starts_with("\xff\xff\xfe")) {
+    fail_whole("is no text, as " + kind +
+               " is, but a binary surface of FreeSurfer; convert it with mris_convert");
+  }
+  if (begin.starts_with("\xff\xfe") || begin.starts_with("\xfe\xff")) {
+    fail_whole("is text in UTF-16; save it in UTF-8, which " + kind + " is written in");
+  }
+  if (begin.find('\0') != std::string::npos) {
+    fail_whole("is binary and no text, as " + kind +
+               " is; name it by its format, or export it again");
+  }
+}
+
 std::optional<std::string_view> InputFile::next_line() {
   std::size_t searched = 0;
   const char* line_end = nullptr;

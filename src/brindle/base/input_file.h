@@ -75,6 +75,10 @@ class InputFile {
   /// that was read.
   explicit InputFile(const std::filesystem::path& path, Progress progress = {});
 
+  /// Throws Error if the file begins with what no text in UTF-8 or ASCII has. `kind` is what the
+  /// text should be: "an OBJ file".
+  void check_text(const std::string& kind);
+
   /// The next line without its end and, of the first, a byte-order mark; nothing after the last.
   /// Valid until the next call.
   std::optional<std::string_view> next_line();

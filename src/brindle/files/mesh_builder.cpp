@@ -59,8 +59,6 @@ void MeshBuilder::for_each_polygon(const Use& use) const {
   }
 }
 
-Mesh MeshBuilder::take() { return take({}).mesh; }
-
 RawMesh MeshBuilder::take(DataArrays arrays, std::vector<Eigen::Vector3d>* exact) {
   std::vector<char> used(polygons_.empty() ? 0 : positions_.size(), 0);
   for_each_polygon([&](std::span<const Index> corners) {
@@ -75,14 +73,18 @@ RawMesh MeshBuilder::take(DataArrays arrays, std::vector<Eigen::Vector3d>* exact
   cell_of_triangle.reserve(cells_.size());
   mesh.triangles.reserve(cells_.size());
   std::size_t polygon = 0;
+  CrossedPolygons crossed;
   for_each_polygon([&](std::span<const Index> corners) {
-    triangulate_polygon(mesh.positions, corners, mesh.triangles);
-    cell_of_triangle.resize(mesh.triangle_count(), cells_[polygon++]);
+    const Index cell = cells_[polygon++];
+    if (!triangulate_polygon(mesh.positions, corners, mesh.triangles)) crossed.add(cell);
+    cell_of_triangle.resize(mesh.triangle_count(), cell);
   });
   polygons_ = {};
   cells_ = {};
   spread_over_triangles(arrays.cells, cell_of_triangle);
-  return {std::move(mesh), std::move(arrays)};
+  RawMesh raw{std::move(mesh), std::move(arrays)};
+  raw.taken = describe(crossed);
+  return raw;
 }
 
 }  // namespace brindle

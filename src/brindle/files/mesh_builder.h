@@ -21,6 +21,7 @@ struct RawMesh {
   std::string why_empty = {};
   /// Of VTK's files: there are cells that are neither points nor lines.
   bool has_faces = false;
+  bool has_lines = false;    ///< of VTK's files
   std::string normals = {};  ///< the array of points with the normals; empty if the file names none
 };
 
@@ -35,8 +36,11 @@ class MeshBuilder {
   void add_vertex(const Eigen::Vector3d& position) { positions_.push_back(position); }
 
   /// Corners are indices of vertices, which may be added later. `cell` is the polygon's row in the
-  /// file's data per cell.
-  void add_polygon(std::span<const Index> corners, Index cell = 0);
+  /// file's data per cell; without it polygons are cells.
+  void add_polygon(std::span<const Index> corners, Index cell);
+  void add_polygon(std::span<const Index> corners) {
+    add_polygon(corners, static_cast<Index>(cells_.size()));
+  }
 
   /// A triangle of every corner and the two before it, wound the other way round each time. Corners
   /// that repeat turn strips around or join them, and make no triangle of their own.
@@ -47,11 +51,9 @@ class MeshBuilder {
 
   /// The mesh, with polygons cut into triangles in their order. Its origin is `origin_near` of the
   /// vertices that polygons use, or of all if there is no polygon. The builder is empty then.
-  Mesh take();
-
-  /// The same with arrays: `arrays` has a row per vertex and per cell, the result one per vertex
-  /// and per triangle. `exact` receives the coordinates as they were added.
-  RawMesh take(DataArrays arrays, std::vector<Eigen::Vector3d>* exact = nullptr);
+  /// `arrays` has a row per vertex and per cell, the result one per vertex and per triangle.
+  /// `exact` receives the coordinates as they were added.
+  RawMesh take(DataArrays arrays = {}, std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
   template <class Use>

@@ -16,15 +16,21 @@
 
 namespace brindle {
 
-/// Wavefront OBJ: vertices and faces; texture coordinates, normals, groups and materials are
-/// ignored.
-Mesh read_obj(const std::filesystem::path& path, const Progress& progress = {});
+/// Wavefront OBJ: vertices and faces; normals, groups and materials are ignored, and `left_out`
+/// says so of texture coordinates and of colours of vertices.
+RawMesh read_obj(const std::filesystem::path& path, const Progress& progress = {});
 
 /// The vertices alone, with normals if there are as many, one each in the same order, and no face
 /// contradicts it.
 LoadedPoints read_obj_points(const std::filesystem::path& path);
 
-bool obj_has_faces(const std::filesystem::path& path);
+/// Elements of a file besides its points.
+struct FileElements {
+  bool faces = false;
+  bool lines = false;
+};
+
+FileElements obj_elements(const std::filesystem::path& path);
 
 /// Normals and texture coordinates are the only arrays that the format has. If `materials`
 /// names a material library, the mesh has its material.
@@ -37,11 +43,11 @@ std::string material_library(const std::string& picture);
 
 /// Object File Format: OFF, and its variants with normals, colours or texture coordinates, which
 /// are ignored. Throws Error for variants in other than three dimensions, too.
-Mesh read_off(const std::filesystem::path& path, const Progress& progress = {});
+RawMesh read_off(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Stereolithography, text or binary: three vertices per triangle, in the file's order; normals and
 /// colours are ignored.
-Mesh read_stl(const std::filesystem::path& path, const Progress& progress = {});
+RawMesh read_stl(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Stanford triangle format (PLY), text or binary: positions and faces. Further properties that are
 /// one number become arrays of that name and type, some together one array of several components:
@@ -49,11 +55,11 @@ Mesh read_stl(const std::filesystem::path& path, const Progress& progress = {});
 /// texture_v or s, t "uv"; and those that `grouped_columns` joins.
 RawMesh read_ply(const std::filesystem::path& path, const Progress& progress = {});
 
-/// The vertices alone, with their normals if each has nx, ny and nz.
+/// The vertices alone, with their normals if each has them.
 LoadedPoints read_ply_points(const std::filesystem::path& path);
 
-/// Whether the header names faces.
-bool ply_has_faces(const std::filesystem::path& path);
+/// What the header names; lines are edges.
+FileElements ply_elements(const std::filesystem::path& path);
 
 /// Binary, little endian. Arrays, as `fitted_arrays` makes them, become properties of vertices and
 /// faces: "normal" nx, ny, nz; "color" red, green, blue; others with the names of `column_names`;

@@ -268,7 +268,11 @@ std::vector<DataArray> arrays_of(std::vector<DataArray> columns) {
   const auto name = [&](Names properties, const char* array) {
     return name_components(columns, std::span(properties.begin(), properties.size()), array);
   };
-  name({"nx", "ny", "nz"}, "normal");
+  // The format has no names of its own for normals: these are those of other programs.
+  if (!name({"nx", "ny", "nz"}, "normal") &&
+      !name({"normal_x", "normal_y", "normal_z"}, "normal")) {
+    name({"normalx", "normaly", "normalz"}, "normal");
+  }
   if (!name({"red", "green", "blue", "alpha"}, "color")) name({"red", "green", "blue"}, "color");
   if (name({"texture_u", "texture_v"}, "uv")) {
     drop_copy(columns, "s", "uv:0");
@@ -306,9 +310,12 @@ class PlyReader {
     return loaded;
   }
 
-  bool has_faces() const {
-    return std::any_of(header_.elements.begin(), header_.elements.end(),
-                       [](const Element& e) { return holds_faces(e) && e.count > 0; });
+  FileElements elements() const {
+    const auto has = [&](bool (*holds)(const Element&)) {
+      return ranges::any_of(header_.elements,
+                            [&](const Element& e) { return e.count > 0 && holds(e); });
+    };
+    return {has(holds_faces), has([](const Element& e) { return e.name == "edge"; })};
   }
 
  private:
@@ -487,7 +494,7 @@ LoadedPoints read_ply_points(const std::filesystem::path& path) {
   return PlyReader(path).read_points();
 }
 
-bool ply_has_faces(const std::filesystem::path& path) { return PlyReader(path).has_faces(); }
+FileElements ply_elements(const std::filesystem::path& path) { return PlyReader(path).elements(); }
 
 void write_ply(OutputStream& out, const Mesh& mesh, const DataArrays& arrays,
                const std::string& picture) {

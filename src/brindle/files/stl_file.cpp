@@ -7,6 +7,7 @@
 #include "brindle/base/text.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/mesh_formats.h"
+#include "brindle/files/text/text_words.h"
 
 namespace brindle {
 namespace {
@@ -33,8 +34,8 @@ void add_triangle(const InputFile& file, MeshBuilder& mesh) {
   mesh.add_polygon(Triangle{end - 3, end - 2, end - 1});
 }
 
-Mesh read_binary(const std::filesystem::path& path, std::uint64_t triangles,
-                 const Progress& progress) {
+RawMesh read_binary(const std::filesystem::path& path, std::uint64_t triangles,
+                    const Progress& progress) {
   InputFile file(path, progress);
   file.take(kHeaderSize);
   MeshBuilder mesh;
@@ -65,7 +66,7 @@ Eigen::Vector3d read_vertex(const InputFile& file, std::string_view rest) {
   return position;
 }
 
-Mesh read_text(const std::filesystem::path& path, const Progress& progress) {
+RawMesh read_text(const std::filesystem::path& path, const Progress& progress) {
   InputFile file(path, progress);
   MeshBuilder mesh;
   std::uint64_t facets = 0;
@@ -73,16 +74,16 @@ Mesh read_text(const std::filesystem::path& path, const Progress& progress) {
   while (const auto line = file.next_line()) {
     std::string_view rest = *line;
     const std::string_view keyword = take_word(rest);
-    if (keyword == "vertex") {
+    if (same_letters(keyword, "vertex")) {
       mesh.add_vertex(read_vertex(file, rest));
-    } else if (keyword == "endfacet") {
+    } else if (same_letters(keyword, "endfacet")) {
       if (mesh.vertex_count() != 3 * ++facets) {
         file.fail("a facet has three vertices; the file is damaged");
       }
       add_triangle(file, mesh);
-    } else if (keyword == "endsolid") {
+    } else if (same_letters(keyword, "endsolid")) {
       ended = true;
-    } else if (keyword == "solid") {
+    } else if (same_letters(keyword, "solid")) {
       ended = false;
     }
   }
@@ -95,12 +96,12 @@ Mesh read_text(const std::filesystem::path& path, const Progress& progress) {
 
 }  // namespace
 
-Mesh read_stl(const std::filesystem::path& path, const Progress& progress) {
+RawMesh read_stl(const std::filesystem::path& path, const Progress& progress) {
   InputFile file(path);
   const std::uint64_t size = file.remaining();
   const std::uint64_t triangles = promised_triangles(path);
   const bool whole_binary = size >= kHeaderSize && size >= kHeaderSize + kTriangleSize * triangles;
-  const bool starts_as_text = size > 5 && std::string_view(file.take(5), 5) == "solid";
+  const bool starts_as_text = size > 5 && same_letters({file.take(5), 5}, "solid");
   // Many programs let binary files begin with "solid" too; their size gives them away.
   if (whole_binary && (!starts_as_text || size == kHeaderSize + kTriangleSize * triangles)) {
     if (triangles == 0) file.fail_whole("has no triangles; export it again");

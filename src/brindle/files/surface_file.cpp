@@ -71,10 +71,10 @@ void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::str
 
 RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
   const std::string kind = lower_extension(path);
-  if (kind == ".obj") return {read_obj(path, progress)};
+  if (kind == ".obj") return read_obj(path, progress);
   if (kind == ".ply") return read_ply(path, progress);
-  if (kind == ".off") return {read_off(path, progress)};
-  if (kind == ".stl") return {read_stl(path, progress)};
+  if (kind == ".off") return read_off(path, progress);
+  if (kind == ".stl") return read_stl(path, progress);
   if (kind == ".gltf" || kind == ".glb") return read_gltf(path, progress);
   if (is_vtk_format(path)) return read_vtk(path, progress);
   const InputFile readable(path);
@@ -133,7 +133,7 @@ LoadedPoints read_raw_points(const fs::path& path) {
 
 struct SurfaceFile::Content {
   fs::path path;
-  std::optional<bool> has_faces;
+  std::optional<FileElements> elements;
   std::optional<RawMesh> raw;  ///< of a file that had to be read to know whether it has faces
 
   RawMesh take(const Progress& progress) {
@@ -141,14 +141,14 @@ struct SurfaceFile::Content {
     return *std::exchange(raw, std::nullopt);
   }
 
-  bool find_faces(const Progress& progress) {
+  FileElements find_elements(const Progress& progress) {
     const std::string kind = lower_extension(path);
-    if (kind == ".csv") return false;
-    if (kind == ".ply") return ply_has_faces(path);
-    if (kind == ".obj") return obj_has_faces(path);
-    if (!is_vtk_format(path)) return true;
+    if (kind == ".csv") return {};
+    if (kind == ".ply") return ply_elements(path);
+    if (kind == ".obj") return obj_elements(path);
+    if (!is_vtk_format(path)) return {true, false};
     raw = read_vtk(path, progress);
-    return raw->has_faces;
+    return {raw->has_faces, raw->has_lines};
   }
 };
 
@@ -162,15 +162,23 @@ SurfaceFile& SurfaceFile::operator=(SurfaceFile&&) noexcept = default;
 const fs::path& SurfaceFile::path() const { return content_->path; }
 
 bool SurfaceFile::has_faces(const Progress& progress) {
-  if (content_->has_faces) return *content_->has_faces;
+  if (content_->elements) return content_->elements->faces;
   try {
-    content_->has_faces = content_->find_faces(progress);
+    content_->elements = content_->find_elements(progress);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception&) {
-    content_->has_faces = true;  // `mesh` will say why
+    content_->elements = FileElements{true, false};  // `mesh` will say why
   }
-  return *content_->has_faces;
+  return content_->elements->faces;
+}
+
+bool SurfaceFile::is_point_cloud(const Progress& progress) {
+  if (has_faces(progress)) return false;
+  if (!content_->elements->lines) return true;
+  throw Error(shown(path().string()) +
+              ": holds lines and no faces, and lines are no surface; export a mesh, or give "
+              "--points if the points of the lines are all over a surface");
 }
 
 LoadedMesh SurfaceFile::mesh(const Progress& progress) {

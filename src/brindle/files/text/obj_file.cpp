@@ -16,20 +16,26 @@ namespace {
 class ObjReader {
  public:
   explicit ObjReader(const std::filesystem::path& path, const Progress& progress = {})
-      : file_(path, progress) {}
+      : file_(path, progress) {
+    file_.check_text("an OBJ file");
+  }
 
-  Mesh read_mesh() {
+  RawMesh read_mesh() {
     while (const auto line = next_whole_line()) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
       if (keyword == "v") {
-        mesh_.add_vertex(three_numbers("vertex", rest));
+        add_vertex(rest);
       } else if (keyword == "f") {
         add_face(rest);
+      } else if (keyword == "vt") {
+        has_coordinates_ = true;
       }
     }
     check_forward_references();
-    return mesh_.take();
+    RawMesh raw = mesh_.take();
+    raw.left_out = left_out();
+    return raw;
   }
 
   LoadedPoints read_points() {
@@ -39,7 +45,7 @@ class ObjReader {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
       if (keyword == "v") {
-        mesh_.add_vertex(three_numbers("vertex", rest));
+        add_vertex(rest);
       } else if (keyword == "vn") {
         normals.push_back(three_numbers("normal", rest).cast<float>());
       } else if (keyword == "f") {
@@ -48,13 +54,16 @@ class ObjReader {
     }
     // Normals are assigned to points only where both have the same numbers.
     if (!in_order || normals.size() != mesh_.vertex_count()) normals.clear();
-    return make_placed_point_cloud(mesh_.positions(), std::move(normals));
+    LoadedPoints loaded = make_placed_point_cloud(mesh_.positions(), std::move(normals));
+    loaded.left_out = left_out();
+    return loaded;
   }
 
-  /// Looks from the end of the file on, where faces mostly are.
-  bool has_faces() {
+  /// Looks from the end of the file on, where faces mostly are, until it finds one.
+  FileElements elements() {
+    FileElements found;
     std::string block;
-    for (std::uint64_t end = file_.size(), size = kFirstBlock; end > 0;) {
+    for (std::uint64_t end = file_.size(), size = kFirstBlock; end > 0 && !found.faces;) {
       const std::uint64_t begin = end - std::min(end, size);
       block.resize(static_cast<std::size_t>(end - begin));
       file_.read_at(begin, std::as_writable_bytes(std::span(block)));
@@ -64,12 +73,12 @@ class ObjReader {
         size *= 2;
         continue;
       }
-      if (has_line_of_faces(std::string_view(block).substr(whole))) return true;
+      look_for_elements(std::string_view(block).substr(whole), found);
       end = begin + whole;
-      if (begin == 0) return false;
+      if (begin == 0) break;
       size = std::min<std::uint64_t>(4 * size, kLargestBlock);
     }
-    return false;
+    return found;
   }
 
  private:
@@ -79,18 +88,19 @@ class ObjReader {
     std::size_t line;
   };
 
-  static bool has_line_of_faces(std::string_view lines) {
+  static void look_for_elements(std::string_view lines, FileElements& found) {
     bool goes_on = false;
-    while (!lines.empty()) {
+    while (!lines.empty() && !found.faces) {
       const std::size_t end = std::min(lines.find('\n'), lines.size());
       std::string_view line = lines.substr(0, end);
       lines.remove_prefix(std::min(end + 1, lines.size()));
       std::string_view rest = line;
-      if (!goes_on && take_word(rest) == "f") return true;
+      const std::string_view keyword = goes_on ? std::string_view() : take_word(rest);
+      found.faces = keyword == "f";
+      found.lines = found.lines || keyword == "l";
       if (line.ends_with('\r')) line.remove_suffix(1);
       goes_on = line.ends_with('\\');
     }
-    return false;
   }
 
   /// A line that ends in a backslash goes on in the next.
@@ -116,7 +126,25 @@ class ObjReader {
     return true;
   }
 
-  Eigen::Vector3d three_numbers(const char* what, std::string_view rest) {
+  void add_vertex(std::string_view rest) {
+    mesh_.add_vertex(three_numbers("vertex", rest));
+    // Red, green and blue, for which the format has no word; a fourth number alone is a weight.
+    const bool has_fourth = parse_number(take_word(rest)).has_value();
+    has_colors_ = has_colors_ || (has_fourth && parse_number(take_word(rest)).has_value());
+  }
+
+  std::string left_out() const {
+    std::string text;
+    const auto line = [&](bool has, const char* what) {
+      if (has) text += std::string(what) + ": left out, brindle reads none from .obj\n";
+    };
+    line(has_colors_, "colors of vertices");
+    line(has_coordinates_, "texture coordinates");
+    return text;
+  }
+
+  /// Takes them off the line.
+  Eigen::Vector3d three_numbers(const char* what, std::string_view& rest) {
     Eigen::Vector3d numbers;
     for (double& number : numbers) {
       const std::string_view word = take_word(rest);
@@ -139,14 +167,7 @@ class ObjReader {
       file_.fail("a face needs three corners or more, this has " + std::to_string(corners_.size()) +
                  "; the file may be truncated");
     }
-    const bool known = *std::max_element(corners_.begin(), corners_.end()) < mesh_.vertex_count();
-    if (known) {
-      mesh_.add_polygon(corners_);
-      return;
-    }
-    for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-      mesh_.add_polygon(Triangle{corners_[0], corners_[i], corners_[i + 1]});
-    }
+    mesh_.add_polygon(corners_);
   }
 
   /// The vertex that "7", "7/1", "7//3", "7/1/3" or a negative number, counted back, stands for.
@@ -190,6 +211,7 @@ class ObjReader {
   std::vector<ForwardReference> forward_;
   std::int64_t furthest_ = 0;
   std::string joined_;
+  bool has_colors_ = false, has_coordinates_ = false;
 };
 
 constexpr std::string_view kMaterial = "brindle";
@@ -212,7 +234,7 @@ void write_rows(TextOutput& text, std::string_view keyword, const DataArray* arr
 
 }  // namespace
 
-Mesh read_obj(const std::filesystem::path& path, const Progress& progress) {
+RawMesh read_obj(const std::filesystem::path& path, const Progress& progress) {
   return ObjReader(path, progress).read_mesh();
 }
 
@@ -220,7 +242,7 @@ LoadedPoints read_obj_points(const std::filesystem::path& path) {
   return ObjReader(path).read_points();
 }
 
-bool obj_has_faces(const std::filesystem::path& path) { return ObjReader(path).has_faces(); }
+FileElements obj_elements(const std::filesystem::path& path) { return ObjReader(path).elements(); }
 
 void write_obj(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                const std::string& materials) {

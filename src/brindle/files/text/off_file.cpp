@@ -30,7 +30,7 @@ class OffReader {
  public:
   OffReader(const std::filesystem::path& path, const Progress& progress) : file_(path, progress) {}
 
-  Mesh read(const OffLayout& layout) {
+  RawMesh read(const OffLayout& layout) {
     layout_ = layout;
     read_keyword();
     binary_ ? read_binary() : read_text();
@@ -228,7 +228,7 @@ class OffReader {
 
 }  // namespace
 
-Mesh read_off(const std::filesystem::path& path, const Progress& progress) {
+RawMesh read_off(const std::filesystem::path& path, const Progress& progress) {
   std::optional<Error> first;
   // A file that makes no sense line by line may do so word by word.
   for (const OffLayout layout : {OffLayout{}, OffLayout{false, true}, OffLayout{false, false}}) {

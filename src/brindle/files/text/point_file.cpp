@@ -24,9 +24,11 @@ using Names = std::array<std::string_view, 3>;
 /// Names of the columns of positions and of normals.
 constexpr std::array<Names, 3> kPositions = {
     {{"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}, {"x", "y", "z"}}};
-constexpr std::array<Names, 3> kNormals = {{{"Normals:0", "Normals:1", "Normals:2"},
+constexpr std::array<Names, 5> kNormals = {{{"Normals:0", "Normals:1", "Normals:2"},
                                             {"Normals_0", "Normals_1", "Normals_2"},
-                                            {"nx", "ny", "nz"}}};
+                                            {"nx", "ny", "nz"},
+                                            {"normal_x", "normal_y", "normal_z"},
+                                            {"normalx", "normaly", "normalz"}}};
 
 /// The first of these threes that are all there; or none.
 const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {

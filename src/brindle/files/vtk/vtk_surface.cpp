@@ -18,7 +18,8 @@ constexpr std::uint64_t kMostRows = 0xfffffffe;
 
 enum class CellKind {
   nothing,
-  point_or_line,
+  point,
+  line,
   polygon,
   pixel,
   strip,
@@ -35,9 +36,8 @@ bool is_among(std::uint8_t type, std::initializer_list<std::uint8_t> types) {
 /// The kinds of VTK's types (vtkCellType.h).
 CellKind kind_of(std::uint8_t type) {
   if (type == 0) return CellKind::nothing;
-  if (is_among(type, {1, kVtkPolyVertex, 3, kVtkPolyLine, 21, 35, 68, 75})) {
-    return CellKind::point_or_line;
-  }
+  if (is_among(type, {1, kVtkPolyVertex})) return CellKind::point;
+  if (is_among(type, {3, kVtkPolyLine, 21, 35, 68, 75})) return CellKind::line;
   if (is_among(type, {5, kVtkPolygon, 9})) return CellKind::polygon;
   if (type == kVtkTriangleStrip) return CellKind::strip;
   if (type == 8) return CellKind::pixel;
@@ -175,8 +175,11 @@ void VtkSurface::add_cell(std::uint8_t stored_type, std::span<const Index> point
   switch (kind) {
     case CellKind::nothing:
       break;
-    case CellKind::point_or_line:
-      ++points_and_lines_;
+    case CellKind::point:
+      ++points_;
+      break;
+    case CellKind::line:
+      ++lines_;
       break;
     case CellKind::polygon:
       builder_.add_polygon(points, cell_);
@@ -237,7 +240,7 @@ std::string VtkSurface::left_out() const {
   const auto line = [&](std::size_t count, const std::string& what) {
     if (count > 0) text += std::to_string(count) + what;
   };
-  line(points_and_lines_, " cells that are points or lines: left out\n");
+  line(points_ + lines_, " cells that are points or lines: left out\n");
   line(unread_volumes_ + volumes_.count(),
        " volume cells: left out; ParaView's filter Extract Surface gives their faces\n");
   line(unknown_,
@@ -283,14 +286,15 @@ std::string VtkSurface::why_empty() const {
 
 RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
   const bool has_faces = surfaces_ + unread_volumes_ + volumes_.count() + unknown_ > 0;
-  std::string boundary = take_boundary();
+  const std::string boundary = take_boundary();
   std::string text = left_out();
   DataArrays arrays{point_arrays_.take("points", text), cell_arrays_.take("cells", text)};
   RawMesh raw = builder_.take(std::move(arrays), exact);
   raw.left_out = std::move(text);
-  raw.taken = std::move(boundary);
+  raw.taken += boundary;
   raw.normals = std::move(normals_);
   raw.has_faces = has_faces;
+  raw.has_lines = lines_ > 0;
   // Surface cells without a triangle are explained by the mesh's repair instead.
   if (surfaces_ == 0) raw.why_empty = why_empty();
   return raw;

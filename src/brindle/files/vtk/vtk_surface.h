@@ -74,7 +74,7 @@ class VtkSurface {
   Index cell_ = 0;
   VtkVolumes volumes_;
   std::size_t surfaces_ = 0;  ///< cells
-  std::size_t unread_volumes_ = 0, points_and_lines_ = 0, unknown_ = 0;
+  std::size_t unread_volumes_ = 0, points_ = 0, lines_ = 0, unknown_ = 0;
 };
 
 }  // namespace brindle
