@@ -31,8 +31,8 @@ struct ShapePart {
 
 /// Part `part` of `parts`, made without the others: all triangles of part 0, then those of part 1
 /// and so on are those of `make_shape`. A part may have no triangle. None for shapes that can only
-/// be made whole: vessels, molecule, box, and shapes with `noise`. Throws Error as `make_shape`,
-/// and for a part number out of range.
+/// be made whole: vessels, molecule, box, bracket, gear, and those with `noise`. Throws Error as
+/// `make_shape`, and for a part number out of range.
 std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts);
 
 /// All names, in the order in which help lists them.
