@@ -73,4 +73,9 @@ class NearestVertex {
   std::unique_ptr<State> state_;
 };
 
+/// Barycentric coordinates of the place in a triangle that is nearest to a point, relative to the
+/// mesh's origin.
+std::array<double, 3> nearest_in_triangle(const Mesh& mesh, const Triangle& triangle,
+                                          const Eigen::Vector3d& point);
+
 }  // namespace brindle

@@ -245,7 +245,9 @@ void expect_placed(const Mesh& mesh, const Polylines& lines) {
     for (Index i = lines.offsets[line]; i < lines.offsets[line + 1]; ++i) {
       const TrianglePoint& place = lines.places[i];
       ASSERT_LE((position_at(mesh, place.triangle, place.barycentric) - lines.points[i]).norm(),
-                passed_over);
+                passed_over)
+          << "point " << i - lines.offsets[line] << " of "
+          << lines.offsets[line + 1] - lines.offsets[line];
       const bool last = i + 1 == lines.offsets[line + 1];
       if (lines.arrivals.empty() || (last && !lines.closed[line])) continue;
       const Vec3& next = lines.points[last ? lines.offsets[line] : i + 1];

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "brindle/nearest.h"
+
 namespace brindle {
 namespace {
 
@@ -31,22 +33,6 @@ Eigen::Vector3d position_of(const Mesh& mesh, const std::array<Index, 3>& vertic
   return first + weights[1] * (at(vertices[1]) - first) + weights[2] * (at(vertices[2]) - first);
 }
 
-/// Of a point beside the triangle, moved onto it.
-Barycentric moved_onto(const Mesh& mesh, const Triangle& triangle, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d a = position_of(mesh, triangle, {1, 0, 0});
-  const Eigen::Vector3d ab = position_of(mesh, triangle, {0, 1, 0}) - a;
-  const Eigen::Vector3d ac = position_of(mesh, triangle, {0, 0, 1}) - a;
-  const Eigen::Vector3d normal = ab.cross(ac);
-  const double square = normal.squaredNorm();
-  if (!(square > 0)) return {1, 0, 0};
-  Barycentric result{0, std::max(0.0, (point - a).cross(ac).dot(normal) / square),
-                     std::max(0.0, ab.cross(point - a).dot(normal) / square)};
-  const double sum = result[1] + result[2];
-  result[0] = std::max(0.0, 1 - sum);
-  for (double& weight : result) weight /= std::max(1.0, sum);
-  return result;
-}
-
 /// A point in a triangle, and how far it had to be moved.
 struct Moved {
   Barycentric barycentric{};
@@ -56,7 +42,7 @@ struct Moved {
 Moved placed_in(const Mesh& mesh, const Triangle& triangle, const MeshPoint& point) {
   if (const auto inside = coordinates_in(triangle, point)) return {*inside, 0};
   const Eigen::Vector3d from = position_of(mesh, point.vertices, point.weights);
-  const Barycentric there = moved_onto(mesh, triangle, from);
+  const Barycentric there = nearest_in_triangle(mesh, triangle, from);
   return {there, (position_of(mesh, triangle, there) - from).norm()};
 }
 

@@ -54,14 +54,21 @@ bool at_same_place(const CurvePoint& a, const CurvePoint& b) {
   return (a.position - b.position).norm() <= kSamePlace * std::max(a.size, b.size);
 }
 
-/// Leaves out points at the same place as the one before. Both ends of an open curve stay.
+/// Leaves out points at the same place as the one before. Both ends of an open curve stay; where
+/// they take the place of others, they are on the triangles of those, which the curve goes on in.
 void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
-  const CurvePoint last = closed ? curve.front() : curve.back();
+  CurvePoint last = closed ? curve.front() : curve.back();
   std::size_t kept = 0;
   for (const CurvePoint& point : curve) {
-    if (kept == 0 || !at_same_place(curve[kept - 1], point)) curve[kept++] = point;
+    if (kept == 0 || !at_same_place(curve[kept - 1], point)) {
+      curve[kept++] = point;
+    } else if (kept == 1 && !closed) {
+      curve.front().place = point.place;
+    }
   }
-  while (kept > 1 && at_same_place(curve[kept - 1], last)) --kept;
+  for (; kept > 1 && at_same_place(curve[kept - 1], last); --kept) {
+    last.place = curve[kept - 1].place;
+  }
   curve.resize(kept);
   if (!closed) curve.push_back(last);
 }
