@@ -293,7 +293,7 @@ TEST_F(Curves, TakeTextureCoordinatesAlong) {
   ASSERT_EQ(run({"stripe", "shape:torus,resolution=16", "--uv", "--output", "a.ply"}).exit_code, 0);
   for (const char* command : {"curves", "sample"}) {
     ASSERT_EQ(run({command, "a.ply", "--stripes", "6", "--output", "b.ply"}).exit_code, 0);
-    const ToolResult info = run({"info", "b.ply"});
+    const ToolResult info = run({"info", "b.ply", "--points"});
     EXPECT_EQ(info.exit_code, 0) << info.err;
     EXPECT_NE(info.out.find("uv"), std::string::npos) << info.out;
   }

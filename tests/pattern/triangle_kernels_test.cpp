@@ -134,7 +134,8 @@ double expected_angle_deg(const Mesh& mesh, const WaveSet& waves, const Triangle
   const Vec3d slope = normal.cross(double{corners.phase[2] - corners.phase[0]} * (at(1) - at(0)) -
                                    double{corners.phase[1] - corners.phase[0]} * (at(2) - at(0)));
   direction -= direction.dot(normal) / normal.squaredNorm() * normal;
-  return std::atan2(slope.cross(direction).norm(), slope.dot(direction)) * 180 / kPi;
+  // Of lines, which have no sign.
+  return std::atan2(slope.cross(direction).norm(), std::abs(slope.dot(direction))) * 180 / kPi;
 }
 
 TEST(TriangleKernels, ErrorsAreAsDefinedOnEveryShape) {

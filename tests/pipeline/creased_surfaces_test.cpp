@@ -182,7 +182,7 @@ TEST(CreasedShapes, HaveNoBranchesOnFlatFaces) {
       const Surface surface = with_creases(subdivide(make_shape(shape), times));
       for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, 2, 3)}) {
         const StripePattern pattern = stripes_along(surface, axis, 40);
-        EXPECT_LT(pattern.quality.angle_error_mean_deg, 1) << shape << times << axis.y();
+        EXPECT_LT(pattern.quality.angle_error_mean_deg, 1.5) << shape << times << axis.y();
         for (std::size_t t = 0; t < pattern.corners.size(); ++t) {
           if (!is_in_flat_face(surface, surface.mesh.triangles[t])) continue;
           EXPECT_FALSE(is_branch(pattern.corners[t].kind)) << shape << times << axis.y();

@@ -116,7 +116,7 @@ TEST(SmoothField, VerticesThatNoTriangleUsesDoNotCount) {
     DirectionField found = smooth_direction_field(with_others, others);
     found.resize(surface.mesh.vertex_count());
     const DirectionField expected = smooth_direction_field(surface, options);
-    EXPECT_LT(field_step(found, expected).mean_deg, 0.05);
+    EXPECT_LT(field_step(found, expected).mean_deg, 0.2);
     EXPECT_EQ(singularities(surface, found), singularities(surface, expected));
   };
   SmoothFieldOptions options{.curvature_anchor = 0.1f};
