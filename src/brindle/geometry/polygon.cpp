@@ -275,22 +275,21 @@ class EarClipper {
   /// How often what is left of the polygon winds round the ear's middle, counter-clockwise.
   int turns_round(const Ear& ear) {
     looks_ -= static_cast<std::ptrdiff_t>(left_);
-    const auto& [a, b, c] = ear;
     const std::vector<Point>& points = outline_.points;
-    const Point middle = (points[a] + points[b] + points[c]) / 3;
+    const Point &a = points[ear[0]], &b = points[ear[1]], &c = points[ear[2]];
+    const Point middle = (a + b + c) / 3;
     const auto is_above = [&](Index corner) {
-      return outline_.area(points[a], points[b], points[corner]) >
-             outline_.area(points[a], points[b], middle);
+      return outline_.area(a, b, points[corner]) > outline_.area(a, b, middle);
     };
     int turns = 0;
-    Index from = a;
+    Index from = ear[0];
     do {
       const Index to = next_[from];
       const bool rises = is_above(to);
       const double area = outline_.area(points[from], points[to], middle);
       if (rises != is_above(from) && (rises ? area > 0 : area < 0)) turns += rises ? 1 : -1;
       from = to;
-    } while (from != a);
+    } while (from != ear[0]);
     return turns;
   }
 
