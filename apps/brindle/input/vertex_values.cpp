@@ -209,10 +209,10 @@ VertexValues values_at_all(const std::string& option, const std::string& text,
 VertexValues vertex_values(const std::string& option, const std::string& text,
                            const ValueSource& source) {
   VertexValues values = values_at_all(option, text, source);
-  // Nothing is drawn at vertices that no triangle uses.
-  const Adjacency& neighborhood = *source.surface.neighborhood;
-  for (Index v = 0; v < values.values.size(); ++v) {
-    if (neighborhood.of(v).empty()) values.values[v] = kNone;
+  // Nothing is drawn at vertices that no triangle uses. Of a piece its rank knows which do.
+  const Adjacency* neighborhood = source.surface.neighborhood.get();
+  for (Index v = 0; neighborhood != nullptr && v < values.values.size(); ++v) {
+    if (neighborhood->of(v).empty()) values.values[v] = kNone;
   }
   return values;
 }
