@@ -281,7 +281,7 @@ TEST_F(GltfReading, SkinsThatMakeNoSenseAreErrors) {
           text.add(std::vector<std::uint8_t>(12, static_cast<std::uint8_t>(joint)), "VEC4", 5121)},
          {"WEIGHTS_0", text.add(repeated(kOneWeight, 3), "VEC4", 5126)}});
     text.file["nodes"][0]["skin"] = node_skin;
-    text.file["skins"] = {skin};
+    text.file["skins"] = json::array({skin});  // in braces alone compilers differ
     std::ofstream(folder / "data.bin", std::ios::binary) << text.data();
     return error_of(text.text("data.bin"));
   };
