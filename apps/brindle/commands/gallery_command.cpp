@@ -23,7 +23,6 @@
 #include "gallery/gallery.h"
 #include "input/used_files.h"
 #include "outputs/written_files.h"
-#include "pictures/picture.h"
 
 namespace brindle::tool {
 namespace {

@@ -163,11 +163,7 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
   WaveReport known;
   known.missing = made.missing;
   known.measured = is_measured(waves);
-  if (prepared.points) {
-    known.subdivided = std::nullopt;
-  } else {
-    known.subdivided = surface.subdivide;
-  }
+  known.subdivided = prepared.points ? std::nullopt : std::optional(surface.subdivide);
   known.detail = made.detail;
   known.frequency_detail = made.frequency_detail;
   result.figures = noted_waves(prepared.surface, result.waves, source_of(waves), listener, known);

@@ -62,8 +62,7 @@ void append_means(DataArray& result, const DataArray& array, std::span<const Row
 }
 
 template <class Number>
-Eigen::Vector3d vector_at(const DataArray& array, Index row) {
-  const ArrayView axes = array.axes();
+Eigen::Vector3d vector_at(const ArrayView& axes, Index row) {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
   for (std::size_t c = 0; c < axes.columns(); ++c) {
     Number number;
@@ -77,7 +76,8 @@ Eigen::Vector3d vector_at(const DataArray& array, Index row) {
 template <class Number>
 void mend_means(const DataArray& array, std::span<const RowBlend> blends,
                 std::vector<std::byte>& means) {
-  const std::size_t row_bytes = static_cast<std::size_t>(array.components) * sizeof(Number);
+  const ArrayView rows = array.axes();
+  const std::size_t row_bytes = rows.columns() * sizeof(Number);
   parallel_for(blends.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       std::array<WeightedAxis, 3> axes;
@@ -85,7 +85,7 @@ void mend_means(const DataArray& array, std::span<const RowBlend> blends,
       for (std::size_t k = 0; k < 3; ++k) {
         const double weight = blends[i].weights[k];
         if (weight == 0) continue;
-        axes[count++] = {vector_at<Number>(array, blends[i].rows[k]), weight};
+        axes[count++] = {vector_at<Number>(rows, blends[i].rows[k]), weight};
       }
       const auto mean = mean_of_turned(std::span(axes).first(count));
       if (!mean) continue;

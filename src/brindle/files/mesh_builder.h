@@ -11,6 +11,12 @@
 
 namespace brindle {
 
+/// Elements of a file besides its points.
+struct FileElements {
+  bool faces = false;
+  bool lines = false;
+};
+
 /// A mesh file before its vertices are joined or its triangles repaired.
 struct RawMesh {
   Mesh mesh;
@@ -19,9 +25,7 @@ struct RawMesh {
   std::string taken = {};     ///< lines for the user on replacements of parts of the file
   /// Of a mesh without triangles, the reason and the remedy, after "path: ".
   std::string why_empty = {};
-  /// Of VTK's files: there are cells that are neither points nor lines.
-  bool has_faces = false;
-  bool has_lines = false;    ///< of VTK's files
+  FileElements elements = {};  ///< of VTK's files; all cells but points and lines count as faces
   std::string normals = {};  ///< the array of points with the normals; empty if the file names none
 };
 

@@ -3,9 +3,11 @@
 /// file's order.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "brindle/base/output_file.h"
 #include "brindle/files.h"
@@ -16,6 +18,10 @@
 
 namespace brindle {
 
+/// The names that programs give to the components of normals.
+inline constexpr std::array<std::array<std::string_view, 3>, 3> kNormalNames = {
+    {{"nx", "ny", "nz"}, {"normal_x", "normal_y", "normal_z"}, {"normalx", "normaly", "normalz"}}};
+
 /// Wavefront OBJ: vertices and faces; normals, groups and materials are ignored, and `left_out`
 /// says so of texture coordinates and of colours of vertices.
 RawMesh read_obj(const std::filesystem::path& path, const Progress& progress = {});
@@ -23,12 +29,6 @@ RawMesh read_obj(const std::filesystem::path& path, const Progress& progress = {
 /// The vertices alone, with normals if there are as many, one each in the same order, and no face
 /// contradicts it.
 LoadedPoints read_obj_points(const std::filesystem::path& path);
-
-/// Elements of a file besides its points.
-struct FileElements {
-  bool faces = false;
-  bool lines = false;
-};
 
 FileElements obj_elements(const std::filesystem::path& path);
 

@@ -269,9 +269,8 @@ std::vector<DataArray> arrays_of(std::vector<DataArray> columns) {
     return name_components(columns, std::span(properties.begin(), properties.size()), array);
   };
   // The format has no names of its own for normals: these are those of other programs.
-  if (!name({"nx", "ny", "nz"}, "normal") &&
-      !name({"normal_x", "normal_y", "normal_z"}, "normal")) {
-    name({"normalx", "normaly", "normalz"}, "normal");
+  for (const auto& names : kNormalNames) {
+    if (name_components(columns, names, "normal")) break;
   }
   if (!name({"red", "green", "blue", "alpha"}, "color")) name({"red", "green", "blue"}, "color");
   if (name({"texture_u", "texture_v"}, "uv")) {

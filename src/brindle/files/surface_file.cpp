@@ -148,7 +148,7 @@ struct SurfaceFile::Content {
     if (kind == ".obj") return obj_elements(path);
     if (!is_vtk_format(path)) return {true, false};
     raw = read_vtk(path, progress);
-    return {raw->has_faces, raw->has_lines};
+    return raw->elements;
   }
 };
 

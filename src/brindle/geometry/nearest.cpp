@@ -95,15 +95,6 @@ Candidate nearest_on_triangle(const Mesh& mesh, const Triangle& triangle,
   return best;
 }
 
-}  // namespace
-
-std::array<double, 3> nearest_in_triangle(const Mesh& mesh, const Triangle& triangle,
-                                          const Eigen::Vector3d& point) {
-  return nearest_on_triangle(mesh, triangle, point).barycentric;
-}
-
-namespace {
-
 /// Squares of greater coordinates might be infinite.
 constexpr double kFarthest = 1e150;
 
@@ -114,6 +105,11 @@ double squared_limit(const Eigen::Vector3d& point, double max_distance) {
 }
 
 }  // namespace
+
+std::array<double, 3> nearest_in_triangle(const Mesh& mesh, const Triangle& triangle,
+                                          const Eigen::Vector3d& point) {
+  return nearest_on_triangle(mesh, triangle, point).barycentric;
+}
 
 struct NearestOnMesh::State {
   const Mesh& mesh;

@@ -70,11 +70,19 @@ void print_followed(std::ostream& out, const FollowedReport& followed) {
   out << '\n';
 }
 
+/// Triangles in which tiles are cut, by either wave.
+std::size_t branches_of_both(const TexturePattern& texture) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < texture.u.corners.size(); ++t) {
+    count += is_branch(texture.u.corners[t].kind) || is_branch(texture.v.corners[t].kind) ? 1 : 0;
+  }
+  return count;
+}
+
 void print_texture(std::ostream& out, const TextureReport& texture) {
   out << formatted(
-      "texture   %zu branches along the field, %zu across it; turned round at %zu edges, mirrored "
-      "at "
-      "%zu, %zu triangles without orientation\n",
+      "texture   %zu branches along the field, %zu across it; turned round at %zu edges, "
+      "mirrored at %zu, %zu triangles without orientation\n",
       texture.branches_u, texture.branches_v, texture.seams.turned, texture.seams.mirrored,
       texture.seams.unoriented_triangles);
 }
@@ -158,19 +166,6 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   report.field_rows_nonfinite = prepared.field_rows_nonfinite;
   return report;
 }
-
-namespace {
-
-/// Triangles in which tiles are cut, by either wave.
-std::size_t branches_of_both(const TexturePattern& texture) {
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < texture.u.corners.size(); ++t) {
-    count += is_branch(texture.u.corners[t].kind) || is_branch(texture.v.corners[t].kind) ? 1 : 0;
-  }
-  return count;
-}
-
-}  // namespace
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const TexturePattern& texture, Solver solver) {

@@ -26,9 +26,9 @@ constexpr std::array<Names, 3> kPositions = {
     {{"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}, {"x", "y", "z"}}};
 constexpr std::array<Names, 5> kNormals = {{{"Normals:0", "Normals:1", "Normals:2"},
                                             {"Normals_0", "Normals_1", "Normals_2"},
-                                            {"nx", "ny", "nz"},
-                                            {"normal_x", "normal_y", "normal_z"},
-                                            {"normalx", "normaly", "normalz"}}};
+                                            kNormalNames[0],
+                                            kNormalNames[1],
+                                            kNormalNames[2]}};
 
 /// The first of these threes that are all there; or none.
 const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {

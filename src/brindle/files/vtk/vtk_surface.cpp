@@ -293,8 +293,7 @@ RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
   raw.left_out = std::move(text);
   raw.taken += boundary;
   raw.normals = std::move(normals_);
-  raw.has_faces = has_faces;
-  raw.has_lines = lines_ > 0;
+  raw.elements = {has_faces, lines_ > 0};
   // Surface cells without a triangle are explained by the mesh's repair instead.
   if (surfaces_ == 0) raw.why_empty = why_empty();
   return raw;

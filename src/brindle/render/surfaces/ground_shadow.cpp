@@ -84,16 +84,13 @@ GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangl
                            const Eigen::Matrix3f& axes) {
   constexpr float kRoom = 0.3f;  // of the longer side
   GroundShadow shadow;
-  if (triangles.empty()) return shadow;
+  if (points.empty()) return shadow;
   std::vector<Vec3> places;
-  for (const Vec3& point : points) places.push_back(axes.transpose() * point);
-  // Points that no triangle uses cast none.
-  Vec3 lower = places[triangles.front()[0]], upper = lower;
-  for (const Triangle& triangle : triangles) {
-    for (const Index corner : triangle) {
-      lower = lower.cwiseMin(places[corner]);
-      upper = upper.cwiseMax(places[corner]);
-    }
+  Vec3 lower = axes.transpose() * points[0], upper = lower;
+  for (const Vec3& point : points) {
+    places.push_back(axes.transpose() * point);
+    lower = lower.cwiseMin(places.back());
+    upper = upper.cwiseMax(places.back());
   }
   const float side = std::max((upper - lower).head<2>().maxCoeff(), 1e-6f);
   shadow.size = Eigen::Vector2f::Constant(side * (1 + 2 * kRoom));

@@ -227,6 +227,7 @@ std::optional<GroundShadow> StyledRenderer::State::shadow(const Camera& camera, 
     const bool cut = camera.slice && picture.surfaces[i].sliced;
     append(cut ? left_by(*camera.slice, meshes[i]) : meshes[i], all);
   }
+  drop_unreferenced_vertices(all);  // which would lower the ground
   GroundShadow shadow = ground_shadow(all.positions, all.triangles, ground_axes(up));
   if (shadow.missing.empty()) return std::nullopt;
   return shadow;
