@@ -43,7 +43,7 @@ def main():
     arguments = parser.parse_args()
     cases = list(CASES)
     if arguments.models:
-        cases += [(str(arguments.models / name), [], name) for name in MODELS]
+        cases += [(str(arguments.models / name), ["--crease-angle", "180"], name) for name in MODELS]
     print("| | stripes | singular | `global` | " + " | ".join(f"S = {s}" for s in SLACKS) + " | rest at 0.25 |")
     print("|---|---|---|---|" + "---|" * len(SLACKS) + "---|")
     for mesh, field, name in cases:
