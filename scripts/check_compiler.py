@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Whether the compiler of a build understands its sources: reads them, makes nothing.
 
-usage: check_compiler.py BUILD [FOLDER ...]
+usage: check_compiler.py BUILD [PREFIX ...]
 
-BUILD has a compile_commands.json. With FOLDERs of it, such as src and apps, only what is compiled there.
+BUILD has a compile_commands.json. With PREFIXes of its folders, such as src or apps/brindle_mpi, only what
+is compiled there.
 """
 
 import concurrent.futures
@@ -33,11 +34,11 @@ def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     build = pathlib.Path(sys.argv[1])
-    folders = tuple(folder.rstrip("/") + "/" for folder in sys.argv[2:]) or ("",)
+    prefixes = tuple(sys.argv[2:]) or ("",)
     entries = [entry for entry in json.loads((build / "compile_commands.json").read_text())
-               if made_by(shlex.split(entry["command"])).startswith(folders)]
+               if made_by(shlex.split(entry["command"])).startswith(prefixes)]
     if not entries:
-        sys.exit(f"{build}: nothing is compiled in {' '.join(folders)}")
+        sys.exit(f"{build}: nothing is compiled in {' '.join(prefixes)}")
     wrong = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for entry, (fine, output) in zip(entries, pool.map(understood, entries)):

@@ -5,7 +5,7 @@ an end, a report without a number.
 
     scripts/zoo.py build/release/apps/brindle/brindle FOLDER [--seconds 60] [--csv ALL.csv] [-- OPTIONS]
 
-OPTIONS go to `brindle stripe`: -- --repair --stripes 60. Exits with 0 if all was well, 1 on a defect, 2 on
+OPTIONS go to `brindle stripe`: -- --points --stripes 60. Exits with 0 if all was well, 1 on a defect, 2 on
 wrong usage, 130 where Ctrl-C ended it.
 """
 
@@ -72,7 +72,7 @@ def number(report, key):
 
 
 def area_of(tool, path, options, seconds):
-    about = [word for word in options if word in ("--repair", "--join", "--points")]
+    about = [word for word in options if word == "--points"]
     code, out, _ = run([tool, "info", str(path), *about], seconds)
     match = re.search(r"^area +(\S+)$", out, re.MULTILINE)
     return float(match.group(1)) if code == 0 and match else None
@@ -175,7 +175,7 @@ def parsed(words):
     parser = argparse.ArgumentParser(
         prog="./dev zoo", usage="%(prog)s FOLDER [--seconds S] [--jobs N] [--csv FILE] [-- OPTIONS]",
         description="Stripes every mesh in a folder and prints what came of it.",
-        epilog="example: ./dev zoo ~/meshes --csv all.csv -- --repair --stripes 60")
+        epilog="example: ./dev zoo ~/meshes --csv all.csv -- --points --stripes 60")
     parser.add_argument("tool", help=argparse.SUPPRESS)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--seconds", type=float, default=60,

@@ -4,7 +4,6 @@
 #include <ostream>
 #include <utility>
 
-#include "bench/resident_memory.h"
 #include "brindle/base/file_names.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
@@ -18,6 +17,7 @@
 #include "input/used_files.h"
 #include "mpi_arguments.h"
 #include "outputs/outputs.h"
+#include "outputs/resident_memory.h"
 #include "piece_output.h"
 #include "stall_watch.h"
 

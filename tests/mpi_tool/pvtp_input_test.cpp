@@ -47,7 +47,7 @@ struct MpiToolPvtp : MpiTool {
 /// Pieces lie on the same ranks as before: so their phases have the same bits.
 TEST_F(MpiToolPvtp, ReadsThePiecesThatItWrites) {
   write_pieces_of("shape:sheets,resolution=30", 3);
-  for (const int ranks : {1, 2, 3, 5}) {
+  for (const int ranks : {1, 2, 5}) {
     const auto result = on(ranks, {"in.pvtp", "--direction", "0.3,0.9,0.2", "--stripes", "20",
                                    "--output", "out.pvtp", "--report", "out.json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -162,7 +162,7 @@ struct MpiToolLattice : MpiToolPvtp {
   }
 
   void expect_whole_lattice() const {
-    for (const int ranks : {1, 2, 4}) {
+    for (const int ranks : {1, 3}) {
       const auto result = on(ranks, {"in.pvtp", "--stripes", "3", "--report", "out.json"});
       ASSERT_EQ(result.exit_code, 0) << result.err;
       EXPECT_NE(result.err.find("ghost triangles"), std::string::npos) << result.err;
@@ -361,7 +361,7 @@ TEST_F(MpiToolPvtp, SaysWhatOnePieceHasAlone) {
   ASSERT_NE(at, std::string::npos);
   list.erase(at, list.find("/>", at) + 2 - at);
   write_text(folder / "in.pvtp", list);
-  for (const int ranks : {1, 2, 3}) {
+  for (const int ranks : {1, 3}) {
     const auto result = on(ranks, {"in.pvtp", "--output", "out.pvtp"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_NE(result.err.find("'sin_phase' is not announced"), std::string::npos) << result.err;

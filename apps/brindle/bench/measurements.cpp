@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "bench/changing_input.h"
-#include "bench/resident_memory.h"
 #include "brindle/base/parallel.h"
 #include "brindle/cross_animator.h"
 #include "brindle/cross_texture.h"
@@ -15,6 +14,7 @@
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_animator.h"
 #include "brindle/yielding_frequency.h"
+#include "outputs/resident_memory.h"
 
 namespace brindle::tool {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/run_words.h"
+#include "commands/run_words.h"
 
 #include <algorithm>
 
