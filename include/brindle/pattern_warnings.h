@@ -21,7 +21,7 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
 
 /// The same of branches in triangles with more than 10 % of the area; else of stripes that run more
 /// than 5 degrees off their field on more than a quarter of the area, in triangles longer than half
-/// a period. Where the waves are too fine, `wave_warnings` says so, and these say nothing.
+/// a period. The remedies name the subdivisions after which a wave passes two edges a period.
 std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words = {});
 

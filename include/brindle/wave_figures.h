@@ -20,13 +20,10 @@ struct WaveFigures {
   double frequency_min = 0;      ///< stripes per unit length
   double frequency_max = 0;
   double stripes = 0;  ///< of the mean frequency, along the diagonal of the bounding box
-  // Mesh edges per period: the period over the mean length of a vertex's edges along its wave.
-  // Below two, neighbours are more than half a period apart. 0 if no edge runs along any wave.
+  // Mesh edges per period: the period over the mean length of a vertex's edges along its wave. 0 if
+  // no edge runs along any wave.
   double edges_per_period_min = 0;
   double edges_per_period_median = 0;
-
-  /// Whether half of the vertices have fewer than two edges a period.
-  bool are_too_fine() const;
 };
 
 /// `waves` has one entry per vertex.
@@ -59,11 +56,8 @@ struct WarningWords {
   std::string join = "join them with make_repaired_mesh";           ///< vertices at one place
 };
 
-/// "; or subdivide the mesh, times: 2", or nothing.
-std::string or_subdivide(int times, const WarningWords& words);
-
 /// Warnings of likely mistakes, one sentence each without a full stop: more than 1 % of the
-/// vertices without a wave; stripes finer than the mesh can resolve.
+/// vertices without a wave. Those of stripes that the mesh cannot resolve are `quality_warnings`.
 std::vector<std::string> wave_warnings(const WaveFigures& figures, const WarningWords& words = {});
 
 /// Throws Error if no vertex has a wave, with `why` after the reason, or if half of them have at

@@ -61,12 +61,9 @@ inline double figure(vtkPolyData& output, const char* name) {
   return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
-/// Whether a warning says of the figures what the library does, but for the remedies.
-inline bool tells_of_edges(const std::string& warning, const WaveFigures& figures) {
-  const std::string of_library = wave_warnings(figures).at(0);
-  const std::size_t reason = of_library.find(';');
-  return warning.find(of_library.substr(0, reason)) != std::string::npos &&
-         warning.find("edges a period or fewer") != std::string::npos;
+/// Whether a warning says what the library's does, but for the remedies.
+inline bool says_the_same(const std::string& warning, const std::string& of_library) {
+  return warning.find(of_library.substr(0, of_library.find(';'))) != std::string::npos;
 }
 
 /// What a filter says, once, of an input or a setting that cannot be; its output is then empty.

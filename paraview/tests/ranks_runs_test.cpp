@@ -117,14 +117,13 @@ TEST(RankSeriesDealtAnew, FollowsIdsOrPlacesOrSaysSo) {
   }
 }
 
-/// The library's figures of a swirl over the whole.
-WaveFigures figures_of_swirl(const Mesh& mesh, float stripes) {
-  const Surface surface = make_surface(mesh);
+/// The library's waves of a swirl over the whole.
+WaveSet waves_of_swirl(const Surface& surface, float stripes) {
   std::vector<Vec3> vectors;
-  for (const Vec3& p : mesh.positions) vectors.push_back(swirl(p, 0));
-  const float frequency = frequency_of_stripes(stripes, bounding_box(mesh).diagonal());
-  return measure_waves(surface, {mesh.positions, tangent_directions(vectors, surface.normals),
-                                 constant_frequency_field(frequency, mesh.vertex_count())});
+  for (const Vec3& p : surface.mesh.positions) vectors.push_back(swirl(p, 0));
+  const float frequency = frequency_of_stripes(stripes, bounding_box(surface.mesh).diagonal());
+  return {surface.mesh.positions, tangent_directions(vectors, surface.normals),
+          constant_frequency_field(frequency, surface.mesh.vertex_count())};
 }
 
 // The first rank says once what one process says of the whole; all ranks have its figures.
@@ -132,9 +131,13 @@ TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
   const char* kTorus = "torus,resolution=40";
   for (const Cut& cut : cuts()) {
     const Pieces pieces(kTorus, cut);
-    for (const float stripes : {8.0f, 150.0f}) {
+    for (const float stripes : {8.0f, 3000.0f}) {
       SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(stripes));
-      const WaveFigures figures = figures_of_swirl(pieces.whole, stripes);
+      const Surface surface = make_surface(pieces.whole);
+      const WaveSet waves = waves_of_swirl(surface, stripes);
+      const WaveFigures figures = measure_waves(surface, waves);
+      // Ranks solve apart and count branches of their own; what is said of them begins alike.
+      const std::string warning = "stripes begin or end in";
       vtkNew<vtkBrindleStripes> filter;
       Errors warnings(*filter, vtkCommand::WarningEvent);
       filter->SetStripes(stripes);
@@ -142,7 +145,7 @@ TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
       const bool speaks = rank() == 0 && stripes > 100;
       ASSERT_EQ(warnings.messages.size(), speaks ? 1u : 0u);
       if (speaks) {
-        EXPECT_TRUE(tells_of_edges(warnings.messages[0], figures)) << warnings.messages[0];
+        EXPECT_TRUE(says_the_same(warnings.messages[0], warning)) << warnings.messages[0];
       }
       for (const auto& [name, number] :
            {std::pair("edges_per_period_min", figures.edges_per_period_min),

@@ -108,24 +108,35 @@ TEST_F(Waves, AreMeasuredAgainstTheEdges) {
   EXPECT_TRUE(has(run({"stripe", "plane.obj", "--frequency", "0.25"}).out, "waves     frequency"));
 }
 
+TEST_F(Waves, RunAlongAxesByTheirNames) {
+  const std::vector<std::pair<std::string, std::string>> axes = {
+      {"x", "1,0,0"}, {"y", "0,1,0"}, {"z", "0,0,1"}, {"-x", "-1,0,0"}, {"-z", "0,0,-1"}};
+  for (const auto& [name, numbers] : axes) {
+    const auto written = [&](const std::string& direction) {
+      EXPECT_EQ(
+          run({"stripe", kTorus32, "--direction=" + direction, "-o", "a.ply", "-q"}).exit_code, 0);
+      return content(folder / "a.ply");
+    };
+    EXPECT_TRUE(written(name) == written(numbers)) << name;
+  }
+  expect_refusal(2, "or an axis such as x or -z", {"stripe", kTorus32, "--direction", "w"});
+}
+
 TEST_F(Waves, TooFineForTheMeshAreWarnedOf) {
+  const std::string ball = "shape:sphere,resolution=8";
   for (const char* command : {"stripe", "curves", "sample", "compare"}) {
-    const ToolResult fine =
-        run({command, "plane.obj", "--frequency", "0.6", "--direction", "1,0,0"});
-    EXPECT_FALSE(has(fine.err, "edges a period")) << fine.err;
-    const ToolResult coarse =
-        run({command, "plane.obj", "--frequency", "1.2", "--direction", "1,0,0"});
+    const ToolResult fine = run({command, ball, "--stripes", "10"});
+    EXPECT_FALSE(has(fine.err, "of the area")) << fine.err;
+    const ToolResult coarse = run({command, ball, "--stripes", "200"});
     EXPECT_EQ(coarse.exit_code, 0) << coarse.err;
-    EXPECT_TRUE(has(coarse.err, "edges a period")) << command << coarse.err;
-    EXPECT_TRUE(has(coarse.err, "--subdivide 1")) << coarse.err;
+    EXPECT_TRUE(has(coarse.err, "% of the area")) << command << coarse.err;
+    EXPECT_TRUE(has(coarse.err, "--subdivide 4")) << coarse.err;
     EXPECT_TRUE(has(coarse.err, "unit of the mesh's own length")) << coarse.err;
-    EXPECT_EQ(
-        run({command, "plane.obj", "--frequency", "1.2", "--direction", "1,0,0", "--quiet"}).err,
-        "");
+    EXPECT_EQ(run({command, ball, "--stripes", "200", "--quiet"}).err, "");
   }
   // Metres taken for millimetres.
-  const ToolResult wrong = run({"stripe", kTorus32, "--frequency", "3000"});
-  EXPECT_TRUE(has(wrong.err, "edges a period")) << wrong.err;
+  const ToolResult wrong = run({"stripe", ball, "--frequency", "3000"});
+  EXPECT_TRUE(has(wrong.err, "% of the area")) << wrong.err;
   EXPECT_FALSE(has(wrong.err, "--subdivide")) << "too far off: " << wrong.err;
   expect_refusal(1, "unit of the mesh's own length",
                  {"stripe", kTorus32, "--stripes", "1e30", "-o", "a.ply"});

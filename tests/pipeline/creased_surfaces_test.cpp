@@ -14,6 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/frequency_field.h"
 #include "brindle/normals.h"
+#include "brindle/pattern_warnings.h"
 #include "brindle/quality.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
@@ -68,6 +69,15 @@ class CreasedPart : public testing::TestWithParam<int> {
   Part part = parts()[static_cast<std::size_t>(GetParam())];
   Surface surface = with_creases(part.mesh);
 };
+
+// Its edges are longer than a period, and its waves exact along them.
+TEST_P(CreasedPart, IsNotWarnedOf) {
+  const StripePattern pattern = stripes_along(surface, {1, 0, 0}, 40);
+  const WaveFigures figures = measure_waves(surface, pattern.waves);
+  EXPECT_LT(figures.edges_per_period_median, 2);
+  EXPECT_EQ(quality_warnings(figures, pattern.quality, surface.mesh.triangle_count()),
+            std::vector<std::string>{});
+}
 
 TEST_P(CreasedPart, HasStraightStripesAlongItsFaces) {
   for (const float stripes : {20.0f, 40.0f, 100.0f}) {

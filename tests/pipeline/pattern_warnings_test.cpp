@@ -32,15 +32,46 @@ TEST(PatternWarnings, AreOfStripesOffTheirFieldInCoarseTriangles) {
   EXPECT_TRUE(has(found[0], "on 41 % of the area")) << found[0];
 }
 
-TEST(PatternWarnings, WavesThatAreTooFineAreToldOnce) {
-  PatternQuality quality;
-  quality.branches = 700;
-  quality.branch_area_share = 0.9;
-  quality.coarse_share_over_5deg = 1;
-  WaveFigures fine;
-  fine.edges_per_period_median = 1;
-  EXPECT_EQ(wave_warnings(fine).size(), 1u);
-  EXPECT_TRUE(quality_warnings(fine, quality, 722).empty());
+TEST(PatternWarnings, RemediesNameTheTotalOfSubdivisions) {
+  PatternQuality branched, off;
+  branched.branches = 700;
+  branched.branch_area_share = 0.9;
+  off.coarse_share_over_5deg = 1;
+  WarningWords words;
+  words.subdivided = 2;
+  words.fewer = "ask for less";
+  const auto warned = [&](const PatternQuality& quality, double edges) {
+    WaveFigures figures;
+    figures.edges_per_period_median = edges;
+    const std::vector<std::string> found = quality_warnings(figures, quality, 722, words);
+    EXPECT_EQ(found.size(), 1u);
+    EXPECT_TRUE(has(found.at(0), "ask for less")) << found[0];
+    return found.at(0);
+  };
+  for (const PatternQuality& quality : {branched, off}) {
+    EXPECT_TRUE(has(warned(quality, 1.5), "subdivide the mesh, times: 3"));
+    EXPECT_TRUE(has(warned(quality, 0.1), "subdivide the mesh, times: 7"));
+    EXPECT_FALSE(has(warned(quality, 0.01), "subdivide")) << "too many times";
+  }
+  EXPECT_FALSE(has(warned(branched, 2.1), "subdivide")) << "the mesh is fine enough";
+  EXPECT_TRUE(has(warned(off, 2.1), "subdivide the mesh, times: 3"));
+  words.subdivide = "";
+  EXPECT_FALSE(has(warned(off, 1.5), "subdivide")) << "points have no triangles";
+}
+
+// Waves that turn nowhere are exact on any mesh.
+TEST(PatternWarnings, ExactWavesAreFineOnCoarseMeshes) {
+  for (const char* shape : {"plane,resolution=5", "cylinder,resolution=8"}) {
+    const Surface surface = make_surface(make_shape(shape));
+    const StripePattern pattern = stripe_pattern(
+        surface, {surface.mesh.positions, projected_direction_field({0, 0, 1}, surface.normals),
+                  constant_frequency_field(40, surface.mesh.vertex_count())});
+    EXPECT_LT(measure_waves(surface, pattern.waves).edges_per_period_median, 2) << shape;
+    EXPECT_TRUE(quality_warnings(measure_waves(surface, pattern.waves), pattern.quality,
+                                 surface.mesh.triangle_count())
+                    .empty())
+        << shape;
+  }
 }
 
 // Half of the vertices have edges enough, but nearly all of the area lies in long triangles, on
@@ -67,7 +98,6 @@ TEST(PatternWarnings, LongTrianglesThatMissTheirFieldAreTold) {
     waves.frequencies.push_back(4);
   }
   const StripePattern pattern = stripe_pattern(surface, std::move(waves));
-  EXPECT_FALSE(measure_waves(surface, pattern.waves).are_too_fine());
   const std::vector<std::string> found = pattern_warnings(surface, pattern);
   ASSERT_FALSE(found.empty());
   EXPECT_TRUE(has(found.back(), " % of the area")) << found.back();

@@ -49,32 +49,6 @@ TEST(WaveFigures, CountsEdgesAPeriod) {
   EXPECT_EQ(figures.without_wave, 0u);
 }
 
-TEST(WaveFigures, WarningsBeginBelowTwoEdgesAPeriod) {
-  const Surface plane = make_surface(make_shape("plane,resolution=20"));
-  const double at_one = measure_waves(plane, waves_along_x(plane, 1)).edges_per_period_median;
-  const auto warned = [&](double edges) {
-    return wave_warnings(
-        measure_waves(plane, waves_along_x(plane, static_cast<float>(at_one / edges))));
-  };
-  EXPECT_TRUE(warned(2.1).empty());
-  const std::vector<std::string> found = warned(1.5);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_TRUE(has(found[0], "a wave passes 1.5 edges a period or fewer")) << found[0];
-  EXPECT_TRUE(has(found[0], "subdivide the mesh, times: 1")) << found[0];
-  EXPECT_TRUE(has(warned(0.1)[0], "subdivide the mesh, times: 5")) << warned(0.1)[0];
-  EXPECT_FALSE(has(warned(0.01)[0], "subdivide")) << "too many times";
-  WarningWords words;
-  words.fewer = "ask for less";
-  words.subdivided = 2;
-  EXPECT_TRUE(has(
-      wave_warnings(measure_waves(plane, waves_along_x(plane, static_cast<float>(at_one / 1.5))),
-                    words)[0],
-      "times: 3"))
-      << "in all";
-  EXPECT_TRUE(has(wave_warnings(measure_waves(plane, waves_along_x(plane, 300)), words)[0],
-                  "ask for less"));
-}
-
 TEST(WaveFigures, WarningsTellOfMissingWaves) {
   const Surface plane = make_surface(make_shape("plane,resolution=20"));
   WaveSet waves = waves_along_x(plane, 1);

@@ -1,5 +1,7 @@
 #include "cli/option_values.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -91,7 +93,13 @@ std::size_t parse_choice_of(const OptionInfo& row, const std::string& option,
 }
 
 Vec3 parse_direction(const std::string& option, const std::string& text) {
-  const char* expected = "x,y,z: three finite numbers, not all zero";
+  const char* expected = "x,y,z: three finite numbers, not all zero; or an axis such as x or -z";
+  constexpr std::array kAxes = {"x", "y", "z", "-x", "-y", "-z"};
+  if (const auto axis = std::ranges::find(kAxes, text); axis != kAxes.end()) {
+    Vec3 direction = Vec3::Zero();
+    direction[(axis - kAxes.begin()) % 3] = text.starts_with('-') ? -1.0f : 1.0f;
+    return direction;
+  }
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3) wrong_usage(option, expected, text);
   Vec3 direction;

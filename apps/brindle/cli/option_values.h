@@ -29,7 +29,7 @@ float parse_positive_number(const std::string& option, const std::string& text);
 /// "x,y,z", finite; a file's coordinates may have more digits than a float.
 Eigen::Vector3d parse_place(const std::string& option, const std::string& text);
 
-/// "x,y,z", finite and not all zero.
+/// "x,y,z", finite and not all zero; or an axis such as "x" or "-z".
 Vec3 parse_direction(const std::string& option, const std::string& text);
 
 /// A length in the mesh's units, or as a share of the bounding box's diagonal.

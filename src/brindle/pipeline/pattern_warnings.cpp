@@ -1,6 +1,7 @@
 #include "brindle/pattern_warnings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "brindle/base/text.h"
@@ -11,6 +12,20 @@ namespace {
 constexpr double kMostBranches = 0.1;   // share of the area
 constexpr double kMostSingular = 0.01;  // share of the triangles
 constexpr double kMostCoarse = 0.25;    // share of the area
+constexpr double kFewestEdges = 2;      // a period
+constexpr int kMostSubdivisions = 6;    // that are worth proposing
+
+/// "; or subdivide the mesh, times: 2", or nothing.
+std::string or_subdivide(int times, const WarningWords& words) {
+  if (words.subdivide.empty() || times < 1 || times > kMostSubdivisions) return "";
+  return "; or " + words.subdivide + " " + std::to_string(words.subdivided + times);
+}
+
+/// Until a wave passes enough edges; 0: it does.
+int subdivisions_missing(const WaveFigures& figures) {
+  const double edges = figures.edges_per_period_median;
+  return edges > 0 ? static_cast<int>(std::ceil(std::log2(kFewestEdges / edges))) : 0;
+}
 
 }  // namespace
 
@@ -35,18 +50,18 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
 
 std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words) {
-  if (figures.are_too_fine()) return {};
   if (quality.branch_area_share > kMostBranches) {
     return {formatted("stripes begin or end in %zu of %zu triangles, on %.0f %% of the area",
                       quality.branches, triangles, 100 * quality.branch_area_share) +
-            "; " + words.fewer + "; or a smoother " + words.field};
+            "; " + words.fewer + "; or a smoother " + words.field +
+            or_subdivide(subdivisions_missing(figures), words)};
   }
   const double coarse = quality.coarse_share_over_5deg;
   if (coarse <= kMostCoarse) return {};
   return {formatted("on %.0f %% of the area stripes run more than 5 degrees off their field, in "
                     "triangles longer than half a period; ",
                     100 * coarse) +
-          words.fewer + or_subdivide(1, words)};
+          words.fewer + or_subdivide(std::max(1, subdivisions_missing(figures)), words)};
 }
 
 PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v) {

@@ -3,33 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
 
 namespace brindle {
 namespace {
 
-constexpr double kFewestEdges = 2;         // a period
 constexpr double kMostWithoutWave = 0.01;  // share of the vertices
-constexpr int kMostSubdivisions = 6;       // that are worth proposing
-
-std::string rounded_text(double number, int digits) { return formatted("%.*g", digits, number); }
 
 std::string of_all(std::size_t count, std::size_t all) {
   return std::to_string(count) + " of " + std::to_string(all);
 }
 
-std::string subdivisions_proposed(double edges_per_period, const WarningWords& words) {
-  const int times = static_cast<int>(std::ceil(std::log2(kFewestEdges / edges_per_period)));
-  return times > kMostSubdivisions ? "" : or_subdivide(times, words);
-}
-
 }  // namespace
-
-bool WaveFigures::are_too_fine() const {
-  return edges_per_period_median > 0 && edges_per_period_median < kFewestEdges;
-}
 
 WaveTally tally_waves(const Surface& surface, const WaveSet& waves) {
   WaveTally tally;
@@ -92,23 +78,12 @@ void check_figures(const WaveFigures& figures, const WarningWords& words, const 
   if (edges != 0 && edges <= kFewestEdgesAtHalf) refuse_noise(edges, "", words.fewer);
 }
 
-std::string or_subdivide(int times, const WarningWords& words) {
-  if (words.subdivide.empty()) return "";
-  return "; or " + words.subdivide + " " + std::to_string(words.subdivided + times);
-}
-
 std::vector<std::string> wave_warnings(const WaveFigures& figures, const WarningWords& words) {
   std::vector<std::string> result;
   const std::size_t without = figures.without_wave;
   if (static_cast<double>(without) > kMostWithoutWave * static_cast<double>(figures.used)) {
     result.push_back(of_all(without, figures.used) + " vertices have no wave: " + words.source +
                      " is zero, not finite or normal to the surface there");
-  }
-  if (figures.are_too_fine()) {
-    const double edges = figures.edges_per_period_median;
-    result.push_back("at half of the vertices a wave passes " + rounded_text(edges, 3) +
-                     " edges a period or fewer; below two, stripes may come out as noise; " +
-                     words.fewer + subdivisions_proposed(edges, words));
   }
   return result;
 }

@@ -16,18 +16,10 @@ namespace {
 constexpr std::size_t kMostValues = 200;
 constexpr double kPause = 0.5;  // seconds without frames that end a motion
 
-constexpr double kFewestEdges = 2;  // a period: below, stripes may come out as noise
-
 void figure_row(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
   ImGui::TextUnformatted(value.c_str());
-}
-
-void figure_row(const char* name, const std::string& value, const ImVec4& color) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color);
-  figure_row(name, value);
-  ImGui::PopStyleColor();
 }
 
 std::string count_text(std::size_t count) {
@@ -101,10 +93,7 @@ void FigurePanel::draw_counts(const SessionFrame& frame) {
   figure_row("angle error", formatted("%.2f\u00b0", figures.mean_angle_error_deg));
   figure_row("spacing error", formatted("%.2f%%", 100 * figures.mean_spacing_error));
   if (figures.edges_per_period > 0) {
-    const std::string edges = formatted("%.3g", figures.edges_per_period);
-    figures.edges_per_period < kFewestEdges
-        ? figure_row("edges a period", edges, warning_color(dark_))
-        : figure_row("edges a period", edges);
+    figure_row("edges a period", formatted("%.3g", figures.edges_per_period));
     log_.note_widget("figure edges a period");
   }
   for (const auto& [name, value] : figures.shown) {
