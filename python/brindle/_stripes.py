@@ -277,7 +277,8 @@ class Stripes:
 
     def write(self, path: Any, *, uv: bool = False) -> None:
         """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, whole or not at
-        all: the pattern's arrays and those of the surface. ``uv``: with texture coordinates, where
+        all: the pattern's arrays and those of the surface, of which one with a name of the pattern's
+        is called "NAME_input". ``uv``: with texture coordinates, where
         vertices are split. Warns of arrays that the format cannot hold."""
         if flag(uv, "uv"):
             self.mesh().write(path)
@@ -285,20 +286,19 @@ class Stripes:
         points, cells = fitting(path_of(path), self.point_data, self.cell_data)
         if self.surface.is_points:
             points = {"normal": self.surface.normals, **points}
-        for name, array in self.surface.point_data.items():
-            if name != _TURN:  # the surface's says how other waves are turned
-                points.setdefault(name, array)
-        for name, array in self.surface.cell_data.items():
-            cells.setdefault(name, array)
-        for line in _core.write_surface(path_of(path), self.surface._core, points, cells):
+        # The surface's turn is that of other waves.
+        beside = {name: array for name, array in self.surface.point_data.items() if name != _TURN}
+        for line in _core.write_surface(path_of(path), self.surface._core, points, cells, beside,
+                                        self.surface.cell_data):
             warn(line)
 
-    def put_on(self, mesh: Any) -> Any:
+    def put_on(self, mesh: Any, *, prefix: str = "") -> Any:
         """Puts the pattern's arrays on a mesh of pyvista, trimesh, meshio or VTK, the one that it
-        was made for or another one with as many vertices, by their names: ``point_data`` and
-        ``cell_data`` of this. Returns the mesh."""
-        from ._meshes import put_arrays
-        return put_arrays(mesh, self.surface, self.point_data, self.cell_data)
+        was made for or another one with as many vertices: ``point_data`` and ``cell_data`` of this,
+        their names after ``prefix``. Replaces those of an earlier pattern; raises Error where
+        another array of the mesh has one of the names. Returns the mesh."""
+        from ._meshes import put_pattern
+        return put_pattern(mesh, self.surface, self.point_data, self.cell_data, word(prefix, "prefix"))
 
 
 def has_solver(name: str) -> bool:
@@ -349,9 +349,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     "cotangent". ``sweeps`` and ``cycles`` are of multilevel; ``epsilon``, ``momentum`` and ``seed``
     of relaxation and averaged; ``global_iterations`` of global.
 
-    ``slack``: how far frequencies may yield so that fewer stripes begin or end, a number S or an
-    array (n,): between f / (1 + S) and f (1 + S); 0 or None: not at all. ``calm``: (n,) from 0 to
-    1, where branches are unwelcome. ``p.frequency`` then is what was chosen.
+    ``slack``: lets frequencies vary between f / (1 + S) and f (1 + S) for fewer branches, a number
+    S or an array (n,); 0 or None: not at all. ``calm``: weights (n,) from 0 to 1, avoids branches
+    there. ``p.frequency`` then is what was chosen.
 
     ``anchor_boundary``: lays the first stripe along boundaries, so many periods inside (0: on the
     rim, 0.5: the rim is in the middle of a gap). ``winding``: how many stripes wind round a loop as
@@ -367,12 +367,12 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     smooth field (``directions`` None) then goes on from that pattern's field, as it was before
     ``along`` turned it, unless ``lambda_`` is 0.
 
-    ``field_detail``: sees measured directions at the scale of so many periods of the stripes,
-    without what is finer, such as noise (0: as they are; 1 to 2 for what is noisy).
+    ``field_detail``: smooths measured directions over so many periods of the stripes (0: not; 1 for
+    noisy data).
     ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
     one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
     ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
-    undone, the nearest first, until at most so many are left, or those that no pair undoes.
+    cancelled, the nearest first, until at most so many remain or no pair is left.
     ``p.point_data["agreement"]`` says how much they agree. ``frequency_detail``: sees an array of
     frequencies at the scale of so many periods, its NaN filled as far as ``fill``.
 

@@ -51,7 +51,7 @@ TEST(OptionCatalogTest, OptionsAreFoundByWhatTheyAreCalledMeanAndAreFor) {
        {"", "  ", "width", "WIDTH stripes", "stripe-width", "--stripe", "wi of"}) {
     EXPECT_TRUE(is_meant(width, search)) << search;
   }
-  EXPECT_TRUE(is_meant(all_entries().at("slack"), "fewer begin")) << "by its help";
+  EXPECT_TRUE(is_meant(all_entries().at("slack"), "fewer branches")) << "by its help";
   for (const char* search : {"slack", "width slack", "stripes-width"}) {
     EXPECT_FALSE(is_meant(width, search)) << search;
   }

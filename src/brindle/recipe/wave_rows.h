@@ -85,11 +85,11 @@ constexpr auto kFieldRows = in_group(
      {.name = "direction",
       .words = "direction",
       .kind = OptionKind::text,
-      .form = "X,Y,Z",
+      .form = "X,Y,Z|AXIS",
       .excludes = "field",
       .jobs = kStripe | kCurves | kSample | kCompare,
-      .help =
-          "one vector for all vertices, projected into the tangent planes; stripes run across it"},
+      .help = "one vector for all vertices, or an axis such as x, projected into the tangent "
+              "planes; stripes run across it"},
      {.name = "curvature-direction",
       .words = "principal direction",
       .kind = OptionKind::choice,
@@ -180,9 +180,8 @@ constexpr auto kFieldRows = in_group(
       .slider = {0, 4},
       .stale = OptionStage::waves,
       .help =
-          "see a measured field at the scale of P periods of the stripes, without what is finer, "
-          "such as noise, and with its holes filled (default 0: as it is given; 1 to 2 for what "
-          "is noisy)"},
+          "smooth measured data over P periods of the stripes, and fill holes (default 0: use them "
+          "as they are; 1 for noisy data)"},
      {.name = "field-weight",
       .words = "weight of the data",
       .kind = OptionKind::text,
@@ -215,9 +214,9 @@ constexpr auto kFieldRows = in_group(
       .range = {.least = 0, .most = 1000000},
       .slider = {0, 200},
       .stale = OptionStage::waves,
-      .help =
-          "--field-detail: undo pairs of singularities, the nearest first, until at most N are "
-          "left, or those that no pair undoes; elsewhere the field stays (default: all stay)"}});
+      .help = "--field-detail: cancel pairs of singularities, the nearest first, until at most N "
+              "remain "
+              "or no pair is left; elsewhere the field stays (default: keep all)"}});
 
 constexpr auto kFieldOfFramesRows = in_group(
     {.group = "Field", .jobs = kAnimate},
@@ -288,23 +287,24 @@ constexpr auto kStripeRows = in_group(
       .kind = OptionKind::flag,
       .help = "stripes run along the field, not across it: waves are turned by 90 degrees"},
      {.name = "slack",
-      .words = "spacing may yield",
+      .words = "spacing tolerance",
       .kind = OptionKind::number,
       .form = "S",
       .standard = "0",
       .range = kNotNegative,
       .slider = {0, 1},
       .stale = OptionStage::phases,
-      .help = "how far frequencies may yield so that fewer stripes begin or end: between f / (1 + "
-              "S) and f (1 + S) (default 0: not at all)"},
+      .help =
+          "let frequencies vary by a factor of up to 1 + S for fewer branches (default 0: not at "
+          "all)"},
      {.name = "calm",
-      .words = "where it is calm",
+      .words = "avoid branches",
       .kind = OptionKind::text,
       .form = "FILE.csv",
       .file = true,
       .stale = OptionStage::phases,
-      .help = "a CSV file with a number from 0 to 1 a vertex: where branches are unwelcome; needs "
-              "--slack"},
+      .help =
+          "a CSV file of weights from 0 to 1, one a vertex: avoid branches there; needs --slack"},
      {.name = "frequency-by",
       .words = "denser where",
       .kind = OptionKind::text,
@@ -324,13 +324,13 @@ constexpr auto kStripeRows = in_group(
 constexpr auto kMakingRows = in_group(
     {.group = "Making", .stale = OptionStage::phases, .jobs = kStripe | kCurves},
     {{.name = "merge-branches",
-      .words = "merge branches",
+      .words = "cancel branch pairs",
       .kind = OptionKind::number,
       .form = "SHARE",
       .range = kNotNegative,
       .slider = {0.001, 1, true},
-      .help = "remove pairs of opposite branches, as long as the energy rises by this share of "
-              "itself at most (0.1: a tenth)"},
+      .help = "cancel pairs of opposite branches while the energy rises by at most SHARE (0.1: a "
+              "tenth), for fewer branches"},
      {.name = "merge-distance",
       .words = "merge within",
       .kind = OptionKind::number,

@@ -86,7 +86,9 @@ void OptionPanel::draw() {
   draw_search();
   // What is shown may have become another one.
   note_session();
-  for (const OptionGroup& group : catalog()) draw_group(group);
+  std::size_t shown = 0;
+  for (const OptionGroup& group : catalog()) shown += draw_group(group);
+  if (shown == 0) ImGui::TextDisabled("no option has these words");
 }
 
 void OptionPanel::draw_shown() {
@@ -122,12 +124,13 @@ void OptionPanel::draw_option(const std::string& name) {
   }
 }
 
-void OptionPanel::draw_group(const OptionGroup& group) {
+std::size_t OptionPanel::draw_group(const OptionGroup& group) {
   const bool searching = search_.find_first_not_of(' ') != std::string::npos;
   const auto is_shown = [&](const CatalogOption& option) {
     return !searching || is_meant(option, search_);
   };
-  if (std::ranges::none_of(group.options, is_shown)) return;
+  const auto shown = static_cast<std::size_t>(std::ranges::count_if(group.options, is_shown));
+  if (shown == 0) return 0;
   if (searching) {
     ImGui::TextDisabled("%s", group.title.c_str());
   } else {
@@ -135,7 +138,7 @@ void OptionPanel::draw_group(const OptionGroup& group) {
     const bool open =
         ImGui::CollapsingHeader(group.title.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
     log_.note_widget("group " + group.title);
-    if (!open) return;
+    if (!open) return shown;
   }
   for (const CatalogOption& option : group.options) {
     if (!is_shown(option)) continue;
@@ -144,6 +147,7 @@ void OptionPanel::draw_group(const OptionGroup& group) {
     ImGui::PopID();
   }
   ImGui::Dummy({0, ImGui::GetFontSize() * 0.3f});
+  return shown;
 }
 
 void OptionPanel::draw_option(const CatalogOption& option) {

@@ -34,7 +34,8 @@ class OptionPanel {
   void note_surface();
   void draw_shown();
   void draw_search();
-  void draw_group(const OptionGroup& group);
+  /// How many options of the group fit the search.
+  std::size_t draw_group(const OptionGroup& group);
   void draw_option(const CatalogOption& option);
   void draw_label(const CatalogOption& option, bool given);
   void draw_menu(const CatalogOption& option, bool given);
