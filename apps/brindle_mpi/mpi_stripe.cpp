@@ -96,7 +96,8 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
 
 /// What the piece's file has beside the mesh, with the input's arrays.
 DataArrays with_input(DataArrays own, const DataArrays& input, JobListener& listener) {
-  FittedArrays fitted = fitted_arrays("piece.vtp", joined(std::move(own), without_turn(input)));
+  FittedArrays fitted =
+      fitted_arrays("piece.vtp", joined(std::move(own), without_turn(input), listener));
   for (const std::string& line : fitted.left_out) listener.note(line + "\n");
   return std::move(fitted.arrays);
 }

@@ -186,12 +186,36 @@ def put_arrays(mesh: Any, surface: Surface, points: Mapping[str, Any],
     if vertices != surface.vertex_count:
         raise Error(f"the mesh has {vertices} vertices, the pattern {surface.vertex_count}: it was "
                     "made for another one")
-    points = {name: array for name, array in points.items() if name != "original_id"}
     cells = {name: spread(array, surface, cell_count) for name, array in cells.items()}
     cells = {name: array for name, array in cells.items() if array is not None}
     put = put_on_vtk if hasattr(mesh, "GetPointData") and not hasattr(mesh, "point_data") else put_on_dicts
     put(mesh, points, cells)
     return mesh
+
+
+def put_pattern(mesh: Any, surface: Surface, points: Mapping[str, Any], cells: Mapping[str, Any],
+                prefix: str) -> Any:
+    """Puts a pattern's arrays on a mesh, their names after the prefix. Those of an earlier pattern,
+    which has "sin_phase", are replaced; no others are."""
+    points = {prefix + name: array for name, array in points.items() if name != "original_id"}
+    cells = {prefix + name: array for name, array in cells.items()}
+    of_points, of_cells = array_names(mesh)
+    taken = sorted((of_points & set(points)) | (of_cells & set(cells)))
+    if taken and prefix + "sin_phase" not in of_points:
+        raise Error(f"the mesh has arrays {', '.join(taken)} already, which would be replaced; keep them "
+                    "with prefix=\"stripes_\"")
+    return put_arrays(mesh, surface, points, cells)
+
+
+def array_names(mesh: Any) -> tuple[set[str], set[str]]:
+    """Of a mesh's arrays of points and of cells."""
+    if hasattr(mesh, "point_data"):
+        return set(mesh.point_data), set(mesh.cell_data)
+    if hasattr(mesh, "vertex_attributes"):
+        return set(mesh.vertex_attributes), set(mesh.face_attributes)
+    points, cells = ({data.GetArrayName(i) for i in range(data.GetNumberOfArrays())}
+                     for data in (mesh.GetPointData(), mesh.GetCellData()))
+    return points, cells
 
 
 def counts_of(mesh: Any) -> tuple[int, int]:

@@ -426,7 +426,7 @@ class Surface:
         and those given. Warns of arrays that the format cannot hold."""
         points = {**self.point_data, **(point_data or {})}
         cells = {**self.cell_data, **(cell_data or {})}
-        for line in _core.write_surface(path_of(path), self._core, points, cells):
+        for line in _core.write_surface(path_of(path), self._core, points, cells, {}, {}):
             warn(line)
 
     def _array(self, given: Any, what: str) -> tuple[str, Any]:

@@ -4,6 +4,7 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
+#include "brindle/pattern_arrays.h"
 #include "job.h"
 #include "pattern_data.h"
 
@@ -18,18 +19,24 @@ Mesh mesh_of(const py::tuple& origin, py::handle vertices, py::handle triangles)
   return mesh;
 }
 
-// What the file holds of the arrays, and lines about what it does not.
-std::vector<std::string> write(const std::string& path, const Mesh& mesh, const py::dict& points,
-                               const py::dict& cells, const std::string& png) {
-  DataArrays arrays{data_arrays_of(points), data_arrays_of(cells)};
+DataArrays arrays_of(const py::dict& points, const py::dict& cells) {
+  return {data_arrays_of(points), data_arrays_of(cells)};
+}
+
+// What the file holds of the arrays and those of an input, and lines about what it does not hold
+// and what was renamed.
+std::vector<std::string> write(const std::string& path, const Mesh& mesh, DataArrays arrays,
+                               const DataArrays& input, const std::string& png) {
   return without_lock([&] {
-    FittedArrays fitted = fitted_arrays(path, std::move(arrays));
+    std::vector<std::string> notes;
+    FittedArrays fitted = fitted_arrays(path, join_arrays(std::move(arrays), input, notes));
     if (png.empty()) {
       write_mesh(path, mesh, fitted.arrays.points, fitted.arrays.cells);
     } else {
       write_textured_mesh(path, mesh, fitted.arrays.points, png, fitted.arrays.cells);
     }
-    return fitted.left_out;
+    notes.insert(notes.end(), fitted.left_out.begin(), fitted.left_out.end());
+    return notes;
   });
 }
 
@@ -39,14 +46,18 @@ void bind_files(py::module_& module) {
   module.def(
       "write_surface",
       [](const std::string& path, const SurfaceData& surface, const py::dict& points,
-         const py::dict& cells) { return write(path, surface.surface.mesh, points, cells, ""); },
-      py::arg("path"), py::arg("surface"), py::arg("point_data"), py::arg("cell_data"));
+         const py::dict& cells, const py::dict& input_points, const py::dict& input_cells) {
+        return write(path, surface.surface.mesh, arrays_of(points, cells),
+                     arrays_of(input_points, input_cells), "");
+      },
+      py::arg("path"), py::arg("surface"), py::arg("point_data"), py::arg("cell_data"),
+      py::arg("input_point_data"), py::arg("input_cell_data"));
   module.def(
       "write_mesh",
       [](const std::string& path, const py::tuple& origin, py::handle vertices,
          py::handle triangles, const py::dict& points, const py::dict& cells,
          const py::bytes& png) {
-        return write(path, mesh_of(origin, vertices, triangles), points, cells, png);
+        return write(path, mesh_of(origin, vertices, triangles), arrays_of(points, cells), {}, png);
       },
       py::arg("path"), py::arg("origin"), py::arg("vertices"), py::arg("triangles"),
       py::arg("point_data"), py::arg("cell_data"), py::arg("png"));

@@ -111,6 +111,33 @@ def test_results_are_put_back(make, square, data):
     np.testing.assert_array_equal(uv, t.corner_uv.reshape(-1, 6))
 
 
+@pytest.mark.parametrize("make", MAKERS.values(), ids=MAKERS)
+def test_arrays_of_the_mesh_are_not_replaced(make, square, data):
+    named = {**data, "points": {**data["points"], "frequency": np.arange(len(square[0]), dtype=float)}}
+    mesh = make(square, named)
+    p = brindle.stripes(mesh, "velocity", stripes=10)
+    with pytest.raises(brindle.Error, match='arrays frequency already.*prefix="stripes_"'):
+        p.put_on(mesh)
+    assert "phase" not in arrays_on(mesh)[0], "nothing is changed"
+    for _ in range(2):  # those of an earlier pattern are replaced
+        p.put_on(mesh, prefix="stripes_")
+    points, _ = arrays_on(mesh)
+    np.testing.assert_array_equal(points["frequency"], named["points"]["frequency"])
+    np.testing.assert_array_equal(points["stripes_frequency"], p.frequency)
+
+
+def test_files_keep_arrays_whose_names_are_taken(square, tmp_path):
+    given = np.arange(len(square[0]), dtype=float)
+    brindle.Surface(*square).write(tmp_path / "in.vtp", point_data={"frequency": given})
+    s = brindle.read(tmp_path / "in.vtp")
+    p = brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=10)
+    with pytest.warns(brindle.PatternWarning, match="'frequency' is kept as 'frequency_input'"):
+        p.write(tmp_path / "a.vtp")
+    again = brindle.read(tmp_path / "a.vtp")
+    np.testing.assert_array_equal(again.point_data["frequency_input"], given)
+    np.testing.assert_array_equal(again.point_data["frequency"], p.frequency)
+
+
 def test_results_are_not_put_on_other_meshes(square, data):
     p = brindle.stripes(brindle.shape("torus", resolution=60), stripes=10)
     with pytest.raises(brindle.Error, match="another"):

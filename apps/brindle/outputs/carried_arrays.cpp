@@ -1,54 +1,42 @@
 #include "outputs/carried_arrays.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "brindle/files.h"
+#include "brindle/pattern_arrays.h"
 
 namespace brindle::tool {
 namespace {
 
-std::vector<std::string> names_of(std::span<const DataArray> arrays) {
-  std::vector<std::string> names;
-  for (const DataArray& array : arrays) names.push_back(array.name);
-  return names;
+void note(const std::vector<std::string>& sentences, JobListener& listener) {
+  for (const std::string& sentence : sentences) listener.note(sentence + "\n");
 }
 
 }  // namespace
 
-std::vector<DataArray> without(std::span<const DataArray> arrays,
-                               std::span<const std::string> names) {
-  std::vector<DataArray> result;
-  std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(result),
-               [&](const DataArray& array) {
-                 return std::find(names.begin(), names.end(), array.name) == names.end();
-               });
-  return result;
-}
-
-DataArrays joined(DataArrays own, const DataArrays& input) {
-  const auto add = [](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
-    for (DataArray& array : without(from, names_of(to))) to.push_back(std::move(array));
-  };
-  add(own.points, input.points);
-  add(own.cells, input.cells);
-  return own;
+DataArrays joined(DataArrays own, const DataArrays& input, JobListener& listener) {
+  std::vector<std::string> notes;
+  DataArrays arrays = join_arrays(std::move(own), input, notes);
+  note(notes, listener);
+  return arrays;
 }
 
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
                        const DataArrays& arrays, JobListener& listener) {
   DataArrays held;
+  std::vector<std::string> notes;
+  const bool replaced = hold_pattern(arrays.points);
   const auto add = [&](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
-    for (DataArray& array : without(from, own)) {
+    for (DataArray& array : arrays_beside(own, from, replaced, notes)) {
       if (find_array(held.points, array.name) != nullptr) continue;
       const std::vector<std::string> why = fitted_arrays(path, {{array}, {}}).left_out;
-      for (const std::string& line : why) listener.note(line + "\n");
+      note(why, listener);
       if (why.empty()) to.push_back(std::move(array));
     }
   };
   add(held.points, arrays.points);
   add(held.cells, arrays.cells);
+  note(notes, listener);
   return held;
 }
 

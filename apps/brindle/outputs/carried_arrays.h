@@ -13,15 +13,11 @@
 
 namespace brindle::tool {
 
-/// Arrays without those that have one of the names.
-std::vector<DataArray> without(std::span<const DataArray> arrays,
-                               std::span<const std::string> names);
-
-/// A command's own arrays, then those of the input's file that have other names.
-DataArrays joined(DataArrays own, const DataArrays& input);
+/// `join_arrays`, with notes of the arrays that were renamed.
+DataArrays joined(DataArrays own, const DataArrays& input, JobListener& listener);
 
 /// What a file of lines or samples has place for beside its `own` columns: of arrays of points and
-/// of triangles with one name, those of points. Notes what it cannot hold.
+/// of triangles with one name, those of points. Notes what it cannot hold, and what was renamed.
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
                        const DataArrays& arrays, JobListener& listener);
 

@@ -61,7 +61,7 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
     add_turn(own.points, made.data.turn_deg, surface.mesh.vertex_count());
   }
   const DataArrays arrays =
-      fitted(path, joined(std::move(own), without_turn(made.data.arrays)), listener);
+      fitted(path, joined(std::move(own), without_turn(made.data.arrays), listener), listener);
   write_mesh(path, surface.mesh, arrays.points, arrays.cells, listener.progress());
 }
 
@@ -94,7 +94,7 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
     add_turn(own.points, made.data.turn_deg, textured.mesh.vertex_count());
   }
   const DataArrays input = carried_arrays(textured, without_turn(made.data.arrays));
-  const DataArrays arrays = fitted(path, joined(std::move(own), input), listener);
+  const DataArrays arrays = fitted(path, joined(std::move(own), input, listener), listener);
   if (texture == nullptr) {
     return write_mesh(path, textured.mesh, arrays.points, arrays.cells, writing);
   }

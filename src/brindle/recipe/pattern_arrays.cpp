@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/elementary.h"
@@ -96,6 +97,44 @@ float turn_said_by(std::span<const DataArray> arrays) {
                 "' must have the same finite number of degrees in all rows");
   }
   return static_cast<float>(turns.front());
+}
+
+bool hold_pattern(std::span<const DataArray> points) {
+  return find_array(points, "sin_phase") != nullptr;
+}
+
+std::vector<DataArray> arrays_beside(std::span<const std::string> own,
+                                     std::span<const DataArray> input, bool replaced,
+                                     std::vector<std::string>& notes) {
+  const auto is_own = [&](const std::string& name) { return ranges::find(own, name) != own.end(); };
+  std::vector<DataArray> result;
+  for (const DataArray& array : input) {
+    const bool clashes = is_own(array.name);
+    if (clashes && replaced) continue;
+    result.push_back(array);
+    std::string& name = result.back().name;
+    while (is_own(name) || (name != array.name && find_array(input, name) != nullptr)) {
+      name += "_input";
+    }
+    if (clashes) {
+      notes.push_back("the input's array '" + array.name + "' is kept as '" + name + "'");
+    }
+  }
+  return result;
+}
+
+DataArrays join_arrays(DataArrays own, const DataArrays& input, std::vector<std::string>& notes) {
+  const bool replaced = hold_pattern(input.points);
+  const auto add = [&](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
+    std::vector<std::string> names;
+    for (const DataArray& array : to) names.push_back(array.name);
+    for (DataArray& array : arrays_beside(names, from, replaced, notes)) {
+      to.push_back(std::move(array));
+    }
+  };
+  add(own.points, input.points);
+  add(own.cells, input.cells);
+  return own;
 }
 
 DataArray carried_ids(const TexturedMesh& textured, std::span<const std::int64_t> ids) {
