@@ -64,12 +64,13 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
     PatternResult laid = pattern_of(surface->surface, std::move(in.waves), request, reports);
     TexturePattern& pattern = std::get<TexturePattern>(laid.of);
     auto made = std::make_shared<TextureData>();
-    made->report =
-        brindle::to_json(brindle::make_report(surface->surface, in.prepared, laid, solver));
+    const brindle::Report report =
+        brindle::make_report(surface->surface, in.prepared, laid, solver);
+    made->report = brindle::to_json(report);
     made->surface = surface;
     made->merged = laid.making.merged;
     made->figures = in.prepared.figures;
-    made->quality = pattern.u.quality;
+    made->quality = report.quality;
     made->phase_shift = pattern.phase_shift;
     made->waves = std::move(pattern.waves);
     made->u = stripes_data(surface, std::move(pattern.u), in.prepared, solver);
@@ -131,11 +132,12 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
                                     {PatternKind::crosses, options, solving.making}, reports);
     auto& [cross, texture] = std::get<CrossResult>(laid.of);
     auto made = std::make_shared<TextureData>();
-    made->report = brindle::to_json(
-        brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver));
+    const brindle::Report report =
+        brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver);
+    made->report = brindle::to_json(report);
     made->merged = laid.making.merged;
     made->figures = in.prepared.figures;
-    made->quality = cross.quality;
+    made->quality = report.quality;
     made->phase_shift = options.phase_shift;
     made->waves = std::move(texture.pattern.waves);
     made->triangle_origins = cross.cover.base;
