@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The table of docs/spacing.md: branches, angle errors and energies by slack.
+"""The table of docs/fewer_branches.md: branches, angle errors and energies by slack.
 
     scripts/slack_table.py build/release/apps/brindle/brindle [--models FOLDER] [--only TEXT]
 

@@ -1,4 +1,4 @@
-/// Frequencies that change within bounds, so that fewer stripes begin or end (docs/spacing.md).
+/// Frequencies that change within bounds, so that fewer stripes begin or end (docs/fewer_branches.md).
 #pragma once
 
 #include <cstddef>
