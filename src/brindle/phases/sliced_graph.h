@@ -1,6 +1,6 @@
 /// The phase graph in the form in which solvers sweep it: colours contiguous, rows in slices of
-/// equal width (docs/benchmarks.md, "Memory layout"). `load_couplings` makes it of a PhaseGraph, `couple` of
-/// sliced_waves.h of waves, without a PhaseGraph in between.
+/// equal width (docs/benchmarks.md, "Memory layout"). `load_couplings` makes it of a PhaseGraph,
+/// `couple` of sliced_waves.h of waves, without a PhaseGraph in between.
 #pragma once
 
 #include <algorithm>
