@@ -1,5 +1,5 @@
 /// What shaders of your own need to draw a pattern at every pixel, in the layout that the installed
-/// GLSL reads (docs/draw.md).
+/// GLSL reads (docs/gpu.md).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// What renderers of your own draw of frames, in the place of the last one (docs/draw.md): normals
+/// What renderers of your own draw of frames, in the place of the last one (docs/gpu.md): normals
 /// of vertices that move, corner phases, and the vertices that shaders read.
 #pragma once
 

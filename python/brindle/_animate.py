@@ -138,7 +138,7 @@ class TextureAnimator:
 
 class PatternFrames:
     """What a renderer of your own draws of the frames of an ``Animator``: normals of vertices that
-    moved, corner phases, and the buffers that the installed shaders read (docs/draw.md). ``phases``
+    moved, corner phases, and the buffers that the installed shaders read (docs/gpu.md). ``phases``
     are what ``Animator.frame`` gave; ``directions``, ``frequencies`` and ``positions`` what it was
     given, with slack ``Animator.frequencies``. Packed arrays of float32 are read where they are, and
     ``out`` spares the result's allocation. One call at a time."""

@@ -1,4 +1,4 @@
-// The shaders that are installed for renderers of others (docs/draw.md).
+// The shaders that are installed for renderers of others (docs/gpu.md).
 #include <fstream>
 #include <iterator>
 #include <string>
