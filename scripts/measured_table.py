@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The table of docs/measured.md: how far from the truth a noisy field is, and what is seen of it.
+"""Errors of noisy fields as given and smoothed (--field-detail), with branches.
 
     PYTHONPATH=build/release/python scripts/measured_table.py [--shape trefoil,resolution=100]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The table of docs/fewer_branches.md: branches, angle errors and energies by slack.
+"""Branches, angle errors and energies by spacing tolerance (--slack).
 
     scripts/slack_table.py build/release/apps/brindle/brindle [--models FOLDER] [--only TEXT]
 

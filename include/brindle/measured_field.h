@@ -1,5 +1,5 @@
 /// Direction fields that were measured, noisy or with holes, seen at the scale of their stripes
-/// (docs/measured.md).
+/// (docs/data.md).
 #pragma once
 
 #include <cstddef>
