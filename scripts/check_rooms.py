@@ -3,7 +3,7 @@
 
 usage: check_rooms.py [ROOT]
 
-The table whose first column is 'room' has, in a row per room, what is in it, its public headers and
+The table whose first column is 'module' has, in a row per module, what is in it, its public headers and
 the rooms that it may include, which stand for all that these may include, too. The README's program must be that of tests/consumer. Fails if a file
 includes what its room may not, if a room, a public header or a permission is missing from the
 table, or if the table has one that the sources do not. The table of the tool's rooms, in apps/brindle,
