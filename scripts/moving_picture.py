@@ -1,5 +1,5 @@
-#!/usr/bin/env python3
-"""Writes the frames of an animation as one GIF that repeats; needs Pillow.
+#!/usr/bin/python3
+"""Writes the frames of an animation as one GIF that repeats; needs Pillow (python3-pil).
 
 usage: moving_picture.py --output FILE.gif [--colors N] [--milliseconds T] FRAME.png...
 
