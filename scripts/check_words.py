@@ -18,8 +18,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "web/package/README.md"]
 GENERATED = {"docs/headers.md"}
-LONGEST_SENTENCE = 30  # words
-LONGEST_HELP = 70  # characters
+LONGEST_SENTENCE, LONGEST_HELP = 30, 70  # words, characters
 
 # Words for one page, or for several together. Names are relative to docs/.
 BUDGETS = [
@@ -41,8 +40,8 @@ TERMS = {
     r"figures?(?! \d)": "metric, image or motif",
     r"pieces?": "partition or connected component",
     r"rooms?|houses?": "module", r"makers?": "fabrication", r"told by": "identified",
-    r"mend(s|ed|ing)?": "fix",
-    r"anew|afresh": "again", r"refus(e|es|ed|ing|al|als)": "reject", r"wish(es)?": "request",
+    r"mend(s|ed|ing)?": "fix", r"anew|afresh": "again",
+    r"refus(e|es|ed|ing|al|als)": "reject", r"wish(es)?": "request",
 }
 OPENING = re.compile(r"(What|Who|Whoever|Where|How far)\b")
 SENTENCE_END = re.compile(r"(?<!e\.g)(?<!i\.e)(?<!\bal)(?<!\bcf)(?<!\bEq)(?<!\bFig)[.!?][)\"]*$")
@@ -62,7 +61,8 @@ def blocks_of(text):
     for number, line in enumerate(text.splitlines() + [""], 1):
         fence = line.lstrip().startswith("```")
         heading = not fenced and line.startswith("#")
-        skipped = fence or fenced or heading or not line.strip() or line.lstrip()[0] in "|<"
+        code = fence or fenced or (not block and line.startswith("    "))
+        skipped = code or heading or not line.strip() or line.lstrip()[0] in "|<"
         if block and (skipped or re.match(r"\s*([-*+]|\d+\.) ", line)):
             yield "prose", block
             block = []
