@@ -12,10 +12,10 @@
 namespace brindle {
 namespace {
 
-/// Members up to which an aggregate grows.
+/// The largest number of members before single nodes join.
 constexpr Index kMembers = 4;
 
-/// Aggregates of a coarse block, at least: their share of the finer level fits the second cache.
+/// The fewest aggregates per coarse block. Their share of the finer level fits the second cache.
 constexpr Index kCoarseBlock = 1536;
 
 float strength(const SlicedLayout& layout, const SlicedCouplings& couplings, Index slot,
@@ -49,8 +49,7 @@ struct AggregationInput {
   const SlicedCouplings& couplings;
   std::vector<float> inverse_root_degree;
 
-  /// Calls `visit(neighbor, strength)` for the coupled neighbours of a slot for which
-  /// `counts(neighbor)` holds.
+  /// Calls `visit(neighbor, strength)` for each coupled neighbour that `counts(neighbor)` accepts.
   template <class Counts, class Visit>
   void for_each_neighbor(Index slot, const Counts& counts, const Visit& visit) const {
     std::size_t entry = layout.first_entry(slot);
@@ -93,7 +92,7 @@ Members with_joins(const Members& members, std::vector<Join> joins) {
   return result;
 }
 
-/// Grows the aggregates of one block. Numbers of aggregates start from 0 in each block.
+/// Grows the aggregates of one block. Their numbers start from 0 in each block.
 class BlockGrower {
  public:
   BlockGrower(const AggregationInput& input, SliceRange block, std::vector<Index>& aggregate)
@@ -120,7 +119,7 @@ class BlockGrower {
   }
 
   const Members& members() const { return members_; }
-  /// Slots that are coupled to none of this block's aggregates.
+  /// Slots without a coupling to this block's aggregates.
   const std::vector<Index>& stranded() const { return stranded_; }
 
  private:
@@ -194,7 +193,7 @@ class BlockGrower {
   std::vector<Index> stranded_;
 };
 
-/// The aggregates of all blocks, numbered one after the other.
+/// Numbers the aggregates consecutively over all blocks.
 Aggregates put_together(const SlicedLayout& layout, const std::vector<BlockGrower>& growers,
                         std::vector<Index> aggregate) {
   Aggregates aggregates;
@@ -218,7 +217,7 @@ Aggregates put_together(const SlicedLayout& layout, const std::vector<BlockGrowe
   return aggregates;
 }
 
-/// Joins a stranded slot to a neighbour's aggregate in another block, or to a stranded neighbour.
+/// Joins a stranded slot to the aggregate of a neighbour in another block, or to a stranded one.
 class StrandedJoiner {
  public:
   StrandedJoiner(const AggregationInput& input, Aggregates& aggregates)
@@ -273,7 +272,7 @@ void join_stranded(const AggregationInput& input, const std::vector<BlockGrower>
   joiner.finish();
 }
 
-/// By insertion, which is faster for short rows.
+/// Insertion sort is faster for short rows.
 void sort_row(std::vector<Index>& row) {
   constexpr std::size_t kFew = 16;
   if (row.size() > kFew) {
@@ -288,8 +287,8 @@ void sort_row(std::vector<Index>& row) {
   }
 }
 
-/// Writes the neighbours of an aggregate into `row`, ascending. `seen_by` has, for every aggregate,
-/// the last one in whose row it was found.
+/// Writes the neighbours of an aggregate into `row`, ascending. `seen_by[a]` is the last aggregate
+/// whose row contained a; it avoids duplicates.
 void collect_row(const SlicedLayout& layout, const Aggregates& aggregates, Index aggregate,
                  std::vector<Index>& seen_by, std::vector<Index>& row) {
   row.clear();

@@ -10,8 +10,7 @@
 
 namespace brindle {
 
-/// The aggregate of each slot. Aggregates are numbered in the order in which they grew, block by
-/// block of the layout.
+/// The aggregate of each slot. Aggregates are numbered in the order of growth, block by block.
 struct Aggregates {
   std::vector<Index> aggregate;       ///< slot -> aggregate or kNone
   std::vector<Index> begin{0};        ///< aggregate a has members begin[a] .. begin[a+1] - 1
@@ -21,19 +20,19 @@ struct Aggregates {
   Index count() const { return static_cast<Index>(begin.size()) - 1; }
 };
 
-/// Aggregates grow one by one, in the order of slots: the free neighbour that is most strongly
-/// coupled to the aggregate, by sum max(|A|, |B|) / sqrt(deg), joins until there are four members.
-/// Aggregates stay within a block, so that a block's gauges and sums stay in the cache; blocks grow
-/// in parallel. Single nodes join the aggregate of the neighbour to which they are most strongly
-/// coupled, in their own block if possible. Nodes without coupling have no aggregate. Throws
-/// Cancelled if `progress` asks for it.
+/// Aggregates grow one by one, in the order of slots. The free neighbour with the strongest
+/// coupling to the aggregate, by sum max(|A|, |B|) / sqrt(deg), joins until there are four members.
+/// Aggregates stay within a block so that its gauges and sums stay in the cache; blocks grow in
+/// parallel. Single nodes join the aggregate of their most strongly coupled neighbour, if possible
+/// in their block. Nodes without coupling have no aggregate. Throws Cancelled if `progress`
+/// cancels.
 Aggregates grow_aggregates(const SlicedLayout& layout, const SlicedCouplings& couplings,
                            const Progress& progress = {});
 
-/// Neighbouring aggregates: those with neighbouring members, ascending.
+/// The neighbours of each aggregate, ascending: aggregates with neighbouring members.
 Adjacency coarse_adjacency(const SlicedLayout& layout, const Aggregates& aggregates);
 
-/// The layout of the coarser level for this colouring: each block holds the aggregates of a few
+/// The layout of the coarser level for this colouring. Each block holds the aggregates of a few
 /// whole blocks of the finer level.
 SlicedLayout coarse_layout(const Aggregates& aggregates, const Adjacency& adjacency,
                            const Coloring& coloring);

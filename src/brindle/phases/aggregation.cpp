@@ -36,7 +36,7 @@ class ChunkGauges {
   }
 
  private:
-  /// The members of one rank, ascending: couplings are read in the order of memory.
+  /// Collects the members of one rank, ascending, so that couplings are read in memory order.
   bool collect_members(Index first, Index end, Index rank) {
     members_.clear();
     for (Index a = first; a < end; ++a) {
@@ -74,7 +74,7 @@ class ChunkGauges {
     rounds_.round_begin.push_back(static_cast<Index>(rounds_.entry.size() / kLanes));
   }
 
-  /// Entries in the row of a member that lead to members of its aggregate with a lower rank.
+  /// Collects the entries of a member's row that lead to lower ranks of its aggregate.
   void collect_entries(Index slot) {
     entries_.clear();
     std::size_t entry = layout_.first_entry(slot);
@@ -183,7 +183,7 @@ class BlockSources {
     }
   }
 
-  /// All entries between two aggregates.
+  /// Collects the entries between different aggregates.
   void collect_sources() {
     sources_.clear();
     Index row_of = kNone;
@@ -203,7 +203,7 @@ class BlockSources {
     });
   }
 
-  /// The position of each neighbour in the row of an aggregate.
+  /// Sets the position of each neighbour in the row of an aggregate.
   void note_positions(Index aggregate) {
     Index position = 0;
     for (const Index other : adjacency_.of(aggregate)) position_of_[other] = position++;
@@ -241,10 +241,10 @@ class BlockSources {
   const Aggregates& aggregates_;
   const Adjacency& adjacency_;
   const SlicedLayout& coarse_;
-  std::vector<Index> place_of_;     // of a slice's first entry; set for those of this block's runs
-  std::vector<Index> position_of_;  // of an aggregate in the row of the current one
+  std::vector<Index> place_of_;     // of a slice's first entry; set for slices in this block's runs
+  std::vector<Index> position_of_;  // of an aggregate in the current row
   std::vector<Source> sources_;
-  std::vector<Index> dealt_;  // sources by coarse entry
+  std::vector<Index> dealt_;  // sources per coarse entry
   SliceRange block_{};
   SumSchedule rounds_;
 };

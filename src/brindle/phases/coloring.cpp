@@ -12,7 +12,7 @@ namespace brindle {
 Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed, const Progress& progress) {
   const std::size_t nodes = adjacency.node_count();
   std::vector<Index> color(nodes, kUncolored);
-  // Hashed twice, because the random start is hashed once: if the order followed the start, early
+  // Hashed twice, because the random start is hashed once. If the order followed the start, early
   // nodes would draw all others towards the same phases. Ties go to the larger number.
   const auto priority = [seed](Index node) {
     return std::pair(jenkins_hash(jenkins_hash(node + seed)), node);

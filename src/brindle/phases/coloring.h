@@ -11,6 +11,7 @@
 
 namespace brindle {
 
+/// A colour per node.
 struct Coloring {
   std::vector<Index> color;  ///< one per node, below `color_count`; every colour is used
   Index color_count = 0;
@@ -18,10 +19,10 @@ struct Coloring {
 
 inline constexpr Index kUncolored = ~Index{0};
 
-/// Colours nodes one after the other; some may have colours before.
+/// Colours nodes one by one; some may be coloured beforehand.
 class GreedyColorer {
  public:
-  /// `adjacency` must outlive the colourer. No node has a colour yet.
+  /// `adjacency` must outlive the colourer. All nodes start uncoloured.
   explicit GreedyColorer(const Adjacency& adjacency);
 
   /// Gives the node the smallest colour that no neighbour has.
@@ -40,14 +41,14 @@ class GreedyColorer {
   std::size_t step_ = 0;
 };
 
-/// Jones-Plassmann-Luby as in the paper's section 4 (Naumov et al. 2015): in each round the nodes
-/// whose hash is larger than those of all uncoloured neighbours get the round's number as colour.
-/// Throws Cancelled if `progress` asks for it.
+/// Jones-Plassmann-Luby as in the paper's section 4 (Naumov et al. 2015). In each round, nodes with
+/// a larger hash than all uncoloured neighbours get the round's number as their colour. Throws
+/// Cancelled if `progress` cancels.
 Coloring luby_coloring(const Adjacency& adjacency, std::uint32_t seed = 0,
                        const Progress& progress = {});
 
-/// Nodes in the order of their numbers get the smallest colour that no neighbour has: fewer colours
-/// than `luby_coloring`, at most the largest degree plus one.
+/// Each node, in the order of numbers, gets the smallest colour that no neighbour has. Uses fewer
+/// colours than `luby_coloring`, at most the largest degree plus one.
 Coloring greedy_coloring(const Adjacency& adjacency);
 
 }  // namespace brindle

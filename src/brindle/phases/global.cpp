@@ -36,12 +36,11 @@ using Vector = Eigen::VectorXd;
 /// Added to the energy matrix, as a share of its mean diagonal, to make it positive definite.
 constexpr double kShift = 1e-7;
 
-/// The least shift of a node with next to no mass, as a share of its weights: above rounding
-/// errors.
+/// The least shift of a node with almost no mass, as a share of its weights: above rounding errors.
 constexpr double kLeastShift = 1e-11;
 
-/// One real 2x2 block a coupling, lower triangle only: A z has [[re, -im], [im, re]], B conj(z) has
-/// [[re, im], [im, -re]].
+/// One real 2x2 block per coupling, lower triangle only: A z has [[re, -im], [im, re]], B conj(z)
+/// has [[re, im], [im, -re]].
 void add_coupling(std::vector<Eigen::Triplet<double, SuiteSparse_long>>& entries, Index i, Index j,
                   std::complex<double> c, bool reflecting) {
   const double sign = reflecting ? -1 : 1;
@@ -55,7 +54,7 @@ std::vector<double> weight_sums(const PhaseGraph& graph) {
   std::vector<double> sums(graph.node_count());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     for (Index edge = graph.adjacency->offsets[i]; edge < graph.adjacency->offsets[i + 1]; ++edge) {
-      // In double precision, like the matrix: rounded down it might not be definite.
+      // In double precision, like the matrix: rounding down could make it indefinite.
       sums[i] += std::abs(std::complex<double>(graph.coupling[edge]));
     }
   }
@@ -81,7 +80,7 @@ Matrix energy_matrix(const PhaseGraph& graph, std::span<const float> mass,
   entries.reserve(2 * nodes + 2 * graph.coupling.size());
   for (Index i = 0; i < nodes; ++i) {
     if (i % kReportSlice == 0) progress.tick();
-    // Of a node without couplings any phase is a solution.
+    // Any phase solves a node without couplings.
     const double shifted =
         weights[i] + std::max(shift * mass_of(mass, i), kLeastShift * weights[i]);
     const double diagonal = weights[i] > 0 ? shifted : 1.0;
@@ -137,7 +136,7 @@ PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
                 std::to_string(graph.node_count()) + " nodes, or none");
   }
   Stopwatch watch;
-  // CHOLMOD cannot be cancelled while it finds the order and the factor.
+  // CHOLMOD cannot be cancelled during ordering and factorisation.
   JobStages stages(progress, {{"global: energy matrix", 3},
                               {"global: order", 10},
                               {"global: Cholesky factor", 40},

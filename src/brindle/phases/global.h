@@ -9,11 +9,10 @@ namespace brindle {
 
 /// Minimises the energy over complex numbers of any length under sum_i mass_i |z_i|^2 = 1: the
 /// smallest eigenvector, by `options.global_iterations` inverse iterations on a sparse Cholesky
-/// factor (CHOLMOD). Then every z_i is scaled to length 1. `mass` has one entry per node, or none
-/// for
-/// 1. Anchors are ignored. BLAS works on one thread meanwhile, so that the result does not depend
-/// on the number of threads. Throws Error if brindle was built without CHOLMOD or if the
-/// factorisation fails; Cancelled if `progress` asks for it.
+/// factor (CHOLMOD). Then every z_i is scaled to length 1. `mass` has one entry per node; empty: 1.
+/// Anchors are ignored. BLAS runs on one thread so that results do not depend on the number of
+/// threads. Throws Error without CHOLMOD, for another number of masses, and if the factorisation
+/// fails; Cancelled if `progress` cancels.
 PhaseSolution solve_global(const PhaseGraph& graph, std::span<const float> mass,
                            const SolverOptions& options, const Progress& progress = {});
 

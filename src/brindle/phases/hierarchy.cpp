@@ -14,8 +14,8 @@
 namespace brindle {
 namespace {
 
-/// The gauge of the m-th of all members, reflecting couplings included: the direction of its target
-/// by the earlier members of its aggregate, each in its own gauge. The stronger of the two sums
+/// Sets the gauge of the m-th member, reflecting couplings included: the direction of its target
+/// from the earlier members of its aggregate, each in its own gauge. The stronger of the two sums
 /// decides between Z and conj(Z).
 void gauge_reflecting_member(Level& level, std::size_t m) {
   const GaugeSchedule& rounds = level.aggregation().gauges;
@@ -54,7 +54,7 @@ bool reflects(const Level& level, SliceRange block) {
   return std::any_of(counts + block.begin, counts + block.end, std::identity());
 }
 
-/// Renews the gauges of groups of one rank.
+/// Updates the gauges of groups of one rank.
 void renew_groups(Level& level, SliceRange groups, bool reflecting) {
   const GaugeSchedule& rounds = level.aggregation().gauges;
   kernels::gauge_members(level.couplings, rounds, level.gauge.data(), groups);
@@ -78,7 +78,7 @@ class ReflectingSums {
     buffer_.assign(end_ - first_, Complex(0));
   }
 
-  /// Sets the sums of the finer level's direct couplings between a Z and a conj(Z).
+  /// Sets the sums of the finer level's direct couplings that link a Z with a conj(Z).
   void set_marked(const SumSchedule& sources, std::span<const Complex> gauged) {
     kernels::sum_marked_slice(coarse_.layout(), sources.round_begin.data(), sources.entry.data(),
                               gauged.data(), buffer_.data(), slice_);
@@ -125,7 +125,7 @@ void sum_reflecting(const Level& fine, Index slot, Level& coarse, Index coarse_s
   }
 }
 
-/// Completes the sums of a slice by reflecting couplings, which kernels leave out.
+/// Adds the reflecting couplings to the sums of a slice; kernels omit them.
 void finish_slice(const Level& fine, SumScratch::OfThread& scratch, Level& coarse, Index slice) {
   const Aggregation& aggregation = fine.aggregation();
   ReflectingSums sums(coarse, slice, scratch.reflecting);
@@ -139,7 +139,7 @@ void finish_slice(const Level& fine, SumScratch::OfThread& scratch, Level& coars
   sums.finish();
 }
 
-/// Marks the slots of a coarse block to which reflecting couplings of a fine slice add.
+/// Marks the slots of a coarse block that receive reflecting couplings from a fine slice.
 void mark_reflecting(const Level& fine, Index fine_slice, SliceRange block, Level& coarse) {
   for (const auto& [entry, b] : fine.couplings.reflecting_of(fine.layout(), fine_slice)) {
     const Index coarse_slot = fine.aggregation().coarse_slot[fine_slice * kLanes + entry % kLanes];
@@ -190,7 +190,7 @@ void sum_anchors(const Level& fine, Level& coarse, Index slice) {
       const Complex t = std::conj(g) * fine.couplings.anchor[aggregation.member[m]];
       const auto bits = bit_cast<std::uint32_t>(t.imag());
       re += t.real();
-      im += bit_cast<float>(bits ^ (std::uint32_t{conjugate_bit(g)} << 31));  // no branch
+      im += bit_cast<float>(bits ^ (std::uint32_t{conjugate_bit(g)} << 31));  // branch-free
     }
     coarse.couplings.anchor[slot] = {re, im};
   }
@@ -238,7 +238,7 @@ void SumScratch::make_room(OfThread& own) const {
 Hierarchy finest_level(const Adjacency& adjacency, const Progress& progress) {
   Hierarchy hierarchy;
   Stopwatch watch;
-  // Neither can be split among threads, but both can run at the same time.
+  // Neither task can be split among threads, but both can run concurrently.
   GreedyColorer colorer(adjacency);
   BreadthFirstWalk walk(adjacency);
   constexpr Index kNodesPerTick = 1 << 17;
@@ -311,7 +311,7 @@ Hierarchy sibling(const Hierarchy& hierarchy) {
   return result;
 }
 
-/// Prefetches the couplings of a block in the order of memory, before gauges read them in theirs.
+/// Prefetches the couplings of a block in memory order, before gauges read them in their own.
 class CouplingFetcher {
  public:
   CouplingFetcher(const Level& level, SliceRange block)
@@ -338,9 +338,9 @@ class CouplingFetcher {
   const float* end_;
 };
 
-/// Renews the gauges of one chunk while the couplings of the next are fetched.
+/// Updates the gauges of one chunk while prefetching the couplings of the next.
 void renew_chunk(Level& level, Index chunk, CouplingFetcher next) {
-  // A block is fetched in about as many steps as its gauges take.
+  // Prefetching a block takes about as many steps as its gauges.
   constexpr Index kGroups = 8;
   constexpr std::ptrdiff_t kLines = 160;
   const GaugeSchedule& rounds = level.aggregation().gauges;
@@ -371,7 +371,7 @@ void renew_gauges(Level& level) {
 
 namespace {
 
-/// Renews `count` blocks of `coarse`: `block_of(n)` is the n-th.
+/// Updates `count` blocks of `coarse`; `block_of(n)` is the n-th.
 template <class BlockOf>
 void sum_blocks(const Level& fine, Level& coarse, SumScratch& scratch, std::size_t count,
                 const BlockOf& block_of) {
@@ -408,7 +408,7 @@ void renew_sums(const Level& fine, Level& coarse, SumScratch& scratch,
 
 void reset_gauges(Hierarchy& hierarchy) {
   if (!hierarchy.corrected) return;
-  // `renew_gauges` leaves those of first members as they are.
+  // `renew_gauges` does not change the gauges of first members.
   auto& gauge = hierarchy.levels[0].gauge;
   std::fill(gauge.begin(), gauge.end(), with_conjugate_bit(1, false));
   hierarchy.corrected = false;

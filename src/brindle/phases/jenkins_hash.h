@@ -1,4 +1,4 @@
-/// Bob Jenkins's One-at-a-Time hash: pseudo-random numbers from a key alone.
+/// Bob Jenkins's One-at-a-Time hash: pseudo-random numbers that depend only on a key.
 #pragma once
 
 #include <complex>
@@ -23,8 +23,7 @@ constexpr std::uint32_t jenkins_hash(std::uint32_t key) {
   return hash + (hash << 15);
 }
 
-/// The paper's pseudo-random start (3.2): exp(i Phi), Phi in [0, 2 pi) hashed from the node's
-/// number.
+/// The paper's pseudo-random start (3.2): exp(i Phi), Phi in [0, 2 pi) hashed from the node number.
 inline Complex random_phase(Index node, std::uint32_t seed = 0) {
   const double turns = jenkins_hash(node + seed) / 4294967296.0;
   const auto radians = static_cast<float>(2 * std::numbers::pi * turns);

@@ -21,7 +21,7 @@ LevelSweeps SweepPlan::on_level(Index slot_count) const {
   if (slot_count < kSmallLevel) return {4 * sweeps_, kOfSmall};
   if (slot_count < 4 * kSmallLevel) return {2 * sweeps_, kOfSmall};
   if (large_ == 0) return {sweeps_, 1};
-  // The finest level, the next one, and all others: each has about a quarter of the slots.
+  // The finest level, the next one, and all others: each level has about a quarter of the slots.
   if (slot_count > large_ / 2) return {3 * sweeps_, kOfLarge};
   return {(slot_count > large_ / 8 ? 6 : 12) * sweeps_, kOfLarge};
 }

@@ -10,31 +10,31 @@
 
 namespace brindle {
 
-/// Levels of fewer slots are small: their sweeps take next to no time.
+/// Levels with fewer slots are small: their sweeps take almost no time.
 inline constexpr Index kSmallLevel = 4096;
 
-/// Graphs whose finest level has so many slots are large: most of the energy that can still be
-/// lowered is on their levels.
+/// Graphs with at least this many slots on the finest level are large: most of the energy that can
+/// still be lowered is on their levels.
 inline constexpr Index kLargeLevel = Index{1} << 17;
 
 /// The sweeps of a descent on one level.
 struct LevelSweeps {
   int count;
-  float over_relaxation;  ///< of all but the last, which leaves no overshoot
+  float over_relaxation;  ///< of all sweeps but the last, which leaves no overshoot
 
   float over_relaxation_of(int number) const { return number + 1 < count ? over_relaxation : 1; }
 };
 
-/// The sweeps of a descent on all levels. No finer level can correct the errors of a small one, so
-/// sweeps grow in number and reach as levels shrink.
+/// The sweeps of a descent on all levels. Finer levels cannot correct the errors of a small level,
+/// so small levels get more sweeps, which are over-relaxed.
 class SweepPlan {
  public:
-  /// For frames: more sweeps on small levels alone. A number of sweeps converts to such a plan.
+  /// For frames: only small levels get more sweeps. A number of sweeps converts to such a plan.
   SweepPlan(int sweeps) : sweeps_(sweeps) {}
 
-  /// For levels that have just been built, which took longer than sweeps do: on all levels of a
-  /// large graph three to twelve times as many. That leaves about the energy that four cycles leave
-  /// of a plan for frames. `finest` is the number of slots of the finest level.
+  /// For new levels, where building takes longer than sweeping: levels of a large graph get three
+  /// to twelve times as many sweeps. This leaves about the energy that four cycles of a frame plan
+  /// leave. `finest` is the number of slots of the finest level.
   static SweepPlan for_new_levels(int sweeps, Index finest);
 
   LevelSweeps on_level(Index slot_count) const;
@@ -44,38 +44,37 @@ class SweepPlan {
   Index large_ = 0;  ///< slots of the finest level of a large graph, 0 for others
 };
 
-/// The sweeps of a descent on one level.
+/// Sweeps one level as planned.
 void sweep_level(Level& level, SweepPlan plan);
 
-/// Makes the gauges of the finest level its phases, those of others 1.
+/// Sets the gauges of the finest level to its phases, those of other levels to 1.
 void set_turns(Level& level, bool is_finest);
 
-/// As `descend`, from the phase `start` on the coarsest level.
+/// As `descend`, but starts from the phase `start` on the coarsest level.
 void descend_from(Hierarchy& hierarchy, Complex start, SweepPlan plan,
                   const Progress& progress = {});
 
-/// From the coarsest level down: prolongs the phases, then sweeps as planned. Phases end in
-/// `hierarchy.levels[0].z`. There is no random start and nothing to tune; no sweep raises the
-/// energy. Throws Cancelled if `progress` asks for it, as the functions below do.
+/// From the coarsest level down, prolongs the phases and sweeps as planned. Phases end in
+/// `hierarchy.levels[0].z`. There is no random start and no parameter to tune; no sweep raises the
+/// energy. Throws Cancelled if `progress` cancels, as the functions below do.
 void descend(Hierarchy& hierarchy, SweepPlan plan, const Progress& progress = {});
 
-/// One cycle of `run_cycles`. `has_finest` is false if finer levels are elsewhere.
+/// One cycle of `run_cycles`. `has_finest` is false if finer levels are on other processes.
 void correct(Hierarchy& hierarchy, SweepPlan plan, bool has_finest = true,
              const Progress& progress = {});
 
-/// Further descents, each from the phases of the finest level: they become its gauges, so that a
-/// coarse unknown turns the phases of its aggregate, and every level starts from Z = 1, not
-/// turning. The energy does not rise. Overwrites gauges and coarse couplings, which the next
-/// `renew` restores.
+/// Further descents. Each starts from the phases of the finest level, which become its gauges: a
+/// coarse unknown turns the phases of its aggregate, and every level starts from Z = 1, no turn.
+/// The energy does not rise. Overwrites gauges and coarse couplings, until the next `renew`.
 void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress& progress);
 
 /// The stages of `solve_multilevel`: "couple", "hierarchy", "descent" and "cycles".
 std::vector<JobStage> multilevel_stages();
 
-/// The whole solver, without the phase graph: `couple` sets the couplings of the finest level.
-/// `start`, with one unit number per node, replaces the descent before the cycles; empty: none.
-/// `finish` changes the phases (by node) at the end. `solve_milliseconds` are without those of
-/// `couple`. Throws Error for options out of range.
+/// The whole solver without a phase graph: `couple` sets the couplings of the finest level. A
+/// nonempty `start`, one unit number per node, replaces the descent before the cycles. `finish`
+/// changes the phases (by node) at the end. `solve_milliseconds` exclude `couple`. Throws Error for
+/// options out of range.
 PhaseSolution solve_multilevel(const Adjacency& adjacency,
                                const std::function<void(Level& finest)>& couple,
                                const SolverOptions& options, std::span<const Complex> start = {},

@@ -11,8 +11,8 @@
 
 namespace brindle {
 
-/// Breadth-first from the first node of every component: neighbours are at most two fronts apart,
-/// whatever the order of their numbers.
+/// Breadth-first order from the first node of each component: neighbours are at most two fronts
+/// apart, however the nodes are numbered.
 class BreadthFirstWalk {
  public:
   explicit BreadthFirstWalk(const Adjacency& adjacency);
@@ -31,7 +31,7 @@ class BreadthFirstWalk {
   Index start_ = 0;
 };
 
-/// All steps of such a walk. Throws Cancelled if `progress` asks for it.
+/// The order of a complete walk. Throws Cancelled if `progress` cancels.
 std::vector<Index> breadth_first_order(const Adjacency& adjacency, const Progress& progress = {});
 
 }  // namespace brindle

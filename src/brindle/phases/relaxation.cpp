@@ -90,7 +90,7 @@ PhaseSolution relax(const PhaseGraph& graph, const SolverOptions& options,
 
 namespace {
 
-/// Phases of a level from those of the next coarser one (3.4).
+/// Returns the phases of a level from those of the next coarser level (3.4).
 std::vector<Complex> passed_down(const AveragedLevel& level, const std::vector<Complex>& coarse) {
   std::vector<Complex> z(level.parent.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -109,7 +109,7 @@ PhaseSolution solve_averaged(const PhaseGraph& graph, std::span<const AveragedLe
         "the averaged solver needs averaged levels of its phase graph; averaged_levels "
         "(waves/averaged_levels.h) makes them");
   }
-  // A level takes about as long as all coarser ones together.
+  // A level takes about as long as all coarser levels together.
   const auto part = [&](std::size_t finer) {
     const double end = std::pow(0.5, static_cast<double>(finer));
     return progress.part(finer == levels.size() ? 0 : end / 2, end);

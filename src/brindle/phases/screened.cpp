@@ -14,7 +14,7 @@ double dot(const Complex& a, const Complex& b) {
          static_cast<double>(a.imag()) * static_cast<double>(b.imag());
 }
 
-/// By memchr, which is many times as fast as a loop over iterators.
+/// Uses memchr, which is many times as fast as a loop over iterators.
 bool any_reflects(const std::vector<std::uint8_t>& reflecting) {
   return !reflecting.empty() && std::memchr(reflecting.data(), 1, reflecting.size()) != nullptr;
 }
@@ -76,8 +76,8 @@ class ScreenedSystem {
   }
 
   const PhaseGraph& graph_;
-  std::vector<float> diagonal_, inverse_;  ///< 0 where the diagonal is
-  bool reflects_;                          ///< whether any edge does
+  std::vector<float> diagonal_, inverse_;  ///< inverse_ is 0 where the diagonal is 0
+  bool reflects_;                          ///< whether any edge is reflecting
 };
 
 template <class Change>
@@ -106,7 +106,7 @@ std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const fl
           : error;
   const double enough = first * static_cast<double>(options.tolerance * options.tolerance);
   for (int iteration = 0; iteration < options.max_iterations && error > enough; ++iteration) {
-    // The number of iterations is unknown: each takes a thirtieth of what is left.
+    // The number of iterations is unknown: each reports a thirtieth of the remainder.
     options.progress.report(1 - std::pow(29.0 / 30, iteration));
     const double curvature = system.sum([&](Index i) {
       image[i] = system.row(i, step);

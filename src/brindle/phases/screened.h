@@ -1,4 +1,4 @@
-/// Screened smoothing: numbers of any length on a phase graph, near to known ones.
+/// Screened smoothing: complex numbers of any length on a phase graph, close to known values.
 #pragma once
 
 #include <span>
@@ -9,16 +9,16 @@
 
 namespace brindle {
 
-/// When to stop.
+/// When the iteration stops.
 struct ScreenedOptions {
   int max_iterations = 200;
-  float tolerance = 1e-3f;  ///< stop when the residual is below this share of the first one...
-  bool of_anchors = false;  ///< ...or, if true, of the anchors, whatever the start
+  float tolerance = 1e-3f;  ///< stop when the residual is below this share of the first residual...
+  bool of_anchors = false;  ///< ...or, if true, of the anchors, for any start
 
-  /// The sum of |A_ij| over every node's edges if it is known; empty: computed.
+  /// The sum of |A_ij| over each node's edges, if known; empty: computed.
   std::span<const float> degrees = {};
 
-  Progress progress = {};  ///< gets a report per iteration
+  Progress progress = {};  ///< one report per iteration
 };
 
 /// Iterates from `start` towards the numbers u_i that minimise
@@ -26,11 +26,11 @@ struct ScreenedOptions {
 ///     sum over edges w_ij |u_i - A_ij u_j / w_ij|^2 + sum over nodes s_i |u_i - T_i / s_i|^2
 ///
 /// with T_i = `graph.anchor`, w_ij = |A_ij|, B_ij conj(u_j) on reflecting edges, and the screening
-/// s_i (one per node, 0 or above). Where s_i is 0 nothing is known, and the smoothest continuation
-/// follows. |u_i| measures the agreement of nearby data. The system is linear in real and imaginary
-/// parts; it is solved by conjugate gradients with the diagonal as preconditioner (Hestenes and
-/// Stiefel 1952). Every iteration lowers the energy. Throws Cancelled if the options' progress asks
-/// for it. Bits do not depend on threads.
+/// s_i (one per node, 0 or above). Nodes with s_i = 0 have no data and get the smoothest
+/// continuation. |u_i| measures the agreement of nearby data. The system is linear in real and
+/// imaginary parts. Conjugate gradients with the diagonal as preconditioner (Hestenes and Stiefel
+/// 1952) solve it; every iteration lowers the energy. Throws Cancelled if `options.progress`
+/// cancels. Results have the same bits for any number of threads.
 std::vector<Complex> smooth_screened(const PhaseGraph& graph, std::span<const float> screening,
                                      std::vector<Complex> start,
                                      const ScreenedOptions& options = {});

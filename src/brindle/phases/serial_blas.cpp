@@ -11,7 +11,7 @@
 namespace brindle {
 namespace {
 
-/// A function of the process, or null.
+/// The function of this name in the process, or null.
 template <class Function>
 Function* function_named(const char* name) {
   return reinterpret_cast<Function*>(system::function_named(name));
@@ -23,7 +23,7 @@ struct ThreadControl {
   const char* getter;
   const char* setter;
 
-  /// Returns the number before; 0 if the library is not loaded.
+  /// Sets the number of threads and returns the previous one; 0 if the library is not loaded.
   Integer set(Integer threads) const {
     auto* get = function_named<Integer()>(getter);
     auto* set = function_named<void(Integer)>(setter);
@@ -55,7 +55,7 @@ Shared& shared() {
   return instance;
 }
 
-/// Makes OpenBLAS allocate its buffer, which it keeps, while there is room.
+/// Makes OpenBLAS allocate its permanent buffer while there is enough memory.
 void take_buffer(Shared& s) {
   constexpr std::size_t kBuffer = std::size_t{160} << 20;  // 128 MB, aligned
   using Potrf = void(const char*, const std::int64_t*, double*, const std::int64_t*, std::int64_t*,
@@ -66,7 +66,7 @@ void take_buffer(Shared& s) {
     throw Error("there is no memory left for the " + std::to_string(kBuffer >> 20) +
                 " MB that OpenBLAS needs; free some memory or use the multilevel solver");
   }
-  // BLAS with integers of 32 bits reads the first half, which has the value 1, too.
+  // BLAS with 32-bit integers reads the first half, which is 1 as well.
   const std::int64_t one = 1;
   std::int64_t info = 0;
   double matrix = 1;

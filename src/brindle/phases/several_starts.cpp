@@ -17,23 +17,22 @@ namespace {
 
 constexpr std::uint32_t kStarts = 256;
 
-/// Starts are compared on a level of at most `kFirstLevel` slots, and the lowest of them on a finer
-/// one.
+/// Starts are compared on a level of at most `kFirstLevel` slots; the `kFinalists` lowest are then
+/// compared on a finer level.
 constexpr std::size_t kFinalists = 24;
 constexpr std::size_t kFirstLevel = 300;
 
-/// Starts on fewer nodes hardly differ; on many nodes they have singularities that no sweep
-/// removes.
+/// With fewer nodes, starts hardly differ; with many, sweeps cannot remove their singularities.
 constexpr std::size_t kFewestNodes = 20;
 
-/// The coarsest level with so many nodes, if it is not finer than `finest`.
+/// The coarsest level with this many nodes, at most as fine as `finest`.
 std::size_t coarsest_with(const std::vector<Level>& levels, std::size_t nodes, std::size_t finest) {
   std::size_t level = levels.size() - 1;
   while (level > finest && levels[level].layout().slot_of.size() < nodes) --level;
   return level;
 }
 
-/// The finest level of at most so many slots, or else the coarsest.
+/// The finest level with at most this many slots, or else the coarsest.
 std::size_t finest_with(const std::vector<Level>& levels, std::size_t slots) {
   std::size_t level = 0;
   while (level + 1 < levels.size() && levels[level].layout().slot_count() > slots) ++level;
@@ -56,7 +55,7 @@ void prolong_levels(std::vector<Level>& levels, std::size_t from, std::size_t fi
   }
 }
 
-/// The phases on a level that follow from one start.
+/// The phases that one start leads to on a level.
 struct Descent {
   std::vector<Complex> z;
   double energy;
@@ -68,7 +67,7 @@ std::vector<Descent> descents_by_chance(std::vector<Level>& levels, std::size_t 
   std::vector<Descent> descents;
   for (std::uint32_t start = 0; start < kStarts; ++start) {
     progress.tick();
-    // Half of them one level finer, since levels differ in the minima that they lead to.
+    // Half of the starts are one level finer, because levels lead to different minima.
     const std::size_t from = start % 2 == 1 && coarse > to ? coarse - 1 : coarse;
     set_by_chance(levels[from], start);
     sweep_level(levels[from], sweeps);
@@ -96,7 +95,7 @@ EnergySums lowered_sums(const Level& level, std::span<const Complex> z) {
 }
 
 bool is_much_lower(const EnergySums& found, const EnergySums& plain) {
-  // Lengths of phases are rounded to 6e-8.
+  // Above rounding errors of phase lengths, 6e-8.
   constexpr double kRounding = 2e-7;
   return found.energy < 0.9 * plain.energy - kRounding * plain.weight;
 }

@@ -14,13 +14,13 @@
 namespace brindle {
 namespace {
 
-/// The least ranges (a colour in a block) for a task of its own.
+/// The fewest ranges (a colour in a block) per task.
 constexpr std::size_t kRangeGrain = 4;
 
-/// Sorts a block's nodes by colour, then by degree from the largest down. Keys end with the place
-/// in the block, so that they are all different.
+/// Sorts a block's nodes by colour, then by descending degree. Keys end with the place in the
+/// block, which makes them unique.
 void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<Index> block) {
-  constexpr std::uint64_t kDegrees = 1 << 16;  // larger ones count as this
+  constexpr std::uint64_t kDegrees = 1 << 16;  // larger degrees count as kDegrees - 1
   std::vector<std::uint64_t> keys(block.size());
   for (std::size_t n = 0; n < block.size(); ++n) {
     const Index degree = adjacency.offsets[block[n] + 1] - adjacency.offsets[block[n]];
@@ -34,7 +34,7 @@ void sort_block(const Adjacency& adjacency, const Coloring& coloring, std::span<
   for (std::size_t n = 0; n < block.size(); ++n) block[n] = before[static_cast<Index>(keys[n])];
 }
 
-/// Gives the nodes of a sorted block their slots, and adds the ranges of its colours to `ranges`.
+/// Assigns slots to the nodes of a sorted block, and appends the ranges of its colours to `ranges`.
 void assign_block(SlicedLayout& layout, const Coloring& coloring, std::span<const Index> block,
                   std::vector<std::vector<SliceRange>>& ranges) {
   for (std::size_t n = 0; n < block.size();) {
@@ -135,7 +135,7 @@ SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
 
 SlicedCouplings::SlicedCouplings(const SlicedLayout& layout)
     : direct(std::make_unique<float[]>(2 * layout.entry_count())),
-      // No constructor runs: a complex number's would touch every page.
+      // No constructor runs, because initialising complex numbers would touch every page.
       reflecting(static_cast<ReflectingCoupling*>(
           ::operator new(layout.entry_count() * sizeof(ReflectingCoupling)))),
       reflecting_count(layout.slice_count()) {}
@@ -183,7 +183,7 @@ bool load_row(const PhaseGraph& graph, const SlicedLayout& layout, SlicedCouplin
   return reflects;
 }
 
-/// Loads reflecting couplings column by column: in the order of entries.
+/// Loads reflecting couplings column by column, which is the order of entries.
 void load_reflecting(const PhaseGraph& graph, const SlicedLayout& layout,
                      SlicedCouplings& couplings, Index slice) {
   const std::vector<Index>& offsets = graph.adjacency->offsets;

@@ -1,6 +1,6 @@
-/// The phase graph in the form in which solvers sweep it: colours contiguous, rows in slices of
-/// equal width (docs/benchmarks.md, "Memory layout"). `load_couplings` makes it of a PhaseGraph,
-/// `couple` of sliced_waves.h of waves, without a PhaseGraph in between.
+/// The phase graph as solvers sweep it: contiguous colours, rows in slices of equal width
+/// (docs/benchmarks.md, "Memory layout"). `load_couplings` fills it from a PhaseGraph, `couple`
+/// (sliced_waves.h) directly from waves.
 #pragma once
 
 #include <algorithm>
@@ -18,19 +18,20 @@
 
 namespace brindle {
 
-/// Rows of a slice, updated together: the widest vector of floats of any processor.
+/// Rows of a slice, which are updated together: the widest float vector of any processor.
 inline constexpr Index kLanes = 16;
 inline constexpr Index kNone = ~Index{0};
 
+/// Slices begin .. end - 1.
 struct SliceRange {
   Index begin;
   Index end;
 };
 
-/// The least slices for a task of its own.
+/// The fewest slices per task.
 inline constexpr std::size_t kSliceGrain = 64;
 
-/// Calls `body(begin, end)` on disjoint ranges of so many blocks, in parallel. `progress` ticks
+/// Calls `body(begin, end)` in parallel on disjoint ranges of `count` blocks. `progress` ticks
 /// every few blocks.
 template <class Body>
 void for_blocks(std::size_t count, const Progress& progress, const Body& body) {
@@ -45,10 +46,10 @@ void for_blocks(std::size_t count, const Progress& progress, const Body& body) {
 }
 
 /// The order of nodes and edges in memory (sliced ELLPACK, Kreutzer et al. 2014). Nodes are
-/// renumbered to slots: block by block of nodes that are close together, within a block by colour,
-/// within a colour by degree. The nodes of one colour in one block fill whole slices of `kLanes`
-/// slots. The neighbours of a slice's rows stand in columns of `kLanes` entries, one entry a row.
-/// Shorter rows are padded with entries that point to their own slot.
+/// renumbered to slots: by blocks of nearby nodes, then by colour, then by degree. The nodes of one
+/// colour in one block fill whole slices of `kLanes` slots. A slice stores its rows' neighbours in
+/// columns of `kLanes` entries, one entry per row. Shorter rows are padded with entries that point
+/// to their own slot.
 struct SlicedLayout {
   std::vector<Index> slot_of;         ///< node -> slot
   std::vector<Index> node_at;         ///< slot -> node, kNone for padding
@@ -81,12 +82,12 @@ struct SlicedLayout {
 
 /// `order` is a permutation of the nodes in which neighbours are close together; empty: as
 /// numbered. `block_ends` are the ends of blocks in this order, ascending, the last at its end;
-/// empty: `equal_blocks`. Throws Cancelled if `progress` asks for it.
+/// empty: `equal_blocks`. Throws Cancelled if `progress` cancels.
 SlicedLayout sliced_layout(const Adjacency& adjacency, const Coloring& coloring,
                            std::span<const Index> order = {},
                            std::span<const Index> block_ends = {}, const Progress& progress = {});
 
-/// Ends of blocks of 2048 nodes, so that the phases of their neighbours fit the first cache.
+/// Ends of blocks of 2048 nodes: the phases of their neighbours fit the first cache.
 std::vector<Index> equal_blocks(std::size_t nodes);
 
 /// A reflecting coupling B of one entry.
@@ -95,11 +96,11 @@ struct ReflectingCoupling {
   Complex b;
 };
 
-/// Couplings in a layout's entries. Direct ones are dense: a column of kLanes entries takes
-/// 2 * kLanes floats, first all real, then all imaginary parts. Reflecting ones are few where
-/// directions run alike, and stand in a short list per slice, in the order of entries. An entry may
-/// have both, as sums of finer couplings do. The list of a slice has room for all its entries at
-/// `reflecting + column_begin * kLanes`; pages that no slice needs are never touched.
+/// Couplings in a layout's entries. Direct couplings are dense: a column of kLanes entries takes 2
+/// * kLanes floats, first all real, then all imaginary parts. Reflecting couplings are rare where
+/// directions run alike, so each slice has a short list, in the order of entries. Sums of finer
+/// couplings may give an entry both kinds. A slice's list has room for all its entries at
+/// `reflecting + column_begin * kLanes`; unused pages are never touched.
 struct SlicedCouplings {
   explicit SlicedCouplings(const SlicedLayout& layout);
 
@@ -130,11 +131,11 @@ struct SlicedCouplings {
     return {reflecting.get() + std::size_t{layout.column_begin[slice]} * kLanes,
             reflecting_count[slice]};
   }
-  /// B of an entry, zero where there is none.
+  /// B of an entry; zero if there is none.
   Complex reflecting_at(const SlicedLayout& layout, Index slice, std::size_t entry) const;
-  /// Sets B of an entry, at its place in the list of a slice.
+  /// Sets B of an entry, at its place in the slice's list.
   void set_reflecting(const SlicedLayout& layout, Index slice, const ReflectingCoupling& coupling);
-  /// Appends to the list of a slice; entries must come in ascending order.
+  /// Appends to the list of a slice; entries must ascend.
   void append_reflecting(const SlicedLayout& layout, Index slice,
                          const ReflectingCoupling& coupling) {
     reflecting[std::size_t{layout.column_begin[slice]} * kLanes + reflecting_count[slice]++] =
@@ -142,12 +143,12 @@ struct SlicedCouplings {
   }
 };
 
-/// Copies the couplings and anchors of a graph with the layout's adjacency.
+/// Copies the couplings and anchors of a graph that has the layout's adjacency.
 void load_couplings(const PhaseGraph& graph, const SlicedLayout& layout,
                     SlicedCouplings& couplings);
 
 /// One coloured sweep of z_i = t_i / |t_i| (Eq. 8, 10) over all slots; nodes without a target keep
-/// their phase. `over_relaxation` w, from 1 to below 2, goes beyond: z_i + w (t_i / |t_i| - z_i),
+/// their phase. `over_relaxation` w, from 1 to below 2, goes farther: z_i + w (t_i / |t_i| - z_i),
 /// scaled to length 1. No update raises the energy.
 void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
            float over_relaxation = 1);
@@ -156,22 +157,22 @@ void sweep(const SlicedLayout& layout, const SlicedCouplings& couplings, std::sp
 void sweep_color(const SlicedLayout& layout, const SlicedCouplings& couplings, std::span<Complex> z,
                  float over_relaxation, Index color);
 
-/// Over the edges to all slots.
+/// Sums over the edges to all slots.
 EnergySums energy_sums(const SlicedLayout& layout, const SlicedCouplings& couplings,
                        std::span<const Complex> z);
 
-/// The energy of phases by slot, as `energy` of phase_graph.h defines it.
+/// The energy of phases by slot, as defined by `energy` of phase_graph.h.
 double energy(const SlicedLayout& layout, const SlicedCouplings& couplings,
               std::span<const Complex> z);
 
 /// The momentum of the paper's relaxation.
 struct Momentum {
   float strength;          ///< s_m of Eq. 11
-  std::vector<Complex> m;  ///< m_i by slot, zero at first
+  std::vector<Complex> m;  ///< m_i by slot, initially zero
 };
 
 /// Updates the slots of one colour by Eq. 10 and 11. Returns the decrease of the energy sum of Eq.
-/// 5, anchors included: exactly Re(conj(z_i new - z_i old) t_i) a slot, since no two are
+/// 5, anchors included. It is exactly Re(conj(z_i new - z_i old) t_i) per slot, since none are
 /// neighbours.
 double relax_color(const SlicedLayout& layout, const SlicedCouplings& couplings,
                    std::span<Complex> z, Momentum& momentum, Index color);

@@ -2,16 +2,16 @@
 // including source defines, in its own namespace,
 //   Real    kReals floats, with + - * and /,
 //   Truth   the result of comparing Reals,
-//   Bits    kReals unsigned numbers of 32 bits, with & | and ^,
+//   Bits    kReals unsigned 32-bit numbers, with & | and ^,
 //   real(float), zero(), negative, absolute, square_root, nearest (whole number), less, chosen,
 //   zero_where(Truth, Real), zero_unless(Truth, Real), both, any, for_each(Truth, body(lane)),
 //   bits(uint32), ascending_bits(first), bits_of(Real), real_of(Bits), equal, without(Bits, mask),
 //   times_four, to_sign (the lowest bit becomes the highest), sign_if_odd(whole Real),
 //   load, store (aligned), load_unaligned, store_unaligned, load_bits, store_bits,
-//   Numbers { Real re, im; }, complex numbers, one a lane, and
+//   Numbers { Real re, im; }, complex numbers, one per lane, and
 //   load_complex(from), store_complex(Numbers, to), gathered(from, index) and
 //   gathered_couplings(direct, entries): Numbers of couplings, of the first one for kNone.
-// There is no include guard: each instruction set includes it once more.
+// There is no include guard, because each instruction set includes this file again.
 
 namespace {
 
@@ -51,7 +51,7 @@ BRINDLE_KERNEL Numbers chosen(Truth truth, const Numbers& yes, const Numbers& no
   return {chosen(truth, yes.re, no.re), chosen(truth, yes.im, no.im)};
 }
 
-/// z / |z| where it has a direction, `otherwise` elsewhere.
+/// z / |z| where z has a direction, otherwise `otherwise`.
 BRINDLE_KERNEL Numbers normalized_or(const Numbers& z, const Numbers& otherwise, Truth directed) {
   const Real scale = real(1) / square_root(square(z));
   return chosen(directed, scale * z, otherwise);
@@ -84,7 +84,7 @@ BRINDLE_KERNEL Truth is_conjugate(const Numbers& z) {
 
 // ---- Couplings of waves ------------------------------------------------------------------------
 
-/// Waves, one a lane. Flat, so that compilers keep it in registers.
+/// Waves, one per lane. Flat, so that compilers keep it in registers.
 struct WaveNumbers {
   Real x, y, z;
   Real root_frequency;
@@ -122,7 +122,7 @@ BRINDLE_KERNEL Real shift_in_turns(const WaveNumbers& j, const WaveNumbers& i, R
   return i.root_frequency * j.root_frequency * distance;
 }
 
-/// Couples kReals entries of a column; returns their weights.
+/// Computes the couplings of kReals entries of a column; returns their weights.
 BRINDLE_KERNEL Real couple_entries(const SlicedLayout& layout, const WaveNumbers& i,
                                    const SlicedWave* waves, bool trapezoid,
                                    const float* entry_weights, Index slice, std::size_t entry,

@@ -18,7 +18,7 @@ using D = hn::CappedTag<float, kLanes>;
 using U = hn::RebindToUnsigned<D>;
 using S = hn::RebindToSigned<D>;
 
-// A product is rounded before it is added: processors without fused multiply-adds could not follow.
+// Products are rounded before they are added, as on processors without fused multiply-adds.
 using Real = hn::Vec<D>;
 using Truth = hn::Mask<D>;
 using Bits = hn::Vec<U>;
@@ -84,7 +84,7 @@ HWY_INLINE Numbers gathered(const Complex* from, const Index* index) {
   return {hn::GatherIndex(D(), parts, twice), hn::GatherIndex(D(), parts + 1, twice)};
 }
 #else
-/// Pairs of floats, as 64-bit numbers, loaded one by one: gather instructions are slower on most
+/// Loads pairs of floats one by one as 64-bit numbers. Gather instructions are slower on most
 /// processors, and far slower on those that mitigate CVE-2022-40982.
 template <class P>
 HWY_INLINE hn::Vec<P> gather_pairs(P pairs, const std::uint64_t* z, const Index* index) {

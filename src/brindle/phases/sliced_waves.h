@@ -1,4 +1,4 @@
-/// Waves in the order of a SlicedLayout, and their couplings without a PhaseGraph in between.
+/// Waves in the order of a SlicedLayout, and their couplings without an intermediate PhaseGraph.
 #pragma once
 
 #include <span>
@@ -17,17 +17,17 @@ struct alignas(32) SlicedWave {
   float unused = 0;
 };
 
-/// Copies waves (one entry per node) into the order of slots. `last` are the waves before, by slot
-/// (none if empty; may be those that are overwritten). Where a direction is reversed against them,
+/// Copies waves (one entry per node) into slot order. `last` are the previous waves, by slot
+/// (empty: none; may be those that are overwritten). Where a direction is reversed against them,
 /// the phase in `z` and the momentum in `m` (by slot; may be empty) become -conj(z) and -conj(m),
-/// so that they stand for the same wave. Returns whether anything differs from the last waves.
+/// which describe the same wave. Returns whether anything differs from the last waves.
 bool load_waves(const SlicedLayout& layout, std::span<const Vec3> positions,
                 std::span<const Vec3> directions, std::span<const float> frequencies,
                 std::vector<SlicedWave>& waves, std::span<const SlicedWave> last = {},
                 std::span<Complex> z = {}, std::span<Complex> m = {});
 
-/// Makes phases or momenta z (by slot; may be empty) -conj(z) where directions are reversed from
-/// one list of waves to the other. A second call restores all bits.
+/// Replaces phases or momenta z (by slot; may be empty) by -conj(z) where directions are reversed
+/// between the two lists of waves. A second call restores all bits.
 void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> to,
                  std::span<Complex> z);
 
@@ -35,34 +35,34 @@ void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> t
 std::vector<float> sliced_weights(const SlicedLayout& layout, const Adjacency& adjacency,
                                   std::span<const float> edge_weights);
 
-/// An entry between two nodes at one place, on the two sides of a crease.
+/// An entry between two nodes at one position, on the two sides of a crease.
 struct LinkedEntry {
   std::size_t entry;
   Index slot, other;
   float weight;
 };
 
-/// All of them, in ascending order. Their weight by entry becomes 0, so that `couple` leaves them
-/// to `couple_linked`; `entry_weights` are made if there are none.
+/// Returns all linked entries, ascending. Sets their weight by entry to 0, so that `couple` leaves
+/// them to `couple_linked`. Empty `entry_weights` are first filled with 1.
 std::vector<LinkedEntry> take_linked_entries(const SlicedLayout& layout, const Adjacency& adjacency,
                                              std::span<const Vec3> positions,
                                              std::vector<float>& entry_weights);
 
-/// Couples linked entries behind `couple`, as `build_phase_graph` does with `normals` (by node).
+/// Couples linked entries after `couple`, as `build_phase_graph` does with `normals` (by node).
 void couple_linked(const SlicedLayout& layout, std::span<const LinkedEntry> linked,
                    std::span<const SlicedWave> waves, std::span<const Vec3> normals,
                    SlicedCouplings& couplings, std::span<float> degree);
 
-/// The couplings of `build_phase_graph` and `load_couplings`, but for rounding. `entry_weights` is
-/// empty or has one weight per entry. `degree` receives the sum of weights of every slot's row.
-/// `kind` is aligned or trapezoid; throws Error for the paper's common source, which needs a
-/// PhaseGraph.
+/// Computes the couplings of `build_phase_graph` and `load_couplings`, up to rounding.
+/// `entry_weights` is empty or has one weight per entry. `degree` receives the sum of weights of
+/// each slot's row. `kind` is aligned or trapezoid; throws Error for the paper's common source,
+/// which needs a PhaseGraph.
 void couple(const SlicedLayout& layout, std::span<const SlicedWave> waves, PhaseShiftKind kind,
             std::span<const float> entry_weights, SlicedCouplings& couplings,
             std::span<float> degree);
 
-/// The same for waves by node, with `edge_weights` and `normals` as in `build_phase_graph`. Throws
-/// Error for what `build_phase_graph` rejects, too.
+/// The same for waves by node, with `edge_weights` and `normals` as in `build_phase_graph`. Also
+/// throws Error for inputs that `build_phase_graph` rejects.
 void couple_waves(const SlicedLayout& layout, const Adjacency& adjacency, const WaveSet& waves,
                   PhaseShiftKind kind, std::span<const float> edge_weights,
                   std::span<const Vec3> normals, SlicedCouplings& couplings);

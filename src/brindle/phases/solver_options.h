@@ -1,4 +1,4 @@
-/// Ranges of the options of solvers.
+/// Valid ranges of solver options.
 #pragma once
 
 #include "brindle/solver.h"
