@@ -20,15 +20,15 @@ namespace {
 using Place = Eigen::Vector2f;  ///< lifted U and V
 using Rect = Eigen::AlignedBox2f;
 
-/// So much, in tiles, figures are kept clear of what breaks them: next to it they are out of shape.
-/// Within triangles, coordinates are not quite linear, either.
+/// Clearance between motifs and breaks, in tiles: motifs next to a break are distorted, and
+/// coordinates are not quite linear within triangles.
 constexpr float kClearance = 0.05f;
-constexpr float kLeastClearance = 0.03f;  // also of figures that reach farther than half a tile
+constexpr float kLeastClearance = 0.03f;  // minimum, even if it reaches beyond half a tile
 
-/// By so much may coordinates of one vertex differ from whole tiles, which is but rounding.
+/// Rounding error by which coordinates of one vertex may differ from whole tiles.
 constexpr float kRounding = 2e-4f;
 
-/// What of a mesh stays the same for all its textures.
+/// The mesh data that all textures share.
 struct MeshEdgeTwins {
   explicit MeshEdgeTwins(std::span<const Triangle> all)
       : triangles(all.begin(), all.end()), twins(twins_of(all)) {
@@ -43,7 +43,7 @@ struct MeshEdgeTwins {
   bool wound_alike = true;  ///< on both sides of every edge
 };
 
-/// To the nearest whole number; without a call, which is half of the time otherwise.
+/// Rounds to the nearest whole number inline; a function call would take half of the time.
 float nearest_whole(float x) {
   return static_cast<float>(static_cast<std::int32_t>(x < 0 ? x - 0.5f : x + 0.5f));
 }
@@ -69,7 +69,7 @@ float doubled_area(const std::array<Place, 3>& p) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// How coordinates of a triangle become those of its neighbour.
+/// Maps the coordinates of a triangle to those of its neighbour.
 struct Passage {
   unsigned turn = 0;
   std::int32_t tiles_u = 0, tiles_v = 0;
@@ -97,7 +97,7 @@ struct Stretch {
   bool empty() const { return !(begin <= end); }
 };
 
-/// Neither both axes nor what is orthogonal to the segment part it from the rectangle.
+/// Separating axis test of a segment and a rectangle: both axes and the segment's normal.
 bool meets(const Place& a, const Place& b, const Rect& rect) {
   const Place least = a.cwiseMin(b), most = a.cwiseMax(b);
   if ((least.array() > rect.max().array()).any() || (most.array() < rect.min().array()).any()) {
@@ -109,8 +109,8 @@ bool meets(const Place& a, const Place& b, const Rect& rect) {
          half.x() * std::abs(along.y()) + half.y() * std::abs(along.x());
 }
 
-/// Calls `visit(middle)` for every figure of one kind that a segment meets; `rect` is what that
-/// with this middle covers.
+/// Calls `visit(centre)` for every motif of one kind that a segment meets. `rect` is the extent of
+/// the motif centred at `first`.
 template <class Visit>
 void figures_on(const Place& a, const Place& b, const Rect& rect, TileCentre first,
                 const Visit& visit) {
@@ -130,18 +130,18 @@ void figures_on(const Place& a, const Place& b, const Rect& rect, TileCentre fir
   }
 }
 
-/// A broken figure in a triangle's list.
+/// A broken motif in a triangle's list.
 struct ListedFigure {
   TileCentre middle;
-  std::uint32_t next;  ///< one more than its place among all; 0: none
+  std::uint32_t next;  ///< 1 + index of the next entry; 0: none
 };
 
-// Of a triangle's coordinates: whether they close, and the sign of their area.
+// State of a triangle's coordinates: whether they close, and the sign of their area.
 constexpr std::uint8_t kOpen = 0, kClosed = 1, kMirrored = 2, kClosing = 3;
-constexpr int kSignsAt = 2;  // above, bits of CornerSigns that say how waves were turned
+constexpr int kSignsAt = 2;  // higher bits: CornerSigns, the reversed waves
 
-/// Which waves at the ends of an edge were turned, from the corner on and back to it, by the
-/// CornerSigns of the triangle: U and V at the first end, then at the second.
+/// The reversed waves at the ends of an edge by the triangle's CornerSigns, from the corner onward
+/// and back to it: U and V at the first end, then at the second.
 struct EdgeSigns {
   std::array<std::array<std::uint8_t, 3>, kTurnedRound + 1> onward{}, back{};
 
@@ -161,7 +161,7 @@ struct EdgeSigns {
   }
 };
 
-/// A texture on a mesh, and how far breaks reach.
+/// Finds the broken motifs of a texture on a mesh.
 class Breaks {
  public:
   Breaks(const MeshEdgeTwins& mesh, std::span<const CornerPhases> u,
@@ -220,7 +220,7 @@ class Breaks {
   }
 
  private:
-  /// A corner of what has to be clear for a figure to be whole.
+  /// A corner of the area that must be free of breaks for a motif to be whole.
   Place clear_of(const Place& corner) const {
     const Place away = corner.cwiseAbs();
     Place clear = away.array() + kLeastClearance;
@@ -234,8 +234,7 @@ class Breaks {
     return turned_.empty() ? CornerSigns{0} : turned_[t];
   }
 
-  /// Phases are those of waves that run as the first corner's own; turned round, coordinates are
-  /// negated.
+  /// Phases run like the first corner's own wave; if that was reversed, coordinates are negated.
   Place place(std::size_t t, Index m) const {
     const CornerSigns signs = signs_of(t);
     const Place sense(turns_u(signs, 0) ? -1.0f : 1.0f, turns_v(signs, 0) ? -1.0f : 1.0f);
@@ -258,7 +257,7 @@ class Breaks {
       closed = closed && (u.sign[m] > 0) == (turns_u(signs, m) == turns_u(signs, 0)) &&
                (v.sign[m] > 0) == (turns_v(signs, m) == turns_v(signs, 0));
     }
-    // Beyond, rounding leaves nothing of where a tile is.
+    // Beyond this, floats are too coarse to locate a tile.
     constexpr float kFarthest = 1e6f;
     const std::array<Place, 3> lifted = places(t);
     const auto near = [](const Place& p) { return p.cwiseAbs().maxCoeff() < kFarthest; };
@@ -274,10 +273,10 @@ class Breaks {
 
   std::uint8_t closing(std::size_t t) const { return closed_[t] & kClosing; }
 
-  /// Along an edge of triangles whose coordinates close. Lengths and signs of areas leave no choice
-  /// between turns.
+  /// The passage across an edge of triangles whose coordinates close; nullopt if motifs break
+  /// there. Lengths and signs of areas determine the turn.
   std::optional<Passage> passage(Index h, Index twin) const {
-    // Triangles that are wound alike run along their edge in opposite ways.
+    // Triangles that are wound alike traverse their common edge in opposite directions.
     const bool alike = vertices_alike(h, twin);
     const Place from = place(h), to = place(next_in_triangle(h));
     const Place other_from = place(alike ? next_in_triangle(twin) : twin);
@@ -297,7 +296,7 @@ class Breaks {
     return std::nullopt;
   }
 
-  /// The same from a place that is known, without a search nearly everywhere.
+  /// The same from the known place of the corner, mostly without a search.
   std::optional<Passage> passage_from(Index t, Index corner, const Place& from, Index twin) const {
     const bool plainly = !turned_.empty() && joins_plainly(t, corner, twin);
     if (!plainly || (figures_.symmetries & 1) == 0) return passage(3 * t + corner, twin);
@@ -311,8 +310,8 @@ class Breaks {
   }
 
   /// Whether coordinates of both sides differ by whole tiles alone, as they do nearly everywhere:
-  /// triangles are wound alike, and the waves at the edge's ends run alike in both. Says no also of
-  /// edges of which only `passage` knows.
+  /// triangles are wound alike, and both orient the waves at the edge's ends alike. May be false
+  /// for edges that `passage` joins.
   bool joins_plainly(std::size_t t, Index corner, Index twin) const {
     const Index there = twin / 3, at = twin - 3 * there;
     const std::uint8_t own = closed_[t], other = closed_[there];
@@ -322,7 +321,7 @@ class Breaks {
     return signs.onward[own >> kSignsAt][corner] == signs.back[other >> kSignsAt][at];
   }
 
-  /// The same of waves that corners have of their own, whose signs say nothing.
+  /// The same for corners with individual waves, which have no signs.
   bool meets_plainly(std::size_t t, Index corner, Index twin) const {
     const Index there = twin / 3, at = twin - 3 * there;
     if (closed_[t] != closed_[there] || triangles_[t][corner] == triangles_[there][at]) {
@@ -369,7 +368,7 @@ class Breaks {
     return {reach.min() + at, reach.max() + at};
   }
 
-  /// Whether the figure was not yet known to be broken in this triangle.
+  /// Lists a broken motif in a triangle; returns false if it was listed before.
   bool list(Index t, const TileCentre& middle) {
     for (std::uint32_t i = lists_[t]; i != 0; i = listed_[i - 1].next) {
       if (listed_[i - 1].middle == middle) return false;
@@ -379,7 +378,7 @@ class Breaks {
     return true;
   }
 
-  /// Splits the figures in which joints of U end.
+  /// Splits the motifs (bricks) in which joints of U end.
   void spread_splits(const Progress& progress) {
     reported_for(ends_.size(), progress, [&](std::size_t t) {
       if (!ends_[t]) return;
@@ -390,7 +389,7 @@ class Breaks {
     });
   }
 
-  /// The figures beyond an edge of such a triangle that are in the course of its middle.
+  /// Splits the motifs beyond such a triangle's edge, in the course (row of bricks) of its middle.
   void split_beyond(Index h, Index twin) {
     const std::array<Place, 3> own = places(h / 3);
     const float middle = (own[0].y() + own[1].y() + own[2].y()) / 3;
@@ -408,7 +407,7 @@ class Breaks {
     break_along(h, [](const TileCentre&) { return true; });
   }
 
-  /// Breaks those of the figures that an edge meets which `counts` takes, all of each.
+  /// Breaks every motif that an edge meets and `counts` accepts, in all its triangles.
   template <class Counts>
   void break_along(Index h, const Counts& counts) {
     const Place a = place(h), b = place(next_in_triangle(h));
@@ -458,13 +457,13 @@ class Breaks {
   std::span<const Index> twins_;
   bool wound_alike_;
   std::span<const CornerPhases> u_, v_;
-  std::span<const CornerSigns> turned_;  ///< empty: corners have waves of their own
+  std::span<const CornerSigns> turned_;  ///< empty: corners have individual waves
   const TileFigures& figures_;
-  std::array<Rect, 2> reach_;         ///< from middles: where triangles list a figure
-  std::array<Rect, 2> rects_;         ///< of the first figures: what has to be clear
-  std::vector<std::uint8_t> closed_;  ///< how a triangle's coordinates close, and its signs
-  std::vector<std::uint8_t> ends_;    ///< of figures that are split: where U alone does not
-  std::vector<std::uint32_t> lists_;  ///< of every triangle: one more than the place of the newest
+  std::array<Rect, 2> reach_;         ///< relative to the centre: where triangles list a motif
+  std::array<Rect, 2> rects_;         ///< area of the first motifs that must be free of breaks
+  std::vector<std::uint8_t> closed_;  ///< per triangle: closing state and corner signs
+  std::vector<std::uint8_t> ends_;    ///< for split motifs: where only U does not close
+  std::vector<std::uint32_t> lists_;  ///< per triangle: 1 + index of its newest entry in listed_
   std::vector<ListedFigure> listed_;
   std::vector<std::pair<Index, TileCentre>> pending_;
 };
@@ -489,7 +488,7 @@ bool TileFigures::operator==(const TileFigures& other) const {
          shift == other.shift && split == other.split;
 }
 
-// The twin is shaders/broken_tiles.glsl.
+// Keep in step with shaders/broken_tiles.glsl.
 bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
                             const Eigen::Vector2f& uv) const {
   if (words.empty()) return false;
@@ -545,7 +544,7 @@ BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<co
 
 BrokenTiles BrokenTileFinder::find(const TextureWaves& waves, const TileFigures& figures,
                                    const Progress& progress) const {
-  constexpr PhaseShiftKind kKind = PhaseShiftKind::aligned;  // as textures are drawn
+  constexpr PhaseShiftKind kKind = PhaseShiftKind::aligned;  // the kind used to draw textures
   const auto u = corner_phases(waves.u, kKind, progress.part(0, 0.3));
   const auto v = corner_phases(waves.v, kKind, progress.part(0.3, 0.6));
   return find(u, v, figures, progress.part(0.6, 1));

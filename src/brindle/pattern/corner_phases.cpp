@@ -22,7 +22,7 @@ void set_corners(std::size_t lane, const Corners& corners, CornerLanes& lanes) {
   }
 }
 
-/// The paper's common source goes through cases that vectors would all have to take.
+/// Scalar, because vector code would have to evaluate all cases of the paper's common source.
 void set_shifts(std::size_t lane, Corners corners, PhaseShiftKind kind, ShiftLanes& shifts) {
   const auto signs = common_orientation(
       {corners[0].wave.direction, corners[1].wave.direction, corners[2].wave.direction});
@@ -34,7 +34,7 @@ void set_shifts(std::size_t lane, Corners corners, PhaseShiftKind kind, ShiftLan
   }
 }
 
-/// The corner phases of up to kTriangleLanes triangles, whose corners `corners_of(i)` gives.
+/// Lifts up to kTriangleLanes triangles; `corners_of(i)` returns the corners of the i-th.
 template <class CornersOf>
 void lift(std::size_t count, const CornersOf& corners_of, PhaseShiftKind kind,
           CornerPhases* result) {

@@ -9,7 +9,7 @@
 namespace brindle {
 namespace {
 
-/// Between two waves at one vertex, 0 to 180; nothing if one of them is none.
+/// The slip between two waves at one vertex in degrees, 0 to 180; nullopt if either is missing.
 std::optional<double> slip_between(const Surface& surface, const WaveSet& waves,
                                    std::span<const Complex> z, Index i, Index j) {
   const Vec3 &d_i = waves.directions[i], &d_j = waves.directions[j];

@@ -13,7 +13,7 @@
 namespace brindle {
 namespace {
 
-/// Segments as triangles without area, whose nearest places are those of the lines.
+/// Segments as degenerate triangles, for nearest-point queries.
 Mesh segments_of(const Polylines& lines) {
   Mesh mesh;
   mesh.positions = lines.points;
@@ -25,7 +25,7 @@ Mesh segments_of(const Polylines& lines) {
   return mesh;
 }
 
-/// The point of a triangle for two numbers that fill the unit square evenly.
+/// Maps a point of the unit square to a triangle; evenly distributed points stay even.
 Eigen::Vector3d point_in(const Mesh& mesh, const Triangle& triangle, double u, double v) {
   if (u + v > 1) u = 1 - u, v = 1 - v;
   const Eigen::Vector3d a = mesh.positions[triangle[0]].cast<double>();
@@ -46,8 +46,8 @@ std::vector<double> areas_before(const Mesh& mesh) {
   return before;
 }
 
-/// The plastic number's reciprocals: no sequence in the square is known to be more even (Roberts
-/// 2018).
+/// Sample k, in the triangle at the cumulative area `wanted`. Reciprocals of the plastic number
+/// give the most even known sequence in the square (Roberts 2018).
 Eigen::Vector3d place_at(const Mesh& mesh, std::span<const double> area_before, double wanted,
                          std::size_t k) {
   const auto after = std::upper_bound(area_before.begin(), area_before.end() - 1, wanted);
@@ -79,8 +79,8 @@ CurveLengths curve_lengths(const Polylines& lines) {
 
 namespace {
 
-/// Whether there is a line on the other side of a place than the nearest one, within `reach`, too.
-/// What is nearest to the far end of that way is the one, if it is on that side.
+/// Whether a second line lies within `reach` of a place, on the side away from the nearest line.
+/// Queries the point nearest to the far end of that range.
 bool has_line_beyond(const NearestOnMesh& nearest, const Eigen::Vector3d& place,
                      const Eigen::Vector3d& nearest_to_it, double reach) {
   const Eigen::Vector3d to_it = nearest_to_it - place;

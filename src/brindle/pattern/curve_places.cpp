@@ -13,7 +13,7 @@ namespace {
 
 using Barycentric = std::array<double, 3>;
 
-/// Nothing if the point is not in the triangle.
+/// The point's barycentric coordinates; nullopt if it is not in the triangle.
 std::optional<Barycentric> coordinates_in(const Triangle& triangle, const MeshPoint& point) {
   Barycentric result{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -27,13 +27,13 @@ std::optional<Barycentric> coordinates_in(const Triangle& triangle, const MeshPo
 
 Eigen::Vector3d position_of(const Mesh& mesh, const std::array<Index, 3>& vertices,
                             const Barycentric& weights) {
-  // From the first vertex, so that meshes far from zero keep their digits.
+  // Relative to the first vertex, to keep precision far from the origin.
   const auto at = [&](Index v) -> Eigen::Vector3d { return mesh.positions[v].cast<double>(); };
   const Eigen::Vector3d first = at(vertices[0]);
   return first + weights[1] * (at(vertices[1]) - first) + weights[2] * (at(vertices[2]) - first);
 }
 
-/// A point in a triangle, and how far it had to be moved.
+/// A point moved into a triangle, and the distance.
 struct Moved {
   Barycentric barycentric{};
   double distance = 0;
@@ -46,7 +46,7 @@ Moved placed_in(const Mesh& mesh, const Triangle& triangle, const MeshPoint& poi
   return {there, (position_of(mesh, triangle, there) - from).norm()};
 }
 
-/// Without what rounding leaves of corners that have no share.
+/// Sets weights that are rounding errors to zero.
 std::array<double, 3> cleaned(std::array<double, 3> barycentric) {
   double sum = 0;
   for (double& weight : barycentric) {

@@ -15,19 +15,19 @@
 namespace brindle {
 namespace {
 
-constexpr float kNeighborReach = 1.6f;  // how far a neighbour is looked for, times 1/f
-constexpr float kGapReach = 2.5f;       // beside a branch, the next curve but one is in reach
+constexpr float kNeighborReach = 1.6f;  // search radius for neighbours, times 1/f
+constexpr float kGapReach = 2.5f;       // for gaps: reaches the next curve but one, beside a branch
 constexpr std::size_t kMarksPerReport = 4096;
 constexpr float kStep = 0.2f;     // between points, times 1/f
-constexpr float kAslant = 0.24f;  // sine: points are close enough for one to be that much aside
+constexpr float kAslant = 0.24f;  // largest sine off sideways; points are dense enough for it
 
-/// Points along all curves at which neighbours are looked for.
+/// Points along all curves at which distances to neighbours are measured.
 struct Marks {
   Polylines lines;
   std::vector<Vec3> along;                     ///< the curve's direction, one per point
-  std::vector<std::array<Index, 2>> adjacent;  ///< points before and behind on the curve
-  std::vector<float> frequencies = {};         ///< one per point: those chosen
-  std::vector<float> wanted = {};              ///< and those asked for
+  std::vector<std::array<Index, 2>> adjacent;  ///< previous and next point on the curve
+  std::vector<float> frequencies = {};         ///< one per point: chosen
+  std::vector<float> wanted = {};              ///< one per point: requested
 };
 
 Marks marks_along(const StripeCurves& curves, float step, const Progress& progress) {
@@ -77,7 +77,7 @@ float distance_to_curve(const Marks& marks, const Vec3& p, Index mark) {
   return least;
 }
 
-/// The mean and both ends of some numbers.
+/// Sum and range of numbers.
 struct GapRange {
   double sum = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ struct GapRange {
   void add(double x) { *this = *this + GapRange{x, x, x}; }
 };
 
-/// Ratios of neighbours.
+/// Ratios of distances to neighbours, and how many are within 10 percent of 1.
 struct NearRatios {
   PowerSums ratio;
   double within = 0;
@@ -143,7 +143,7 @@ CurveGaps gaps_of(const RatioSums& sums) {
           sums.gap_chosen.most};
 }
 
-/// Finds the marks beside a mark. Those of a run, a few that follow each other, share a box.
+/// Finds the marks beside a mark. A run of consecutive marks shares a bounding box.
 class MarkTree {
  public:
   MarkTree(const Marks& marks, const Progress& progress)
@@ -188,16 +188,16 @@ class MarkTree {
       nearest.fill(std::numeric_limits<float>::infinity());
     }
 
-    /// Whether something in a box may be nearer than what was found. All bounds leave room for
-    /// rounding: the result is that of asking every mark.
+    /// Whether a box may contain a nearer mark. All bounds allow for rounding, so the result is
+    /// that of an exhaustive search.
     bool may_count(const BoundingBox& box, double square) const {
       constexpr double kRoom = 1e-3;
       const double least = std::sqrt(square) * (1 - kRoom);
       if (least > static_cast<double>(reach)) return false;
-      // A curve may be nearer than its marks by a segment; the bending only lengthens.
+      // A curve may be nearer than its marks by a segment's length; bending only adds distance.
       const double found = std::max(nearest[0], nearest[1]);
       if (least - static_cast<double>(longest) > found * (1 + kRoom)) return false;
-      // What is before or behind, not beside.
+      // Rejects boxes that lie ahead or behind, not beside.
       const Vec3 center = 0.5f * (box.lower + box.upper) - p;
       const Vec3 half = 0.5f * (box.upper - box.lower);
       const float before = std::abs(center.dot(along)) - half.dot(along.cwiseAbs());

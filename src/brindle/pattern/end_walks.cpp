@@ -14,14 +14,14 @@ namespace {
 using Point = Eigen::Vector3d;
 
 constexpr double kRunOnReach = 2;  // periods
-constexpr double kBeyond = 1e-9;   // what is nearer than this, over the triangle's size, is here
+constexpr double kBeyond = 1e-9;   // smaller distances, over the triangle's size, count as zero
 constexpr int kMostTriangles = 4096;
 
 Point point_of(const PieceEnd& end) {
   return {end.barycentric[0], end.barycentric[1], end.barycentric[2]};
 }
 
-/// How far along `change` from `start` the piece lies, if that meets it.
+/// The distance from `start` along `change` to the piece, if the ray meets it.
 std::optional<double> distance_to(const StripePiece& piece, const Point& start,
                                   const Point& change) {
   const Point from = point_of(piece.ends[0]);
@@ -45,8 +45,8 @@ bool lies_on(const Point& p, const StripePiece& piece) {
 }  // namespace
 
 struct EndWalks::Walker : SurfaceWalker {
-  double reach = 0;   ///< how far it may go
-  double passed = 0;  ///< how far it has gone
+  double reach = 0;   ///< the largest distance
+  double passed = 0;  ///< the distance so far
   bool met = false;   ///< whether it has met a curve
   std::vector<TrianglePoint> way{};
 
@@ -57,11 +57,11 @@ struct EndWalks::Walker : SurfaceWalker {
   }
 };
 
-/// Through one triangle.
+/// A step through one triangle.
 struct EndWalks::Step {
   double distance;
   Point end;
-  int edge;  // that it leaves over; none if it meets a curve
+  int edge;  // crossed at the end; -1 if the step meets a curve
 };
 
 EndWalks::EndWalks(const LiftedWaves& waves) : waves_(waves) {}
@@ -71,7 +71,7 @@ EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   const Point change = change_along(corners, walker.direction);
   const WayOut out = way_out(walker, change);
   Step step{out.distance, Point::Zero(), out.edge};
-  // It starts at the end of a piece, which it does not meet there.
+  // The walk starts at the end of a piece, which must not count as met.
   const double least = walker.entered < 0 ? kBeyond * (corners[1] - corners[0]).norm() : 0;
   std::vector<StripePiece> pieces;
   stripe_pieces(waves_.triangle(walker.triangle), true, pieces);
@@ -85,7 +85,7 @@ EndWalks::Step EndWalks::next_step(const Walker& walker) const {
   return step;
 }
 
-/// Goes over to the other triangle; false if there is none here, or no wave on it.
+/// Enters the next triangle; false if there is none here, or it has no wave.
 bool EndWalks::cross_edge(Walker& walker, int edge) const {
   const MeshEdges& edges = waves_.pattern().edges;
   const Index t = walker.triangle;
@@ -99,7 +99,7 @@ bool EndWalks::cross_edge(Walker& walker, int edge) const {
   return waves_.triangle(next).kind != TriangleKind::no_wave;
 }
 
-/// As far as it goes.
+/// Walks until it meets a curve, reaches its limit or cannot continue.
 void EndWalks::walk(Walker& walker) const {
   for (int triangles = 0; triangles < kMostTriangles; ++triangles) {
     const Step step = next_step(walker);

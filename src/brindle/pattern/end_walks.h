@@ -1,4 +1,4 @@
-/// Ways over the surface from where a curve ends to the curve beside it.
+/// Paths over the surface from the end of a curve to the curve beside it.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace brindle {
 
-/// Finds where curves that end alone in a branch or singularity run on to.
+/// Extends curves that end alone in a branch or singularity.
 class EndWalks {
  public:
   /// `waves` must outlive it.
   explicit EndWalks(const LiftedWaves& waves);
 
-  /// The way to the curve beside the inner end of `piece`, one of the joined `pieces` of triangle
-  /// `t`: points on the edges passed, at last that on the curve; none if the end is on another
-  /// piece already. It is the shorter one of two straight ways, half forward and half to either
-  /// side. Nothing if neither meets a curve within two periods.
+  /// The path from the inner end of `piece`, one of the joined `pieces` of triangle `t`, to the
+  /// curve beside it: points on the crossed edges, and finally on the curve. Empty if the end
+  /// already lies on another piece. The path is the shorter of two straight ones, at 45 degrees
+  /// forward to either side; nullopt if neither meets a curve within two periods.
   std::optional<std::vector<TrianglePoint>> way_on(std::size_t t, const StripePiece& piece,
                                                    std::span<const StripePiece> pieces) const;
 

@@ -1,4 +1,4 @@
-/// Which of a tile's figures a point belongs to.
+/// The motif (figure) of a tile to which a point belongs.
 #pragma once
 
 #include <cmath>
@@ -12,10 +12,10 @@
 
 namespace brindle {
 
-/// Half of the joint between bricks, in sides of the tile; as in render/shaders/broken_tiles.glsl.
+/// Half the width of brick joints, in sides of the tile; as in render/shaders/broken_tiles.glsl.
 inline constexpr float kHalfJoint = 0.035f;
 
-/// The middle of a figure, twice its U and twice its V: no other figure has it.
+/// The centre of a motif as twice its U and twice its V; it identifies the motif.
 struct TileCentre {
   std::int32_t u = 0, v = 0;
 
@@ -26,18 +26,18 @@ inline Eigen::Vector2f place_of(const TileCentre& m) {
   return 0.5f * Eigen::Vector2f(static_cast<float>(m.u), static_cast<float>(m.v));
 }
 
-/// One of the first or the second kind that a layout has.
+/// The first centre of a kind (0 or 1) in a layout.
 inline TileCentre first_middle(TileLayout layout, std::size_t kind) {
   if (layout == TileLayout::courses) return kind == 0 ? TileCentre{1, 0} : TileCentre{0, 1};
   return kind == 0 ? TileCentre{1, 1} : TileCentre{0, 0};
 }
 
-/// The kind of the figure with this middle.
+/// The kind of the motif with this centre.
 inline std::size_t kind_of(TileLayout layout, const TileCentre& m) {
   return layout != TileLayout::single && m.u % 2 == 0 ? 1 : 0;
 }
 
-/// The figure that covers a point, or would if it were larger. The twin is in
+/// The motif that covers a point, or would if it were larger. Keep in step with
 /// render/shaders/broken_tiles.glsl.
 inline TileCentre figure_at(TileLayout layout, const Eigen::Vector2f& uv) {
   const auto floor = [](float x) { return static_cast<std::int32_t>(std::floor(x)); };

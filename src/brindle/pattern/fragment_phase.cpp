@@ -9,20 +9,20 @@
 namespace brindle {
 namespace {
 
-// The twin of this file is render/shaders/fragment_phase.glsl: same names, same order of
-// statements. Change both or neither; tests/render/renderer_test.cpp compares them.
+// render/shaders/fragment_phase.glsl mirrors this file: same names, same order of statements.
+// Change both together; tests/render/renderer_test.cpp compares them.
 
-/// What corners disagree by beyond this many turns is shared out evenly along their edge. Round a
-/// branch the three mismatches make a turn: a third each where its middle is that of the triangle.
+/// Mismatches beyond this many turns are distributed evenly along their edge. Around a branch the
+/// three mismatches sum to a turn: a third each if the branch is centred in the triangle.
 constexpr float kMostMismatch = 1.0f / 3;
 
-/// Smaller weights of corners count as this.
+/// The lower bound of corner weights.
 constexpr float kLeastWeight = 1e-4f;
 
 bool runs_against(const Vec3& a, const Vec3& b) { return a.dot(b) < 0; }
 
-/// exp(2 pi i turns). Whole turns go first: sine and cosine of large angles lose digits, and each
-/// machine loses others.
+/// exp(2 pi i turns). Whole turns are removed first: sine and cosine of large angles lose digits,
+/// differently on each machine.
 Complex turned(float turns) {
   const float angle = 2 * std::numbers::pi_v<float> * (turns - std::floor(turns + 0.5f));
   return {elementary::cos(angle), elementary::sin(angle)};
@@ -41,21 +41,21 @@ bool comes_first(const Vec3& a, const Vec3& b) {
   return a.z() < b.z();
 }
 
-/// The phase in turns since the last peak, or until the next: turning a wave round negates it.
+/// The phase in turns from the nearest peak, -1/2 to 1/2; reversing a wave negates it.
 float turns_from_peak(Complex z) {
   return elementary::atan2(-z.real(), z.imag()) / (2 * std::numbers::pi_v<float>);
 }
 
-/// What the phase gains along an edge, in turns.
+/// The phase gained along an edge, in turns.
 struct EdgeTurns {
   float shift = 0;     ///< the phase shift
-  float mismatch = 0;  ///< what is left, at most half a turn either way
+  float mismatch = 0;  ///< the wrapped remainder, at most half a turn either way
   float gain() const { return shift + mismatch; }
 };
 
-/// From corner a to corner b, both running alike. Whichever the triangle, and whichever way its
-/// waves run, the same is computed, down to rounding: where half a turn is left, both triangles of
-/// an edge must take the same side.
+/// From corner a to corner b, oriented alike. Both triangles of an edge get the same result, down
+/// to rounding, for both orientations of the waves: at a mismatch of half a turn, both must choose
+/// the same side.
 EdgeTurns turns_between(const CornerWave& a, const CornerWave& b) {
   const bool backward = comes_first(b.wave.position, a.wave.position);
   const CornerWave& first = backward ? b : a;
@@ -71,15 +71,15 @@ EdgeTurns turns_between(const CornerWave& a, const CornerWave& b) {
   return {sign * shift, (reversed ? -sign : sign) * wrapped};
 }
 
-/// A triangle's corners, passed one after the other, each turned round to run like the one before.
-/// Round a singularity of the field the first one comes back turned round.
+/// A triangle's corners in turn, each reversed if it runs against the previous one. Around a
+/// singularity of the field, the first corner returns reversed.
 struct Round {
   std::array<CornerWave, 4> corners;
   std::array<bool, 4> turned_round{};
   std::array<EdgeTurns, 3> edges;  ///< from corner m to m + 1
 };
 
-/// Positions become relative to the first corner's: they keep their digits far from the origin.
+/// Positions become relative to the first corner, to keep precision far from the origin.
 Round passed_round(const std::array<CornerWave, 3>& corners) {
   Round round;
   for (int m = 0; m < 4; ++m) {
@@ -98,7 +98,7 @@ Round passed_round(const std::array<CornerWave, 3>& corners) {
   return round;
 }
 
-/// What the phase gains from a corner to a point where the wave is `there`, in turns.
+/// The phase gained from a corner to a point with the wave `there`, in turns.
 float turns_to(const Vec3& point, const FragmentWave& there, const Wave& corner) {
   const float distance =
       aligned_distance(corner.position, corner.direction, point, there.direction);
@@ -109,7 +109,7 @@ float excess_of(const EdgeTurns& edge) {
   return edge.mismatch - std::clamp(edge.mismatch, -kMostMismatch, kMostMismatch);
 }
 
-/// The edge, from corner m to m + 1, that is opposite to the corner of the least weight.
+/// The number m of the edge (corner m to m + 1) opposite the corner of least weight.
 int nearest_edge(const Vec3& barycentric) {
   const int c = barycentric[1] < barycentric[0] ? 1 : 0;
   return ((barycentric[2] < barycentric[c] ? 2 : c) + 1) % 3;
@@ -117,8 +117,8 @@ int nearest_edge(const Vec3& barycentric) {
 
 float square(float x) { return x * x; }
 
-/// Eq. 13 and 14, where the corners run alike. Sums of waves that are nearly opposite jump from one
-/// to the other midway; so each is first taken for as much ahead as the excess of the others asks.
+/// Eq. 13 and 14 for corners that run alike. Sums of nearly opposite waves would jump from one to
+/// the other midway. So each wave is first advanced by its share of its edges' excess mismatch.
 FragmentWave blended_wave(const Round& round, const Vec3& barycentric, const Vec3& point) {
   FragmentWave fragment;
   for (int m = 0; m < 3; ++m) {
@@ -141,10 +141,9 @@ FragmentWave blended_wave(const Round& round, const Vec3& barycentric, const Vec
   return fragment;
 }
 
-/// The phase at corner m of a singularity of the field, in turns from that at its barycentre. Once
-/// round the triangle the phase is back where it was, less whole turns, but turned round. Half of
-/// these turns is the one phase that is its own reverse, a peak or a trough: that of the
-/// barycentre.
+/// The phase at corner m of a field singularity, in turns from that at its barycentre. Once around
+/// the triangle, the phase returns reversed, up to whole turns. Half of these turns is the only
+/// phase that equals its own reverse, a peak or a trough: that of the barycentre.
 struct TurnsFromCentre {
   std::array<float, 3> corners;
   float centre;  ///< in turns from a peak
@@ -163,8 +162,8 @@ TurnsFromCentre turns_from_centre(const Round& round) {
   return result;
 }
 
-/// What edge m alone says at a point, in turns from where its first corner has `at_corner`; on the
-/// edge what `blended_wave` says in the triangle beyond.
+/// The phase at a point from edge m alone, in turns, if the edge's first corner has `at_corner`. On
+/// the edge it equals `blended_wave` in the neighbouring triangle.
 float turns_beside(const Round& round, int m, const Vec3& barycentric, const Vec3& point,
                    float at_corner, FragmentWave& fragment) {
   const CornerWave& from = round.corners[m];
@@ -185,9 +184,9 @@ float turns_beside(const Round& round, int m, const Vec3& barycentric, const Vec
   return at_corner + led + off - std::floor(off + 0.5f);
 }
 
-/// In a singularity of the field: in the sense of corner m of the edge that is nearest. Next to a
-/// corner both of its edges are blended, towards the middle of an edge that one alone is left, and
-/// towards the barycentre the phase nears the one there.
+/// The wave in a field singularity, oriented like corner m of the nearest edge. Near a corner, both
+/// of its edges are blended; towards the middle of an edge, only that edge remains. Towards the
+/// barycentre, the phase approaches the phase there.
 FragmentWave singular_wave(const Round& round, const Vec3& barycentric, const Vec3& point) {
   const int m = nearest_edge(barycentric);
   const bool at_first = barycentric[m] >= barycentric[(m + 1) % 3];

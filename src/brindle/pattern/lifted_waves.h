@@ -1,4 +1,4 @@
-/// The waves of all vertices, lifted along the edges of their mesh: once for curves and samples.
+/// The waves of all vertices, lifted along mesh edges once for curves and samples.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace brindle {
 
-/// A surface with one solved wave per vertex. What it refers to must outlive it.
+/// A surface with one solved wave per vertex. Referenced data must outlive it.
 struct WavePattern {
   const Mesh& mesh;
   const MeshEdges& edges;
@@ -22,19 +22,20 @@ struct WavePattern {
   std::span<const CreaseEdge> creases = {};  ///< of the mesh
 };
 
+/// Waves lifted along all edges of a pattern.
 class LiftedWaves {
  public:
   /// Lifts all edges. Throws Error if the sizes of the pattern's parts do not match, and Cancelled
-  /// if `progress` asks for it.
+  /// if `progress` cancels.
   explicit LiftedWaves(const WavePattern& pattern, const Progress& progress = {});
 
   const WavePattern& pattern() const { return pattern_; }
 
   /// The vertex's canonical wave.
   const CornerWave& wave(Index vertex) const { return waves_[vertex]; }
-  /// Of the vertex's canonical wave (`turns_after_peak`); 0 if it has none.
+  /// `turns_after_peak` of the vertex's canonical wave; 0 if it has none.
   Turns turns(Index vertex) const { return turns_[vertex]; }
-  /// Without peaks if an end has no wave.
+  /// The lifted edge; without peaks if an end has no wave.
   const EdgeLift& edge(Index edge) const { return edges_[edge]; }
   LiftedTriangle triangle(std::size_t t) const;
 

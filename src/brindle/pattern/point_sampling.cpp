@@ -12,14 +12,14 @@
 namespace brindle {
 namespace {
 
-/// Of the mean distance to the neighbours.
+/// The search radius over the mean distance to the neighbours.
 constexpr float kReach = 0.75f;
 /// Sine of the angle between U and V below which they do not cross.
 constexpr float kParallel = 0.1f;
-/// A crossing may be this much farther from its point than from a neighbour.
+/// A crossing may be farther from its point than from a neighbour by this factor.
 constexpr float kFarther = 1.1f;
 
-/// Distances along a wave to its peaks: first + k / frequency for all whole k.
+/// The distance along a wave to a peak; all others are at multiples of 1 / frequency from it.
 float first_peak(const PointWaves& waves, Index i) {
   const float turns = elementary::arg(waves.z[i]) / (2 * std::numbers::pi_v<float>);
   return (0.25f - turns) / waves.waves.frequencies[i];

@@ -13,7 +13,7 @@
 namespace brindle {
 namespace {
 
-/// Up to kTriangleLanes triangles from `first` on.
+/// Measures up to kTriangleLanes triangles from `first` on.
 void measure(const Mesh& mesh, const WaveSet& waves, std::span<const CornerPhases> corners,
              std::size_t first, ErrorLanes& errors) {
   CornerLanes lanes;
@@ -32,7 +32,7 @@ void measure(const Mesh& mesh, const WaveSet& waves, std::span<const CornerPhase
 
 float degrees(float radians) { return radians * 180 / std::numbers::pi_v<float>; }
 
-/// Whether a wave passes half a period or more between two corners.
+/// Whether the phases of two corners differ by half a period or more.
 bool is_coarse(const CornerPhases& corners) {
   const auto [least, most] = std::minmax_element(corners.phase.begin(), corners.phase.end());
   return *most - *least >= std::numbers::pi_v<float>;

@@ -1,4 +1,4 @@
-/// What quality is told from, for whoever measures a surface in parts.
+/// Sums from which quality metrics follow, for surfaces that are measured in parts.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct QualitySums {
   std::size_t branches = 0, field_singularities = 0, without_wave = 0;
   double area = 0, over_5deg = 0, angle = 0, spacing = 0;  ///< of regular triangles
   double branch_area = 0;
-  double coarse = 0;  ///< of those over 5 degrees, in which phases differ by half a period or more
+  double coarse = 0;  ///< area over 5 degrees where phases differ by half a period or more
 
   QualitySums operator+(const QualitySums& o) const {
     return {branches + o.branches,
@@ -32,7 +32,7 @@ struct QualitySums {
 QualitySums quality_sums(const Mesh& mesh, const WaveSet& waves,
                          std::span<const CornerPhases> corners, const Progress& progress = {});
 
-/// The figures of the sums over all parts.
+/// The metrics from the sums over all parts.
 PatternQuality quality_of(const QualitySums& sums);
 
 }  // namespace brindle

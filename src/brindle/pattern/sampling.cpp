@@ -19,18 +19,17 @@ namespace {
 
 using Barycentric2 = Eigen::Vector2d;  // the second and third barycentric coordinate
 
-/// V's crossings of an edge count as this much farther along it, seen from its lower vertex. So
-/// crossings of U and V never coincide, and the triangles of the edge agree on their order.
+/// The offset of V's edge crossings along the edge, away from its lower vertex. Crossings of U and
+/// V then never coincide, and the triangles of the edge agree on their order.
 constexpr double kNudge = 1e-10;
 
-/// Triangles that are sampled one after the other, and how often lines may cross in these: more are
-/// asked for by mistake, and memory would not hold them.
+/// Triangles per block, and the most crossings in it: more must be a mistake and exhaust memory.
 constexpr std::size_t kBlock = 4096;
 constexpr double kMostCrossings = 1 << 24;
 
 constexpr std::size_t kBlocksPerReport = 8;
 
-/// Lines that a triangle has, or one more.
+/// The number of lines in a triangle, or one more.
 double line_count(const LiftedTriangle& triangle) {
   double peaks = 0;
   for (const EdgeLift& edge : triangle.edges) peaks += std::abs(static_cast<double>(edge.peaks));
@@ -39,15 +38,14 @@ double line_count(const LiftedTriangle& triangle) {
 
 double cross(const Barycentric2& a, const Barycentric2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Where a crossing of an edge is, going round the triangle: the edge's number plus the share of
-/// its length.
+/// The position of an edge crossing around the triangle: the edge's number plus the share along it.
 double place_around(const PieceEnd& end, double nudge) {
   return end.side + end.barycentric[(end.side + 1) % 3] + nudge;
 }
 
 struct Segment {
   std::array<Barycentric2, 2> ends;
-  std::array<double, 2> around;  ///< `place_around`, where both ends are on edges
+  std::array<double, 2> around;  ///< `place_around`; set for ends on edges
   bool from_edge_to_edge;
 };
 
@@ -76,7 +74,7 @@ void make_segments(const LiftedTriangle& triangle, double nudge, std::vector<Str
   }
 }
 
-/// What lies exactly on a line counts as on its left, for both pieces that meet there.
+/// Points exactly on a line count as left of it, for both pieces that meet there.
 bool left_of(const Barycentric2& p, const Segment& line) {
   return cross(line.ends[1] - line.ends[0], p - line.ends[0]) >= 0;
 }
@@ -91,7 +89,7 @@ bool segments_cross(const Segment& u, const Segment& v) {
          left_of(v.ends[0], u) != left_of(v.ends[1], u);
 }
 
-/// Where two segments that cross do so.
+/// The crossing of two segments that cross.
 Barycentric2 crossing_of(const Segment& u, const Segment& v) {
   const Barycentric2 along = u.ends[1] - u.ends[0];
   const Barycentric2 other = v.ends[1] - v.ends[0];
@@ -107,7 +105,7 @@ Vec3 inside_triangle(const Barycentric2& p) {
   return b / b.sum();
 }
 
-/// Direction and frequency of the wave between the corners, which are turned to run like the first.
+/// Interpolated direction and frequency; corners are oriented like the one of largest weight.
 std::pair<Vec3, float> blended(const CornerWaves& corners, const Vec3& barycentric,
                                const Vec3& normal) {
   int first = 0;
@@ -155,7 +153,7 @@ class Sampler {
                 std::to_string(kBlock) + " triangles; ask for fewer");
   }
 
-  /// A singularity of the field has none: there is no direction that a sample could have.
+  /// Field singularities are skipped, because samples there would have no direction.
   static bool has_lines(const LiftedTriangle& triangle) {
     if (triangle.kind != TriangleKind::regular && triangle.kind != TriangleKind::branch) {
       return false;
@@ -193,14 +191,14 @@ class Sampler {
   const SampledWaves& v_;
   std::vector<StripePiece> pieces_;
   std::vector<Segment> segments_u_, segments_v_;
-  double crossings_ = 0;  // in this block, at most
+  double crossings_ = 0;  // upper bound in this block
 };
 
 float mean_frequency(const CornerWaves& corners) {
   return (corners[0].wave.frequency + corners[1].wave.frequency + corners[2].wave.frequency) / 3;
 }
 
-/// As many samples as a perfect grid has on the surface's area must find room.
+/// Checks memory for as many samples as a perfect grid on the surface would have.
 void check_memory(const Mesh& mesh, const SampledWaves& u, const SampledWaves& v) {
   const auto count =
       parallel_sum<double>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
@@ -212,7 +210,7 @@ void check_memory(const Mesh& mesh, const SampledWaves& u, const SampledWaves& v
         }
         return sum;
       });
-  // Of blocks, of all, and what files and pictures are made of.
+  // Samples by block, all samples, and copies for files and images.
   constexpr double kBytes = 3 * sizeof(Sample);
   check_fits(count, kBytes, "samples where these stripes cross", "points", [&](double most) {
     return "ask for fewer stripes: " + rounded_down(std::sqrt(most / count)) +
@@ -231,7 +229,7 @@ float smaller_spacing(const Sample& sample) { return std::min(sample.spacing_u, 
 
 bool face_alike(const Sample& a, const Sample& b) { return a.normal.dot(b.normal) > 0; }
 
-/// The nearest other sample within `reach`, facing alike.
+/// The nearest other sample within `reach` on the same side of the surface.
 std::optional<Index> nearest_other(std::span<const Sample> samples, const PointTree& tree, Index i,
                                    float reach, std::vector<Index>& found) {
   tree.within(samples[i].position, reach, found);

@@ -21,16 +21,15 @@ struct SampledWaves {
 /// The waves of a pattern's vertices, which must outlive the result.
 SampledWaves sampled_waves(const LiftedWaves& waves);
 
-/// Waves corner by corner, as `TextureWaves` has them, also those of a cross field. They must
-/// outlive the result.
+/// Waves by corner, as in `TextureWaves` (also of cross fields), which must outlive the result.
 SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corners,
                            PhaseShiftKind kind = PhaseShiftKind::aligned);
 
-/// All crossings of U's and V's centre lines (`stripe_pieces`), triangle by triangle. Whether two
-/// lines cross in a triangle follows from the order of their ends around it, which neighbouring
-/// triangles agree on: a crossing on an edge or vertex is found once. U and V may have any
-/// frequencies. `normals` has one unit vector per vertex. Throws Error if there are far more
-/// crossings than triangles: 2^24 in 4096 of these; Cancelled if `progress` asks for it.
+/// Returns all crossings of U's and V's centre lines (`stripe_pieces`), triangle by triangle. The
+/// order of line ends around a triangle decides whether two lines cross in it. Neighbouring
+/// triangles agree on this order, so a crossing on an edge or vertex is found once. U and V may
+/// have any frequencies. `normals` has one unit vector per vertex. Throws Error for more than 2^24
+/// crossings in 4096 triangles and if memory does not suffice; Cancelled if `progress` cancels.
 std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
                                  const SampledWaves& u, const SampledWaves& v,
                                  const Progress& progress = {});

@@ -25,11 +25,11 @@
 namespace brindle {
 namespace {
 
-// A node is a place where a curve crosses an edge of the mesh, or a cut of a singular triangle. It
-// has two slots, one for each triangle (or part of one) that the curve comes from. A slot's link is
-// the slot it is joined to by a piece, or says why the curve ends.
+// A node is a crossing of a curve with an edge of the mesh or with a cut of a singular triangle. It
+// has two slots, one for each adjacent triangle (or part of one). A slot's link is the slot to
+// which a piece joins it, or the reason why the curve ends.
 using Link = Index;
-constexpr Link kFirstEnd = 0x80000000;  // beyond: numbers of inner ends, then the reasons below
+constexpr Link kFirstEnd = 0x80000000;  // from here: numbers of inner ends, then the reasons below
 constexpr Link kNoWave = 0xffffffff;
 constexpr Link kBoundary = 0xfffffffe;
 constexpr Link kNonmanifold = 0xfffffffd;
@@ -38,24 +38,24 @@ constexpr Link kLastInnerEnd = 0xfffffff0;
 constexpr std::size_t kMostNodes = kFirstEnd / 2;
 // Crossings on the two sides of a crease are one curve if they are nearer than this, in periods.
 constexpr double kMeetingPeriods = 0.25;
-constexpr double kTracedBeforeTrim = 0.8;  // of the time,
-constexpr double kBeforeFair = 0.5;        // and of all
+constexpr double kTracedBeforeTrim = 0.8;  // share of the time before fairing
+constexpr double kBeforeFair = 0.5;        // share of the total time
 
 bool is_slot(Link link) { return link < kFirstEnd; }
 
-/// Whether a curve has nothing there that anybody needs.
+/// Whether the link is an end without points of its own.
 bool is_bare(Link link) { return link > kLastInnerEnd; }
 
-/// Points this near to each other are one, over the size of what they lie on: phases have no digits
-/// to tell them apart, where a curve passes by a vertex.
+/// Points nearer than this, over the size of their edge or triangle, coincide: phases are too
+/// coarse to distinguish them where a curve passes a vertex.
 constexpr float kSamePlace = 1e-4f;
 
 bool at_same_place(const CurvePoint& a, const CurvePoint& b) {
   return (a.position - b.position).norm() <= kSamePlace * std::max(a.size, b.size);
 }
 
-/// Leaves out points at the same place as the one before. Both ends of an open curve stay; where
-/// they take the place of others, they are on the triangles of those, which the curve goes on in.
+/// Drops points that coincide with the previous one. Both ends of an open curve stay; an end that
+/// replaces another point takes over that point's triangles, in which the curve continues.
 void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
   CurvePoint last = closed ? curve.front() : curve.back();
   std::size_t kept = 0;
@@ -73,7 +73,7 @@ void drop_repeats(std::vector<CurvePoint>& curve, bool closed) {
   if (!closed) curve.push_back(last);
 }
 
-/// Whether waves run to the right of the curve, as seen from outside, on most of its way.
+/// Whether waves run to the right of the curve, as seen from outside, along most of its length.
 bool runs_backward(const std::vector<CurvePoint>& curve, bool closed) {
   double left = 0;
   for (std::size_t i = closed ? 0 : 1; i < curve.size(); ++i) {
@@ -84,18 +84,18 @@ bool runs_backward(const std::vector<CurvePoint>& curve, bool closed) {
   return left < 0;
 }
 
-/// Lets a closed curve start at its point farthest along one direction, the same for all curves: so
-/// the starts of neighbouring rings line up.
+/// Starts a closed curve at its point farthest along a fixed direction, so that the starts of
+/// neighbouring rings line up.
 void rotate_to_start(std::vector<CurvePoint>& ring) {
-  const Vec3 along(0.36f, 0.48f, 0.8f);  // no symmetry of usual shapes: few ties
+  const Vec3 along(0.36f, 0.48f, 0.8f);  // no symmetry axis of usual shapes: few ties
   const auto less = [&](const CurvePoint& a, const CurvePoint& b) {
     return a.position.dot(along) < b.position.dot(along);
   };
   std::rotate(ring.begin(), std::max_element(ring.begin(), ring.end(), less), ring.end());
 }
 
-/// Leaves out points at the place of others, turns the curve so that waves run to its left and lets
-/// a closed one start where all do. Returns whether enough is left to be a curve.
+/// Drops repeated points, orients the curve so that waves run to its left, and sets the start of
+/// closed curves. Returns false if too few points remain.
 bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
   const bool closed = ends[0] == CurveEnd::closed;
   drop_repeats(curve, closed);
@@ -108,7 +108,7 @@ bool tidy_curve(std::vector<CurvePoint>& curve, std::array<CurveEnd, 2>& ends) {
   return true;
 }
 
-/// Adds the places of a curve's points, and where their segments arrive.
+/// Appends the places of a curve's points and the ends of their segments.
 void add_places(const Mesh& mesh, std::span<const CurvePoint> curve, bool closed,
                 Polylines& lines) {
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -127,15 +127,14 @@ std::size_t ends_inside(const std::vector<StripePiece>& pieces) {
       [](const StripePiece& piece) { return piece.ends[1].side == PieceEnd::kInside; }));
 }
 
-/// How many curves end in a triangle if none are joined.
+/// The number of curves that end in a triangle if none are joined.
 std::size_t ends_apart(const LiftedTriangle& triangle) {
   std::vector<StripePiece> pieces;
   stripe_pieces(triangle, false, pieces);
   return ends_inside(pieces);
 }
 
-/// Rows come out in ascending order, since edges are in that of their higher vertex, then the
-/// lower.
+/// Rows are ascending, because edges are sorted by their higher vertex, then the lower one.
 Adjacency adjacency_of(const MeshEdges& edges, std::size_t vertex_count) {
   auto rows = compressed_rows<Index>(vertex_count, [&](const auto& add) {
     for (const auto& [a, b] : edges.vertices) {
@@ -146,7 +145,7 @@ Adjacency adjacency_of(const MeshEdges& edges, std::size_t vertex_count) {
   return {std::move(rows.offsets), std::move(rows.entries)};
 }
 
-/// The directions of all waves, turned to run alike, whichever way they were given.
+/// The directions of all waves, oriented alike, independent of their given signs.
 std::vector<Vec3> directions_alike(const LiftedWaves& lifted, const Progress& progress) {
   const WavePattern& pattern = lifted.pattern();
   std::vector<Vec3> directions(pattern.mesh.vertex_count());
@@ -163,7 +162,7 @@ std::vector<Vec3> directions_alike(const LiftedWaves& lifted, const Progress& pr
 struct InnerEnd {
   CurvePoint point;
   CurveEnd reason;
-  std::vector<CurvePoint> way{};  ///< on to a neighbour
+  std::vector<CurvePoint> way{};  ///< path to a neighbour
 };
 
 class Tracer {
@@ -192,7 +191,7 @@ class Tracer {
     return static_cast<Index>(std::abs(lifted_.edge(edge).peaks));
   }
 
-  /// An edge of three triangles or more has nodes for each of them.
+  /// An edge of three triangles or more has separate nodes for each of them.
   std::size_t copies(Index edge) const {
     return is_nonmanifold(edge) ? pattern_.edges.triangle_count(edge) : 1;
   }
@@ -221,13 +220,13 @@ class Tracer {
     });
   }
 
-  /// What a curve meets on the second side of an edge, as long as it meets no other piece.
+  /// The link on the second side of an edge until a piece is joined there.
   Link beyond_edge(Index edge) const {
     if (is_nonmanifold(edge)) return kNonmanifold;
     return pattern_.edges.triangle_count(edge) > 1 ? kNoWave : kBoundary;
   }
 
-  /// Those that a node's curve comes from: of an edge of three or more, its own one.
+  /// The triangles on both sides of a node; on an edge of three or more, twice its own one.
   std::array<Index, 2> triangles_at(Index node, Index edge) const {
     const std::span<const Index> along = pattern_.edges.half_edges.of(edge);
     if (copies(edge) > 1) {
@@ -237,7 +236,7 @@ class Tracer {
     return {along.front() / 3, along.back() / 3};
   }
 
-  /// Nodes, with what curves have of each.
+  /// Checks memory for the nodes and their shares of curves.
   static void check_memory(std::size_t nodes) {
     constexpr double kBytes = 3 * sizeof(Link) + 1 + 2 * sizeof(Vec3) + sizeof(TrianglePoint) +
                               sizeof(std::array<double, 3>) + sizeof(CurvePoint);
@@ -254,7 +253,8 @@ class Tracer {
                 " times; ask for fewer stripes");
   }
 
-  /// Regular triangles touch slots of their own only. Others, few, add nodes and ends, in order.
+  /// Regular triangles only write to their own slots, so they are linked in parallel. The few
+  /// others add nodes and ends, in order.
   void link_triangles(const Progress& progress) {
     const std::size_t count = pattern_.mesh.triangle_count();
     std::vector<std::uint8_t> irregular(count);
@@ -308,10 +308,10 @@ class Tracer {
     }
   }
 
-  /// Crossings of one side of a crease, from its first end to its second.
+  /// One side of a crease, with crossings counted from its first end.
   struct Side {
     Index edge;
-    bool forward;  ///< as the edge runs
+    bool forward;  ///< whether the edge runs the same way
   };
 
   std::optional<Side> side_of(const std::array<Index, 2>& ends) const {
@@ -330,14 +330,14 @@ class Tracer {
     return side.forward ? share : 1 - share;
   }
 
-  /// Turns of the phase along a side.
+  /// The phase change along a side, in turns.
   double turns_along(const Side& side) const {
     const auto [a, b] = pattern_.edges.vertices[side.edge];
     const Turns turns = lifted_end(lifted_.edge(side.edge), lifted_.turns(b)) - lifted_.turns(a);
     return std::abs(static_cast<double>(turns)) / static_cast<double>(kWholeTurn);
   }
 
-  /// Curves go on over a crease where those of the other side come near enough. Both sides have
+  /// Continues curves over a crease where those of the other side are near enough. Both sides have
   /// their crossings in the same order.
   void link_over(const CreaseEdge& crease) {
     const auto a = side_of(crease.first), b = side_of(crease.second);
@@ -387,7 +387,7 @@ class Tracer {
     return point_in_triangle(pattern_, {static_cast<Index>(t), barycentric});
   }
 
-  /// Where along its edge a node is, 0 to 1.
+  /// The position of a node along its edge, 0 to 1.
   double share_along(Index node, Index edge) const {
     const auto [a, b] = pattern_.edges.vertices[edge];
     const Turns start = lifted_.turns(a);
@@ -433,7 +433,7 @@ class Tracer {
     }
   }
 
-  /// From a slot whose link is an end to the other end.
+  /// Walks from a slot whose link is an end to the other end.
   void walk_open(Link slot) {
     std::array<CurveEnd, 2> ends{};
     ends[0] = end_at(links_[slot / 2][slot % 2]);
@@ -467,7 +467,7 @@ class Tracer {
     curve_.push_back(point_of(node));
   }
 
-  /// The reason of an end, whose points are added if it is not a node.
+  /// Returns the reason of an end; appends the points of an inner end.
   CurveEnd end_at(Link link) {
     if (link == kBoundary) return CurveEnd::boundary;
     if (link == kNonmanifold) return CurveEnd::nonmanifold;
@@ -504,14 +504,14 @@ class Tracer {
   Progress walking_;
   std::size_t walked_ = 0;
   std::vector<Index> first_node_;           // edges + 1 entries
-  std::vector<Index> edge_of_node_;         // nodes on edges; those on cuts come after them
+  std::vector<Index> edge_of_node_;         // for nodes on edges; nodes on cuts follow
   std::vector<std::array<Link, 2>> links_;  // one per node
-  std::vector<CurvePoint> inner_points_;    // nodes on cuts
+  std::vector<CurvePoint> inner_points_;    // points of nodes on cuts
   std::vector<InnerEnd> inner_ends_;
   std::optional<EndWalks> end_walks_;  // for `join`
-  std::vector<Vec3> directions_;       // one per vertex, running alike where that can be
+  std::vector<Vec3> directions_;       // one per vertex, oriented alike where possible
   std::vector<std::uint8_t> visited_;  // one per node
-  std::vector<CurvePoint> curve_;      // that is being walked
+  std::vector<CurvePoint> curve_;      // the current one
   StripeCurves curves_;
 };
 

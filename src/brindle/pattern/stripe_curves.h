@@ -9,37 +9,36 @@
 
 namespace brindle {
 
-/// The lines where sin Phi = 1, the same whichever way directions point. Several cross an edge
-/// where the frequency asks for it. Points lie on edges of the mesh, where the lifted phase, linear
-/// along the edge, is a peak; pieces between them are straight, and do not cross. A curve is
-/// closed, or both its ends have one of the reasons of CurveEnd. Every
-/// crossing of an edge is on exactly one curve; with none of the kinds `no_wave` and `nonmanifold`,
-/// there are as many ends at the boundary as boundary edges are crossed, and |branch_index| ends in
-/// every branch.
+/// Returns the lines where sin Phi = 1, independent of the signs of directions. They may cross an
+/// edge several times. Points lie on edges of the mesh where the lifted phase, linear along the
+/// edge, is a peak; the pieces between them are straight and do not cross. A curve is closed, or
+/// both its ends have a reason (CurveEnd). Every crossing of an edge is on exactly one curve.
+/// Without ends of the kinds `no_wave` and `nonmanifold`, every crossing of a boundary edge is an
+/// end, and every branch has |branch_index| ends.
 ///
-/// Points nearer to the one before than 1e-4 of the edge that they lie on are passed over, and so
-/// are closed curves without three other points; the two ends of an open curve always stay.
+/// Points nearer to the previous one than 1e-4 of their edge's length are dropped, and so are
+/// closed curves of fewer than three points. Both ends of an open curve always stay.
 ///
-/// Curves run so that waves, turned by `orient_alike`, run to their left as seen from outside:
-/// neighbours run the same way, whichever way directions are given. Where the field or the surface
-/// cannot be oriented, nothing is promised. Closed curves start at their point farthest along one
-/// direction, the same for all.
+/// Waves, oriented by `orient_alike`, run to the left of curves as seen from outside, so
+/// neighbouring curves run the same way. This is not guaranteed where the field or the surface
+/// cannot be oriented. Closed curves start at their point farthest along a fixed direction.
 ///
-/// Takes time and memory linear in the mesh and what it returns. Throws Error if there are more
-/// crossings than an Index can count, and Cancelled if `progress` asks for it.
+/// Time and memory are linear in the mesh and the result. Throws Error for options that
+/// `check_curve_options` rejects, for more crossings than an Index or memory can hold, and for
+/// `fair` in a build without fairing; Cancelled if `progress` cancels.
 StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options = {},
                            const Progress& progress = {});
 
-/// Of the waves, at points of lines on the mesh.
+/// The frequencies of the waves at points of lines on the mesh.
 std::vector<float> frequencies_along(const WavePattern& pattern, const Polylines& lines);
 
 /// Throws Error for shares of the spacing out of range, and for `trim` together with `join`.
 void check_curve_options(const CurveOptions& options);
 
-/// Turns all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
-/// gaps). For anything but whole and half periods that needs directions that run alike: `waves` and
-/// `z` are turned round with `orient_alike` first. Returns the number of edges across which they
-/// do not even so; there the moved curves jog sideways.
+/// Shifts all phases so that peaks move forward by `periods` of a wave (0.5: to the middle of the
+/// gaps). Shifts other than whole and half periods need directions that run alike, so `waves` and
+/// `z` are first reversed according to `orient_alike`. Returns the number of edges across which
+/// directions still run against each other; the moved curves jog sideways there.
 std::size_t shift_phases(const Adjacency& neighborhood, float periods, WaveSet& waves,
                          std::span<Complex> z);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadiansPerTurn = 2 * std::numbers::pi;
 
-/// More peaks than that along one edge are noise, and would fill the memory.
+/// More peaks along one edge would be noise and would exhaust memory.
 constexpr double kMostPeaks = 1 << 24;
 
 /// Division that rounds down.
@@ -27,10 +27,10 @@ class Cell {
  public:
   struct Side {
     std::uint8_t id = 0;
-    bool forward = true;      ///< whether crossings are numbered the way round the cell
-    std::int32_t passed = 0;  ///< peaks passed going round, in the cell's sense
-    double rise = 0;          ///< whole turns gained going round, in the cell's sense
-    Turns from = 0, to = 0;   ///< lifted turns at the ends, the way crossings are numbered
+    bool forward = true;      ///< whether crossings are numbered going around the cell
+    std::int32_t passed = 0;  ///< peaks passed going around, in the cell's orientation
+    double rise = 0;          ///< turns gained going around, in the cell's orientation
+    Turns from = 0, to = 0;   ///< lifted turns at the ends, in the order of crossings
     Index count() const { return static_cast<Index>(std::abs(passed)); }
   };
   using Point = Eigen::Vector3d;  // barycentric in the whole triangle
@@ -41,7 +41,7 @@ class Cell {
       : sides_(sides), corners_(corners), join_(join), pieces_(pieces), end_(end) {}
 
   /// Pairs peaks that are passed upwards with peaks passed downwards, from the corners inwards, so
-  /// that no two pieces cross. Side c is the one that all pieces touch.
+  /// that no two pieces cross. All pieces touch side c.
   void emit() {
     const std::optional<int> odd = odd_side();
     if (!odd) return emit_ends_of_all();
@@ -67,8 +67,8 @@ class Cell {
  private:
   using Borders = std::vector<std::array<Point, 2>>;
 
-  /// The side whose peaks are passed the other way than those of the two others; none if all are
-  /// passed the same way. Of two sides alone, the one with more peaks.
+  /// The side whose peaks are passed in the opposite direction to those of the other two; none if
+  /// all directions agree. If only two sides have peaks, the one with more.
   std::optional<int> odd_side() const {
     for (int c = 0; c < 3; ++c) {
       const Side& a = sides_[(c + 2) % 3];
@@ -83,9 +83,9 @@ class Cell {
     return {};
   }
 
-  /// How many of side c's peaks go to side a, nearest to their corner; the others go to b. Of all
-  /// choices, the one whose pieces are closest to level lines of the linear function that has the
-  /// closing error spread evenly over the sides.
+  /// The number of side c's peaks to join with side a, from their common corner; the others join
+  /// side b. The choice gives pieces closest to level lines of the linear function that spreads the
+  /// closing error evenly over the sides.
   Index split(int a, int b, int c) const {
     const Index n_a = sides_[a].count(), n_b = sides_[b].count(), n_c = sides_[c].count();
     const Index first = n_c > n_b ? n_c - n_b : 0;
@@ -113,7 +113,7 @@ class Cell {
     return corner.partialPivLu().solve(p).dot(Eigen::Vector3d(h[0], h[1], h[2]));
   }
 
-  /// The share of side m's length, going round, at which its i-th crossing on that way lies.
+  /// The position of side m's i-th crossing, going around, as a share of the side's length.
   double share(int m, Index i) const {
     const Side& side = sides_[m];
     if (side.forward) return crossing_position(side.from, side.to, i);
@@ -133,7 +133,7 @@ class Cell {
     pieces_.push_back({{from, to}, sides_[0].id});
   }
 
-  /// The middle of what the outermost pieces leave free: the mean of its corners.
+  /// The middle of the area that the outermost pieces leave free: the mean of its corners.
   Point middle(const Borders& borders, bool cut_off_c, bool cut_off_b, int c) const {
     Point sum = corners_[(c + 2) % 3];
     double count = 1;
@@ -184,13 +184,13 @@ class Cell {
   std::optional<Point> end_;
 };
 
-/// The signs that turn the corners' waves into the sense of `corner`, across its two edges.
+/// The signs that orient the corners' waves like corner 0, across its two edges.
 std::array<int, 3> senses(const LiftedTriangle& triangle) {
   return {1, triangle.edges[0].reflecting ? -1 : 1, triangle.edges[2].reflecting ? -1 : 1};
 }
 
-/// An edge as it is passed going round, in a sense where the waves of corners m and m + 1 have the
-/// signs `here` and `there`.
+/// Edge m going around, in an orientation where the waves of corners m and m + 1 have the signs
+/// `here` and `there`.
 Cell::Side edge_side(const LiftedTriangle& triangle, int m, int here, int there) {
   const int next = (m + 1) % 3;
   const EdgeLift& lift = triangle.edges[m];
@@ -206,7 +206,7 @@ Cell::Side edge_side(const LiftedTriangle& triangle, int m, int here, int there)
           to};
 }
 
-/// The cut from a corner inwards (`out`: back), where the corner's wave has the given sign.
+/// The cut from a corner inwards (`out`: outwards), where the corner's wave has the given sign.
 Cell::Side cut_side(const LiftedTriangle& triangle, int corner, int sign, bool out) {
   const Turns from = triangle.turns[corner];
   const Turns to = triangle.inner[corner];
@@ -219,11 +219,10 @@ Cell::Side cut_side(const LiftedTriangle& triangle, int corner, int sign, bool o
           to};
 }
 
-/// Finds `inner` of a singularity of the field. Once round it the phase is back where it was, less
-/// whole turns, but turned round. Half of these turns is the one phase that is its own reverse: a
-/// peak, or a trough.
+/// Sets `inner` of a field singularity. Once around it, the phase returns reversed, up to whole
+/// turns. Half of these turns is the only phase that equals its own reverse: a peak or a trough.
 void reach_inside(LiftedTriangle& triangle) {
-  // In the first corner's sense the phase at corner m is sense[m] * turns + gained[m].
+  // Oriented like the first corner, the phase at corner m is sense[m] * turns + gained[m].
   std::array<int, 4> sense = {1};
   std::array<Turns, 4> gained{};
   for (int m = 0; m < 3; ++m) {
@@ -233,14 +232,14 @@ void reach_inside(LiftedTriangle& triangle) {
     gained[m + 1] = gained[m] + (triangle.forward[m] || lift.reflecting ? end : -end) * sense[m];
   }
   const Turns centre = gained[3] / 2;
-  std::array<Turns, 4> way{};  // to the centre, in the first corner's sense
+  std::array<Turns, 4> way{};  // to the centre, oriented like the first corner
   for (int m = 0; m < 3; ++m) {
     triangle.inner[m] = sense[m] * (centre - gained[m]);
     way[m] = centre - gained[m] - sense[m] * triangle.turns[m];
   }
   if (centre % kWholeTurn != 0) return;
 
-  // Every part whose ends are on either side of the peak has a curve to the barycentre.
+  // Each part whose two corners lie on opposite sides of the peak has a curve to the barycentre.
   way[3] = -way[0];
   int curves = 0;
   for (int m = 0; m < 3; ++m) curves += (way[m] > 0) != (way[m + 1] > 0);

@@ -15,8 +15,8 @@
 namespace brindle {
 namespace {
 
-/// A coordinate as the sum of what the phase alone says and whole tiles. Triangles that share a
-/// vertex have bit for bit the same `base` there, if they have the same orientation.
+/// A coordinate as the value of the phase plus whole tiles. Triangles of the same orientation have
+/// bit for bit the same `base` at a shared vertex.
 struct Coordinate {
   float base = 0;
   int tiles = 0;
@@ -45,7 +45,7 @@ std::array<Coordinate, 3> coordinates_of(const CornerWaves& corners, const Corne
 }
 
 /// The triangle of corners a, b and the barycentre, whose wave is `centre`. The phase at the
-/// barycentre is the one closest to where the waves at a and b lead.
+/// barycentre is lifted to be closest to the extrapolation from a and b.
 std::array<Coordinate, 3> split_coordinates(const CornerWave& a, CornerWave b, FragmentWave centre,
                                             const Vec3& barycentre, PhaseShiftKind kind) {
   const auto runs_against_a = [&](const Vec3& d) { return a.wave.direction.dot(d) < 0; };
@@ -115,7 +115,7 @@ class Pieces {
 
 using Tiles = std::array<int, 2>;
 
-/// Whole tiles between two corners at one vertex; nothing if they differ by more than that.
+/// Whole tiles between two corners at one vertex; nullopt if they differ otherwise.
 std::optional<Tiles> tiles_between(const Piece& a, Index corner_a, const Piece& b, Index corner_b) {
   const Coordinate &ua = a.u[corner_a], &ub = b.u[corner_b];
   const Coordinate &va = a.v[corner_a], &vb = b.v[corner_b];
@@ -123,13 +123,13 @@ std::optional<Tiles> tiles_between(const Piece& a, Index corner_a, const Piece& 
   return Tiles{ua.tiles - ub.tiles, va.tiles - vb.tiles};
 }
 
-/// A way from a piece to a neighbour that agrees with it along an edge but for `tiles`.
+/// A step to a neighbouring piece whose coordinates along the edge differ by `tiles`.
 struct Step {
   Index from, to;
   Tiles tiles;
 };
 
-/// In the rows of the pieces that they start from.
+/// The steps by the piece at which they start.
 CompressedRows<Step> steps_between(const std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<Triangle> triangles;
   triangles.reserve(pieces.size());
@@ -159,7 +159,7 @@ void add_tiles(Piece& piece, const Tiles& tiles) {
   }
 }
 
-/// Adds whole tiles to pieces, breadth-first, so that they agree with the neighbour before them.
+/// Adds whole tiles to pieces, breadth-first, so that each agrees with its predecessor.
 void align(std::vector<Piece>& pieces, const Progress& progress) {
   const CompressedRows<Step> steps = steps_between(pieces, progress.part(0, 0.6));
   const Progress visiting = progress.part(0.6, 1);
@@ -188,7 +188,7 @@ void align(std::vector<Piece>& pieces, const Progress& progress) {
   for (std::size_t p = 0; p < pieces.size(); ++p) add_tiles(pieces[p], added[p]);
 }
 
-/// Gives each pair of vertex and coordinates a vertex of its own.
+/// Gives each pair of vertex and coordinates its own vertex.
 class Splitter {
  public:
   explicit Splitter(TexturedMesh& textured)

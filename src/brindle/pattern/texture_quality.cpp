@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// A square that is squeezed to nothing has no finite distortion.
+/// The upper bound: a square of no area has infinite distortion.
 constexpr float kLargestAreaRatio = 100;
 
 bool is_regular(const LinearPattern& u, const LinearPattern& v, std::size_t triangle) {
@@ -56,7 +56,7 @@ struct Distortions {
   std::vector<float> areas;
 };
 
-/// All triangles, -1 for those that do not count.
+/// The distortions of all triangles that share no vertex with an irregular one.
 Distortions distortions_of(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
                            const Progress& progress) {
   const std::vector<std::uint8_t> at_branch = vertices_at_branches(mesh, u, v);
@@ -89,7 +89,7 @@ double mean(const std::vector<float>& values) {
   return sum / std::max<double>(1, static_cast<double>(values.size()));
 }
 
-/// The value that 95 in 100 stay below. Reorders the values.
+/// The 95th percentile; reorders the values.
 double percentile_95(std::vector<float>& values) {
   if (values.empty()) return 0;
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 95 / 100);

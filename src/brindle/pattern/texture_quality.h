@@ -15,8 +15,8 @@ struct LinearPattern {
   std::span<const float> frequencies;
 };
 
-/// What `measure_texture` finds for texture waves with these corner phases. Which way U and V run
-/// in a triangle makes no difference.
+/// As `measure_texture` for texture waves, from their corner phases. The orientation of U and V in
+/// a triangle has no effect.
 TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
                                const Progress& progress = {});
 

@@ -144,7 +144,7 @@ void orient_corners(TextureWaves& waves, const Progress& progress) {
   });
 }
 
-// The twin is shaders/texture_fragment.glsl.
+// Keep in step with shaders/texture_fragment.glsl.
 TextureFragment texture_fragment(const CornerWaves& u, const CornerWaves& v,
                                  const Vec3& barycentric) {
   return {split_fragment_phase(u, barycentric), split_fragment_phase(v, barycentric)};

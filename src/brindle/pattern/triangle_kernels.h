@@ -1,6 +1,6 @@
-/// The inner loops of measuring a pattern, for kTriangleLanes triangles at once, twice: portable
-/// C++, and Highway vectors with the instruction set chosen at run time. Both are the same source
-/// (triangle_kernels_body.h), without fused multiply-adds, so that both give the same bits.
+/// The inner loops of pattern measurement, for kTriangleLanes triangles at once. One source
+/// (triangle_kernels_body.h) is compiled twice: as portable C++, and for Highway vectors, whose
+/// instruction set is chosen at run time. Without fused multiply-adds, both give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace brindle {
 
-/// Triangles that are worked on together: the widest vector of floats that processors have.
+/// Triangles processed together: the widest float vector of any processor.
 inline constexpr std::size_t kTriangleLanes = 16;
 
-/// What the corners of so many triangles have; the last index is the triangle's.
+/// The corners of kTriangleLanes triangles; the last index is the triangle.
 struct alignas(64) CornerLanes {
   float position[3][3][kTriangleLanes];   ///< by corner and axis
   float direction[3][3][kTriangleLanes];  ///< by corner and axis
@@ -37,7 +37,7 @@ struct alignas(64) CornerLanes {
   }
 };
 
-/// The corner phases of so many triangles. Kinds are numbers of TriangleKind.
+/// The corner phases of kTriangleLanes triangles. `kind` is the number of a TriangleKind.
 struct alignas(64) LiftedLanes {
   float phase[3][kTriangleLanes];
   float sign[3][kTriangleLanes];
@@ -67,40 +67,40 @@ struct alignas(64) ShiftLanes {
   float radians[3][kTriangleLanes];
 };
 
-/// How triangles follow their waves; what it says is meaningless where a triangle is not regular.
+/// Errors of triangles relative to their waves; meaningless unless a triangle is regular.
 struct alignas(64) ErrorLanes {
-  float angle[kTriangleLanes];    ///< radians, 0 to pi
+  float angle[kTriangleLanes];    ///< radians, 0 to pi / 2
   float spacing[kTriangleLanes];  ///< | |gradient| / (2 pi f) - 1 |
   float area[kTriangleLanes];
 };
 
-/// The frequencies of U and V at the corners of so many triangles.
+/// The frequencies of U and V at the corners of kTriangleLanes triangles.
 struct alignas(64) DensityLanes {
   float u[3][kTriangleLanes];
   float v[3][kTriangleLanes];
 };
 
-/// The unit square of the coordinates that phases of U and V over 2 pi are, on so many triangles.
+/// The unit square of texture coordinates (phases over 2 pi) on kTriangleLanes triangles.
 struct alignas(64) DistortionLanes {
   float angle[kTriangleLanes];       ///< radians, between the gradients
-  float area_ratio[kTriangleLanes];  ///< wanted area 1 / (f_U f_V) over its own
+  float area_ratio[kTriangleLanes];  ///< requested area 1 / (f_U f_V) over the actual one
 };
 
-/// Corner phases as `corner_phases` defines them. Shifts are those of `kind`, and where `given` is
-/// not null, those: all corners then run alike.
+/// Corner phases as defined by `corner_phases`. Shifts follow from `kind`, unless `given` is not
+/// null: it holds the shifts of corners oriented alike.
 using LiftCorners = void(const CornerLanes& corners, PhaseShiftKind kind, const ShiftLanes* given,
                          LiftedLanes& lifted);
 
-/// Errors as `measure_quality` defines them. Phases `z` of the corners are not looked at.
+/// Errors as defined by `measure_quality`; ignores the corners' phases `z`.
 using MeasureErrors = void(const CornerLanes& corners, const LiftedLanes& lifted,
                            ErrorLanes& errors);
 
-/// Distortions as `measure_texture` defines them. Only positions of the corners are looked at.
+/// Distortions as defined by `measure_texture`; uses only the corners' positions.
 using MeasureDistortions = void(const CornerLanes& corners, const LiftedLanes& u,
                                 const LiftedLanes& v, const DensityLanes& density,
                                 DistortionLanes& distortions);
 
-/// How far kTriangleLanes phases are from as many others: |arg(a conj(b))|, in radians.
+/// The distances of kTriangleLanes pairs of phases: |arg(a conj(b))|, in radians.
 using PhaseDistances = void(const Complex* a, const Complex* b, float* distances);
 
 namespace portable {
@@ -109,7 +109,7 @@ LiftCorners lift_corners;
 MeasureErrors measure_errors;
 MeasureDistortions measure_distortions;
 
-/// The first triangle alone.
+/// Lifts only the first triangle.
 LiftCorners lift_first;
 
 /// arg z as the kernels compute it, with errors below 3e-7.

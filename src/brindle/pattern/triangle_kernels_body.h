@@ -1,12 +1,12 @@
-// What triangle_kernels.h declares, written once for numbers of any kind. Whoever includes this has
-// defined, in the namespace that it is included in,
+// The kernels that triangle_kernels.h declares, written once for scalars and vectors. The including
+// source defines, in its own namespace,
 //   Real   one float or several, with + - * / and unary -,
-//   Truth  what < > and == of Reals give, with && || ! and !=,
-//   kReals how many floats a Real has, and
+//   Truth  the result of < > and == of Reals, with && || ! and !=,
+//   kReals the number of floats in a Real, and
 //   real(float), load(const float*), load_pairs(const float*, Real& first, Real& second),
 //   store(Real, float*), chosen(Truth, Real, Real), absolute(Real), square_root(Real),
 //   truncated(Real), with_sign_of(Real, Real) and is_negative(Real), true for -0.
-// There is no include guard: every instruction set has it once more.
+// There is no include guard, because each instruction set includes this file again.
 
 namespace {
 
@@ -28,7 +28,7 @@ BRINDLE_KERNEL RealVector operator*(Real factor, const RealVector& a) {
   return {factor * a.x, factor * a.y, factor * a.z};
 }
 
-/// In the order in which Eigen adds: whether directions run alike is asked elsewhere, too.
+/// Adds in Eigen's order, because other code tests the signs of the same products.
 BRINDLE_KERNEL Real dot(const RealVector& a, const RealVector& b) {
   return a.x * b.x + (a.y * b.y + a.z * b.z);
 }
@@ -39,15 +39,14 @@ BRINDLE_KERNEL RealVector cross(const RealVector& a, const RealVector& b) {
 
 BRINDLE_KERNEL Real larger(Real a, Real b) { return chosen(a < b, b, a); }
 
-/// To the nearest whole number, halves away from zero, as std::round does.
+/// Rounds to the nearest whole number, halves away from zero, as std::round does.
 BRINDLE_KERNEL Real rounded(Real a) {
   const Real whole = truncated(a);
   const Real further = whole + with_sign_of(real(1), a);
   return chosen(absolute(a - whole) < real(0.5f), whole, further);
 }
 
-/// A vector as its largest component times the rest: squares of the rest neither overflow nor
-/// vanish.
+/// A vector as its largest component times the rest, whose squares neither overflow nor vanish.
 struct Scaled {
   Real largest;
   RealVector rest;
@@ -59,8 +58,8 @@ BRINDLE_KERNEL Scaled scaled(const RealVector& a) {
   return {largest, {a.x / divisor, a.y / divisor, a.z / divisor}};
 }
 
-/// atan2(y, x): the odd polynomial of Cephes' atanf for |t| below tan(pi / 8), to which angles are
-/// brought by mirroring at 90, 45 and 22.5 degrees.
+/// atan2(y, x) by the odd polynomial of Cephes' atanf for |t| below tan(pi / 8). Mirroring at 90,
+/// 45 and 22.5 degrees reduces angles to this range.
 BRINDLE_KERNEL Real angle_of(Real y, Real x) {
   const Real pi = real(3.14159265358979f);
   const Real width = absolute(x), height = absolute(y);
@@ -82,7 +81,7 @@ BRINDLE_KERNEL Real angle_of(Real y, Real x) {
   return with_sign_of(angle, y);
 }
 
-/// The waves at one corner of so many triangles as there are floats in a Real.
+/// The waves at one corner of kReals triangles.
 struct RealWave {
   RealVector position;
   RealVector direction;
@@ -105,7 +104,7 @@ BRINDLE_KERNEL Truth has_no_wave(const RealVector& direction) {
   return direction.x == real(0) && direction.y == real(0) && direction.z == real(0);
 }
 
-/// The wave, or the same running the other way.
+/// The wave, reversed if `sign` is -1.
 BRINDLE_KERNEL RealWave turned(const RealWave& wave, Real sign) {
   return {wave.position, sign * wave.direction, wave.frequency, sign * wave.z_re, wave.z_im};
 }
@@ -119,7 +118,7 @@ BRINDLE_KERNEL Real shift_between(const RealWave& j, const RealWave& i, bool tra
   return real(kTwoPi) * square_root(i.frequency * j.frequency) * length;
 }
 
-/// The shift, and what it leaves of the difference of the phases, both wrapped.
+/// The shift plus the wrapped remainder of the phase difference.
 BRINDLE_KERNEL Real step_between(Real j_re, Real j_im, Real i_re, Real i_im, Real shift) {
   const Real difference = angle_of(i_im * j_re - i_re * j_im, i_re * j_re + i_im * j_im);
   const Real remainder = difference - shift;
@@ -130,7 +129,7 @@ BRINDLE_KERNEL Real kind_number(TriangleKind kind) {
   return real(static_cast<float>(static_cast<int>(kind)));
 }
 
-/// The triangles' kinds before their phases are known, and the signs that make corners run alike.
+/// Triangle kinds that are known before lifting, and the signs that orient corners alike.
 struct Orientation {
   Truth no_wave;
   Truth singular;
@@ -164,7 +163,7 @@ BRINDLE_KERNEL void lift_lane(const CornerLanes& corners, PhaseShiftKind kind,
   };
   const Real step_1 = step(0, 1), step_2 = step(1, 2), step_0 = step(2, 0);
   const Real around = step_1 + step_2 + step_0;
-  // Beyond what an index can say it stays at its end, and a phase that is none counts as no wave.
+  // The index saturates at its limits, and triangles with NaN phases count as without a wave.
   const Real turns = rounded(around / real(kTwoPi));
   const Real limit = real(127);
   const Real index = chosen(absolute(turns) > limit, with_sign_of(limit, turns), turns);
@@ -191,7 +190,7 @@ BRINDLE_KERNEL void lift_lane(const CornerLanes& corners, PhaseShiftKind kind,
 struct RealPlane {
   RealVector edge_1;  ///< from corner 0 to 1
   RealVector edge_2;  ///< from corner 0 to 2
-  RealVector normal;  ///< as long as twice the triangle's area
+  RealVector normal;  ///< its length is twice the triangle's area
 };
 
 BRINDLE_KERNEL RealPlane load_plane(const CornerLanes& corners, std::size_t lane) {
@@ -216,8 +215,8 @@ BRINDLE_KERNEL RealVector gradient_in(const RealPlane& plane,
           chosen(has_area, along.z / divisor, zero)};
 }
 
-/// The corners' mean direction but for its length, in the triangle's plane: what sticks out of it
-/// cannot be followed by any pattern.
+/// The corners' mean direction up to its length, projected into the triangle's plane: no pattern
+/// can follow the normal component.
 BRINDLE_KERNEL RealVector direction_in(const RealPlane& plane, const CornerLanes& corners,
                                        const LiftedLanes& lifted, std::size_t lane) {
   RealVector direction = load(lifted.sign[0] + lane) * load_vector(corners.direction[0], lane);
@@ -240,7 +239,7 @@ BRINDLE_KERNEL void measure_lane(const CornerLanes& corners, const LiftedLanes& 
   const Scaled slope = scaled(gradient_in(plane, lifted.phase, lane));
   const RealVector direction = direction_in(plane, corners, lifted, lane);
   const RealVector across = cross(slope.rest, direction);
-  // Of lines: no two of them are farther apart than a right angle.
+  // The angle between lines, at most a right angle.
   store(angle_of(square_root(dot(across, across)), absolute(dot(slope.rest, direction))),
         errors.angle + lane);
   const Real frequency = mean_of(corners.frequency, lane);
@@ -249,8 +248,8 @@ BRINDLE_KERNEL void measure_lane(const CornerLanes& corners, const LiftedLanes& 
   store(real(0.5f) * square_root(dot(plane.normal, plane.normal)), errors.area + lane);
 }
 
-/// The angle of a parallelogram whose coordinates have these gradients is 180 degrees less that
-/// between the gradients; its area is 1 over that of the gradients' parallelogram.
+/// A parallelogram of coordinates with these gradients has the angle of 180 degrees minus that
+/// between the gradients. Its area is 1 over that of the gradients' parallelogram.
 BRINDLE_KERNEL void distortion_lane(const CornerLanes& corners, const LiftedLanes& u,
                                     const LiftedLanes& v, const DensityLanes& density,
                                     std::size_t lane, DistortionLanes& distortions) {
@@ -259,7 +258,7 @@ BRINDLE_KERNEL void distortion_lane(const CornerLanes& corners, const LiftedLane
   const Real per_u = period * mean_of(density.u, lane), per_v = period * mean_of(density.v, lane);
   const RealVector slope_u = gradient_in(plane, u.phase, lane);
   const RealVector slope_v = gradient_in(plane, v.phase, lane);
-  // In units of their wanted lengths: near 1, whatever the unit of length.
+  // Relative to the requested lengths: near 1 for any unit of length.
   const RealVector unit_u{slope_u.x / per_u, slope_u.y / per_u, slope_u.z / per_u};
   const RealVector unit_v{slope_v.x / per_v, slope_v.y / per_v, slope_v.z / per_v};
   const RealVector across = cross(unit_u, unit_v);
@@ -268,7 +267,7 @@ BRINDLE_KERNEL void distortion_lane(const CornerLanes& corners, const LiftedLane
   store(ratio, distortions.area_ratio + lane);
 }
 
-/// Complex numbers, one a lane.
+/// Complex numbers, one per lane.
 struct RealComplex {
   Real re;
   Real im;

@@ -17,16 +17,16 @@ namespace brindle {
 namespace {
 
 constexpr double kCutStep = 0.05;  // between places where an end may be cut, times 1/f
-/// A curve is not its own neighbour that far along itself, times 1/f.
+/// A curve is not its own neighbour within this distance along itself, times 1/f.
 constexpr double kOwnStretch = 1.5;
-/// What lies before an end and runs the same way, each within half a right angle, goes on from it.
+/// A curve ahead of an end that runs the same way, each within 45 degrees, continues it.
 constexpr float kAhead = 0.7f;
-/// An end is cut back for a hook, too: where it is turned by more against the curve one period
-/// before it, but no farther than this, times 1/f.
+/// An end is also cut back for a hook: where it turns by more than kStraight against the curve one
+/// period before it, but by no more than kLongestHook / f.
 constexpr float kStraight = 0.9f;                  // cosine
-constexpr double kLongestHook = 2 + kCutStep / 2;  // between two steps: rounding decides nothing
-constexpr double kDirection = 0.002;  // how long a piece of a curve has a direction, times 1/f
-constexpr float kSameSide = 0.3f;     // of the surface: cosine between the normals
+constexpr double kLongestHook = 2 + kCutStep / 2;  // between two steps, so rounding has no effect
+constexpr double kDirection = 0.002;  // length over which directions are measured, times 1/f
+constexpr float kSameSide = 0.3f;     // cosine between normals on one side of the surface
 constexpr std::size_t kCurvesPerReport = 64;
 
 struct LineSegment {
@@ -36,12 +36,12 @@ struct LineSegment {
 /// A place on a line.
 struct LinePlace {
   Index segment_from;  ///< the point before it
-  float share;         ///< of the way to the point after it
+  float share;         ///< of the segment to the next point
   Vec3 position, normal;
   float frequency;
 };
 
-/// How much of a line goes at either end, in units of length.
+/// The lengths cut off both ends of a line.
 using CutLengths = std::array<double, 2>;
 
 class EndTrimmer {
@@ -72,10 +72,10 @@ class EndTrimmer {
     return left * static_cast<double>(place_at(line, middle).frequency) < 1;
   }
 
-  /// Of an open line.
+  /// The length of an open line.
   double length(Index line) const { return passed_[lines_.offsets[line + 1] - 1]; }
 
-  /// At a length from an open line's first point.
+  /// The place at a length from an open line's first point.
   LinePlace place_at(Index line, double length) const {
     const Index first = lines_.offsets[line], last = lines_.offsets[line + 1] - 1;
     const auto begin = passed_.begin();
@@ -122,11 +122,11 @@ class EndTrimmer {
     return {a.cwiseMin(b), a.cwiseMax(b)};
   }
 
-  /// From an end as far as there is too little room or a hook; the whole length if there is nowhere
-  /// enough room.
+  /// The length to cut off at an end, which removes crowded parts and hooks; the whole length if
+  /// the line is crowded everywhere.
   double cut_at(Index line, std::size_t end) const {
     const double whole = length(line);
-    std::optional<double> room;  // where it begins
+    std::optional<double> room;  // the first cut with enough room
     for (double cut = 0; cut < whole;) {
       const LinePlace place = from_end(line, end, cut);
       const double period = 1 / static_cast<double>(place.frequency);
@@ -146,8 +146,8 @@ class EndTrimmer {
     return place_at(line, end == 0 ? std::min(way, whole) : std::max(whole - way, 0.0));
   }
 
-  /// Whether a curve runs another way than one period before, but for how the surface bends. Single
-  /// segments may be too short to have a direction.
+  /// Whether a curve has turned within the surface against its direction one period before.
+  /// Directions are measured over kDirection, because single segments may be too short.
   bool is_turned(Index line, std::size_t end, double cut, double period) const {
     const auto towards_end = [&](double way) {
       return Vec3(from_end(line, end, way).position -
@@ -155,7 +155,7 @@ class EndTrimmer {
           .stableNormalized();
     };
     const double before = std::min(cut + period, length(line) - kDirection * period);
-    // Not a number between opposite normals: then nothing says how the curve is turned.
+    // NaN between opposite normals, where the turn is undefined; the comparison is then false.
     const Vec3 bent = transported(towards_end(before), from_end(line, end, before).normal,
                                   from_end(line, end, cut).normal);
     return towards_end(cut).dot(bent) < kStraight;
@@ -164,9 +164,9 @@ class EndTrimmer {
   /// A place on a line that its neighbours may crowd.
   struct Crowding {
     Index line;
-    double at;  ///< length before it
+    double at;  ///< its position along the line
     const LinePlace& place;
-    Vec3 along;   ///< where the line has come from, away from that
+    Vec3 along;   ///< direction towards the end, over the last period
     float reach;  ///< neighbours that are nearer crowd it
   };
 
@@ -209,11 +209,11 @@ class EndTrimmer {
   std::span<const float> frequencies_;
   float least_gap_;
   std::vector<LineSegment> segments_;
-  std::vector<double> passed_;  // of every point from its line's first
+  std::vector<double> passed_;  // length from the line's first point to each point
   BoxTree tree_;
 };
 
-/// Copies lines, or what is left of them.
+/// Copies lines without the parts that are cut off.
 class LineCutter {
  public:
   LineCutter(const StripeCurves& from, const EndTrimmer& trimmer, StripeCurves& to)
@@ -268,7 +268,7 @@ class LineCutter {
     return place;
   }
 
-  /// The segment before it arrives there.
+  /// Adds the last point of a cut line and ends the segment before it there.
   void add_last(const LinePlace& place) {
     add_point(place.position, place.normal);
     const auto point = triangle_point(place);

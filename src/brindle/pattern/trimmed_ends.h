@@ -1,4 +1,4 @@
-/// Ends of curves that are cut back where neighbours leave them too little room.
+/// Trims ends of curves that are too close to their neighbours.
 #pragma once
 
 #include <span>
@@ -8,15 +8,14 @@
 
 namespace brindle {
 
-/// Cuts curves that end in a branch or singularity back, each end for itself, to the first place
-/// where no curve beside it or across its way is nearer than `least_gap` (0 to 1) of 1/f along the
-/// surface, and where it runs the way it ran one period before, within 26 degrees. The latter is
-/// given up after two periods. What is left of a curve and shorter than 1/f goes. `frequencies` has
-/// one entry per point of the lines, above zero. Boundaries and holes keep their ends, and reasons
-/// of ends stay as they are. Neighbours are those that were there before: the result is the same
-/// whichever way and in which order curves run.
-/// Throws Error for a gap out of range and for another number of frequencies, and Cancelled if
-/// `progress` asks for it.
+/// Cuts each curve end in a branch or singularity back to the first place that has enough room and
+/// is straight. Enough room: no curve beside it or across its path is nearer than `least_gap`
+/// (above 0, at most 1) times 1/f along the surface. Straight: the direction is that of one period
+/// before, within 26 degrees; this is given up after two periods. Cut curves shorter than 1/f are
+/// removed. `frequencies` has one entry per point of the lines, above zero. Ends at boundaries and
+/// holes stay, as do reasons of ends. Neighbours are the uncut curves, so the result does not
+/// depend on the direction and order of curves. Throws Error for a gap out of range and for another
+/// number of frequencies; Cancelled if `progress` cancels.
 StripeCurves trimmed_ends(const StripeCurves& curves, std::span<const float> frequencies,
                           float least_gap, const Progress& progress = {});
 

@@ -1,5 +1,4 @@
-/// The segments of curves: to find those near a place, and as pieces within the triangles of a
-/// mesh.
+/// Segments of curves: a search tree, and pieces within the triangles of a mesh.
 #pragma once
 
 #include <array>
@@ -23,15 +22,15 @@ struct CurveSegment {
   Index number;
 };
 
-/// The curves must outlive this.
+/// Finds segments near a point. The curves must outlive this.
 class CurveSegments {
  public:
-  /// Throws Cancelled if `progress` asks for it.
+  /// Throws Cancelled if `progress` cancels.
   CurveSegments(const Polylines& lines, const Progress& progress);
 
   std::array<Vec3, 2> ends_of(const CurveSegment& segment) const;
 
-  /// Calls `take(segment)` for all that may be within the squared distance `limit()` of a point.
+  /// Calls `take(segment)` for all segments that may be within the squared distance `limit()`.
   template <class Limit, class Take>
   void visit(const Eigen::Vector3d& point, const Limit& limit, const Take& take) const {
     tree_.visit(
@@ -39,13 +38,14 @@ class CurveSegments {
         [&](Index number) { take(segments_[number]); });
   }
 
-  /// Where a short straight way crosses a curve.
+  /// The crossing of a short straight path with a curve.
   struct Crossing {
-    double share;  ///< of the segment
-    double along;  ///< share of the way
+    double share;  ///< share of the segment
+    double along;  ///< share of the path
   };
 
-  /// Whether a way crosses a segment, seen along `upward`, and within its own length of it.
+  /// The crossing of a path with a segment, seen along `upward`; nullopt if there is none or they
+  /// are farther apart than the path is long.
   std::optional<Crossing> crossing(const CurveSegment& segment, const Eigen::Vector3d& from,
                                    const Eigen::Vector3d& to, const Eigen::Vector3d& upward) const;
 
@@ -55,17 +55,17 @@ class CurveSegments {
   BoxTree tree_;
 };
 
-/// Appends the pieces of a way between two places near to each other, upright on the surface; where
-/// that does not lead there, one piece with the place beside its triangle moved onto it. Pieces no
-/// longer than `least` are left out.
+/// Appends the pieces of the path between two nearby places, perpendicular to the surface. If that
+/// path does not arrive, appends one piece and moves the place beside its triangle onto it. Pieces
+/// no longer than `least` are omitted.
 void add_way(const WavePattern& pattern, const SurfaceWays& ways, const TrianglePoint& from,
              const TrianglePoint& to, double least, std::vector<SurfaceWays::Piece>& pieces);
 
-/// Appends the points of a line to others, with their places; no line ends there yet.
+/// Appends the points of a line, with their places, but does not end the line.
 void add_points_of(const WavePattern& pattern, const std::vector<SurfaceWays::Piece>& pieces,
                    bool closed, Polylines& to);
 
-/// The pieces of one of the lines.
+/// The pieces of a line.
 std::vector<SurfaceWays::Piece> pieces_of(const Polylines& lines, Index line);
 
 }  // namespace brindle

@@ -27,22 +27,21 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSamplesPerScale = 4;
-/// How far a closed curve is unrolled beyond its start on both sides, times the scale: what is
-/// farther moves nothing there.
+/// How far a closed curve is unrolled beyond its start on both sides, times the scale. Points
+/// farther away have no effect at the start.
 constexpr int kBeyondStart = 8;
-/// Of a bound that curves shall not come nearer to than needed: so few rounds do.
+/// The share of the bound at which deviations are aimed, so that few rounds suffice.
 constexpr double kAlmost = 0.97;
-constexpr double kHeld = 1e6;  // the weight of what is not to move
+constexpr double kHeld = 1e6;  // weight of fixed samples
 constexpr std::array<double, 2> kAllLoose = {std::numeric_limits<double>::infinity(),
                                              std::numeric_limits<double>::infinity()};
 constexpr int kMostRounds = 20;
-constexpr double kNoPiece = 1e-4;  // shorter ones are left out, over the distance of samples
-constexpr double kMostFairedPoints = 0xfffffff0;  // numbers of points are Indices
+constexpr double kNoPiece = 1e-4;  // shorter pieces are omitted; over the sample distance
+constexpr double kMostFairedPoints = 0xfffffff0;  // points are numbered by Index
 constexpr std::size_t kLinesPerReport = 32;
 
-/// The deviations y of a curve x of samples at equal distances for which the sum of
-/// weight |y|^2 + stiffness |second difference of x + y|^2 is least; those of the two ends are
-/// given.
+/// Finds the deviations y of equidistant samples x that minimise the sum of weight |y|^2 +
+/// stiffness |second difference of x + y|^2. The deviations of the two ends are given.
 class SmoothingSpline {
  public:
   SmoothingSpline(std::span<const PlanePoint> x, double stiffness,
@@ -60,7 +59,7 @@ class SmoothingSpline {
     }
   }
 
-  /// By the factors L D L^T of a matrix with five diagonals.
+  /// Solves by the L D L^T factors of a pentadiagonal matrix.
   const std::vector<PlanePoint>& deviations(std::span<const double> weights) {
     const std::size_t last = y_.size() - 1;
     for (std::size_t i = 1; i < last; ++i) {
@@ -84,7 +83,7 @@ class SmoothingSpline {
 
  private:
   struct Row {
-    double diagonal = 0, first = 0, second = 0;  ///< beyond the diagonal of L
+    double diagonal = 0, first = 0, second = 0;  ///< of D and L
     PlanePoint right = 0;
   };
   double stiffness_;
@@ -92,7 +91,7 @@ class SmoothingSpline {
   std::vector<Row> rows_;
 };
 
-/// How far samples deviate over how far they may, each by the largest one near it.
+/// Deviations of samples over the allowed ones; each sample gets the largest value nearby.
 std::vector<double> excess(std::span<const PlanePoint> deviations,
                            std::span<const UnrolledPlace> places) {
   std::vector<double> own(places.size()), around(places.size());
@@ -109,8 +108,8 @@ std::vector<double> excess(std::span<const PlanePoint> deviations,
   return around;
 }
 
-/// Where samples would go too far, the length of the spline is shorter: what a corner moves by
-/// grows with this length, which is the fourth root of a weight.
+/// Shortens the spline's length where samples would move too far. Corners move in proportion to
+/// this length, whose fourth power is the stiffness over the weight.
 std::vector<PlanePoint> bounded_deviations(std::span<const UnrolledPlace> places, double stiffness,
                                            const std::array<PlanePoint, 2>& ends,
                                            std::vector<double> weights) {
@@ -133,20 +132,20 @@ std::vector<PlanePoint> bounded_deviations(std::span<const UnrolledPlace> places
   return deviations;
 }
 
-/// What is given of an open curve: how far its ends go, and so many periods from them all of it may
-/// move.
+/// Constraints of an open curve: the moves of its ends, and the distances from them, in periods,
+/// within which it may move.
 struct Given {
   std::array<PlanePoint, 2> moves{};
   std::array<double, 2> loose = kAllLoose;
 };
 
-/// A sample of a curve, and where it goes.
+/// A sample of a curve and its displacement.
 struct MovedSample {
   UnrolledPlace place;
   PlanePoint by;  ///< in the unrolled plane
 };
 
-/// Samples of a curve; of a closed one without its first at the end.
+/// The samples of a curve; the first of a closed curve is not repeated at the end.
 std::vector<MovedSample> moved_samples(const UnrolledCurve& curve, double scale,
                                        const Given& given) {
   const double periods = curve.periods();
@@ -177,12 +176,12 @@ std::vector<MovedSample> moved_samples(const UnrolledCurve& curve, double scale,
   return samples;
 }
 
-/// How far the ends of a curve go, in space.
+/// The displacements of a curve's ends, in space.
 using EndMoves = std::array<std::optional<Vector3d>, 2>;
 
 struct FairedLine {
   std::vector<SurfaceWays::Piece> pieces;
-  double most = 0;  ///< that a point moved, times f
+  double most = 0;  ///< largest move of a point, times f
 };
 
 class Fairer {
@@ -192,7 +191,8 @@ class Fairer {
 
   const SurfaceWays& ways() const { return ways_; }
 
-  /// A curve, whose ends go along with others; it moves so many periods from its ends.
+  /// Fairs a curve. `moves` displaces its ends with the curves that they touch; the curve may move
+  /// within `loose` periods from its ends.
   FairedLine faired(const std::vector<SurfaceWays::Piece>& own, bool closed,
                     const EndMoves& moves = {},
                     const std::array<double, 2>& loose = kAllLoose) const {
@@ -200,7 +200,7 @@ class Fairer {
     const Polylines line = line_of(own, closed);
     const std::vector<float> frequencies = frequencies_along(pattern_, line);
     const UnrolledCurve curve(pattern_.mesh, line, 0, frequencies);
-    // Round a speck one would go about it again and again.
+    // Unrolling would go around a tiny closed curve many times.
     const bool is_short = closed && curve.periods() < scale_;
     if (is_short || !(curve.periods() > 0)) return {own};
     std::array<PlanePoint, 2> ends{};
@@ -219,12 +219,12 @@ class Fairer {
     for (std::size_t i = 0; i < segments; ++i) {
       add_way(pattern_, ways_, places[i], places[(i + 1) % places.size()], least, result.pieces);
     }
-    // One that fairing draws together to a point stays as it is.
+    // A curve that would shrink to a point stays unchanged.
     if (result.pieces.empty()) return {own};
     return result;
   }
 
-  /// Where a place on a curve goes, so many periods along it.
+  /// The displacement of the place `periods` along a curve.
   Vector3d move_at(const UnrolledCurve& curve, std::size_t segment, double periods) const {
     const std::vector<MovedSample> samples = moved_samples(curve, scale_, {});
     const auto steps = static_cast<double>(samples.size() - (curve.closed() ? 0 : 1));
@@ -269,7 +269,7 @@ void check_faired_memory(double points) {
   }
 }
 
-/// Points that all curves will have, about.
+/// The approximate number of points of all faired curves.
 double faired_points(const Polylines& lines, std::span<const float> frequencies, double scale) {
   auto points = static_cast<double>(lines.points.size());
   for (Index line = 0; line < lines.count(); ++line) {
@@ -278,7 +278,7 @@ double faired_points(const Polylines& lines, std::span<const float> frequencies,
   return points;
 }
 
-/// How far ends go that lie on other curves, of every line.
+/// The displacements of ends that lie on other curves, by line.
 std::vector<EndMoves> moves_of(const std::vector<TouchingEnd>& touches, const Polylines& lines,
                                const Mesh& mesh, std::span<const float> frequencies,
                                const Fairer& fairer, const Progress& progress) {
@@ -314,7 +314,7 @@ StripeCurves with_lines(const StripeCurves& curves, const std::vector<FairedLine
   return result;
 }
 
-/// Curves that are fair already, with forks at these ends; so they leave other curves as they are.
+/// Adds forks at these ends to curves that are already fair, so forks do not affect other curves.
 StripeCurves with_forks(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
                         const WavePattern& pattern, const Fairer& fairer,
                         const Progress& progress) {

@@ -18,25 +18,26 @@ using Eigen::Vector3d;
 
 constexpr double kOnCurve = 1e-5;  // barycentric
 // In periods:
-constexpr double kFarthestBack = 4;  // that a curve leaves its way before its end
+constexpr double kFarthestBack = 4;  // farthest from its end that a curve is redirected
 constexpr double kLeastRoom = 0.6, kMostRoom = 1.6;
 constexpr double kShortestFork = 1, kLongestFork = 4;
-/// The steepest of such a fork runs aside by 25, 32 and 40 degrees; the first that can be is taken.
+/// Fork lengths over the distance of the curves, with steepest angles of 25, 32 and 40 degrees; the
+/// first that is possible is taken.
 constexpr double kForksPerRoom[] = {3.2, 2.4, 1.8};
 constexpr double kLooksBack[] = {0.75, 1.5, 2.5};
-constexpr double kElsewhere = 6;  // between two places of one curve that are neighbours of an end
-constexpr double kAside = 0.3;    // cosine between a way to the side and the curve
-constexpr double kLeastAdvance = 0.4;  // of a step along the other curve
+constexpr double kElsewhere = 6;  // least distance of two candidates on one curve
+constexpr double kAside = 0.3;    // largest cosine between the curve and the path to a neighbour
+constexpr double kLeastAdvance = 0.4;  // along the other curve, over a step
 constexpr std::size_t kForksPerReport = 64;
-constexpr double kDriftReach = 0.25;  // along which the drift of a curve from another is measured
+constexpr double kDriftReach = 0.25;  // length over which the drift from another curve is measured
 constexpr double kMostDrift = 0.4;
 constexpr double kStraightOn = 0.6;  // cosine
 constexpr double kAlongside = 0.94;  // cosine of 20 degrees
-/// Straight ways turn aside by so much, in radians; the first that meets a curve is taken.
+/// Angles of straight paths to the side, in radians; the first that meets a curve is taken.
 constexpr double kTurnsAside[] = {0, 0.25, -0.25, 0.45, -0.45};
 constexpr double kLongestStraight = 2;
-constexpr double kMostTurn = 0.35;       // 20 degrees, within a period before a straight way
-constexpr double kMostTurnAtEnd = 0.52;  // 30 degrees, against a period before
+constexpr double kMostTurn = 0.35;       // 20 degrees, within the period before a straight path
+constexpr double kMostTurnAtEnd = 0.52;  // 30 degrees, against one period before
 
 const Station& nearest_of(const std::vector<Station>& stations, const Vector3d& p) {
   return *std::min_element(stations.begin(), stations.end(),
@@ -45,11 +46,11 @@ const Station& nearest_of(const std::vector<Station>& stations, const Vector3d& 
                            });
 }
 
-/// How a curve runs at one of its places beside another curve.
+/// The course of a curve beside another one, at one place.
 struct Beside {
-  double periods;   ///< of the other curve
-  double room;      ///< to its left, in periods
-  double parallel;  ///< the cosine between both directions, negative where they run against
+  double periods;   ///< along the other curve
+  double room;      ///< distance to the left of the other curve, in periods
+  double parallel;  ///< cosine between both directions
 };
 
 Beside beside(const Station& own, const std::vector<Station>& other) {
@@ -65,8 +66,8 @@ bool may_leave(const Beside& here, const std::vector<Station>& other) {
   return within && room >= kLeastRoom && room <= kMostRoom && std::abs(here.parallel) >= kAlongside;
 }
 
-/// Whether a curve has turned within the last period before a station, against the other curve. It
-/// has come from those behind.
+/// Whether a curve has turned against the other one within the period before a station. Stations
+/// are ordered backwards along the curve.
 bool comes_from_a_hook(const std::vector<Station>& own, std::size_t station,
                        const std::vector<Station>& other) {
   const double here = beside(own[station], other).parallel;
@@ -78,7 +79,7 @@ bool comes_from_a_hook(const std::vector<Station>& own, std::size_t station,
   return false;
 }
 
-/// From `room` and a drift per period to neither, after `length` periods.
+/// Eases the room and its drift per period to zero over `length` periods (cubic Hermite).
 double eased(double room, double drift, double length, double share) {
   const double left = 1 - share;
   return left * left * ((1 + 2 * share) * room + share * length * drift);
@@ -88,7 +89,7 @@ Index end_point(const Polylines& lines, Index line, std::size_t end) {
   return end == 0 ? lines.offsets[line] : lines.offsets[line + 1] - 1;
 }
 
-/// The share of a segment at which it holds a place of its triangle, if it does.
+/// The position of a place on a segment of its triangle, as a share; nullopt if it is not on it.
 std::optional<double> share_of(const Polylines& lines, Index segment, const TrianglePoint& place) {
   const Vector3d p(place.barycentric.data());
   const Vector3d a(lines.places[segment].barycentric.data());
@@ -109,7 +110,7 @@ TrianglePoint place_on(const Polylines& lines, const CurveSegment& segment, doub
   return place;
 }
 
-/// An open line's end, by the triangle that it is in.
+/// An end of an open line, by its triangle.
 struct EndInTriangle {
   Index triangle;
   Index line;
@@ -119,7 +120,7 @@ struct EndInTriangle {
 
 constexpr std::size_t kNoSegment = std::numeric_limits<std::size_t>::max();
 
-/// Those that touch, and those in branches and singularities that do not.
+/// Returns the ends that touch, and all others in branches and singularities.
 std::vector<TouchingEnd> inner_ends(const StripeCurves& curves,
                                     const std::vector<TouchingEnd>& touches) {
   std::vector<TouchingEnd> ends;
@@ -186,25 +187,25 @@ std::vector<TouchingEnd> touching_ends(const StripeCurves& curves, const Mesh& m
   return touches;
 }
 
-/// A way from one curve to another.
+/// A path from one curve to another.
 struct JunctionSmoother::Fork {
-  UnrolledPlace leaves;               ///< its own curve,
-  double from_end;                    ///< so many periods from its end
+  UnrolledPlace leaves;               ///< where it leaves its own curve
+  double from_end;                    ///< periods from there to the curve's end
   double length;                      ///< in periods
-  std::vector<TrianglePoint> places;  ///< to the last one, which is on the other curve
+  std::vector<TrianglePoint> places;  ///< its places; the last one is on the other curve
   TouchingEnd touch;
-  std::size_t choice = 0;  ///< how many ways were passed over for it
-  bool late = false;       ///< it was found when all others were there, and fits them
-  bool smooth = true;      ///< it meets the other curve with no angle
+  std::size_t choice = 0;  ///< the number of candidates rejected for it
+  bool late = false;       ///< chosen when all others existed, and consistent with them
+  bool smooth = true;      ///< meets the other curve tangentially
 };
 
 struct JunctionSmoother::Meeting {
   TouchingEnd touch;
   TrianglePoint place;
-  double along;  ///< share of the way that meets
+  double along;  ///< share of the path
 };
 
-/// Where a fork may begin.
+/// A possible start of a fork.
 struct JunctionSmoother::Course {
   const TouchingEnd& touch;
   const UnrolledCurve& other;
@@ -212,7 +213,7 @@ struct JunctionSmoother::Course {
   double from_end;
   Beside here;
   double way;    ///< along the other curve: 1 or -1
-  double drift;  ///< by how much the room grows in a period
+  double drift;  ///< growth of the room per period
 };
 
 JunctionSmoother::JunctionSmoother(const StripeCurves& curves,
@@ -246,7 +247,7 @@ JunctionSmoother::JunctionSmoother(const StripeCurves& curves,
 
 JunctionSmoother::~JunctionSmoother() = default;
 
-/// The first of a line's, and one beyond the last.
+/// The range of a line's touches: the first, and one beyond the last.
 std::array<std::size_t, 2> JunctionSmoother::touches_of(Index line) const {
   const auto before = [](const TouchingEnd& touch, Index number) { return touch.line < number; };
   const auto first = std::lower_bound(touches_.begin(), touches_.end(), line, before);
@@ -255,7 +256,7 @@ std::array<std::size_t, 2> JunctionSmoother::touches_of(Index line) const {
           static_cast<std::size_t>(last - touches_.begin())};
 }
 
-/// The fork by which the other curve leaves its way before it comes to where an end touches it.
+/// The fork that redirects the other curve before the point where an end touches it.
 std::optional<std::size_t> JunctionSmoother::left_by(const TouchingEnd& touch) const {
   if (touch.segment == kNoSegment) return std::nullopt;
   const double all = unrolled(touch.other).periods();
@@ -268,8 +269,9 @@ std::optional<std::size_t> JunctionSmoother::left_by(const TouchingEnd& touch) c
   return std::nullopt;
 }
 
-/// Of two forks in conflict the one that is led to what is left takes its next way, or goes; but
-/// the other one where that is straight and this is smooth, or this end stays as it is.
+/// Resolves conflicts: forks that lead to a part of a curve that another fork removes. Such a fork
+/// takes its next candidate or is dropped. The other fork changes instead if it is straight and
+/// this one smooth, or if this end has no fork.
 void JunctionSmoother::solve_conflicts() {
   all_are_there_ = true;
   bool changed = true;
@@ -280,7 +282,7 @@ void JunctionSmoother::solve_conflicts() {
       if (!wrong) continue;
       const bool stays = !forks_[i] || (forks_[i]->smooth && !forks_[*wrong]->smooth);
       const std::size_t other = stays ? *wrong : i;
-      // The first time once more from the first choice on, as it now knows of the others.
+      // The first time, restarts from the first candidate, because all other forks now exist.
       forks_[other] = fork(touches_[other], forks_[other]->late ? forks_[other]->choice + 1 : 0);
       if (forks_[other]) forks_[other]->late = true;
       changed = true;
@@ -306,7 +308,7 @@ std::optional<JunctionSmoother::Fork> JunctionSmoother::fork_on(const Course& co
     fork.places.push_back(ways_.straight_on(on.place, aside * other.leftward(on.segment)));
     const Vector3d position = position_in(pattern_.mesh, fork.places.back());
     const double advance = course.way * (position - before).dot(other.along(on.segment));
-    // Where the other curve bends round the fork, ways beside it may run back.
+    // Where the other curve bends around the fork, paths beside it may run back.
     if (advance * on.frequency < kLeastAdvance * length / steps) return std::nullopt;
     before = position;
     fork.touch.segment = on.segment;
@@ -316,8 +318,8 @@ std::optional<JunctionSmoother::Fork> JunctionSmoother::fork_on(const Course& co
   return fork;
 }
 
-/// The first that can be: smooth ones to every neighbour that turn little, straight ones, and
-/// smooth ones that turn more.
+/// The first possible fork: smooth ones to all neighbours that turn little, then straight ones,
+/// then smooth ones that turn more.
 std::optional<JunctionSmoother::Fork> JunctionSmoother::fork(const TouchingEnd& touch,
                                                              std::size_t choice) const {
   std::vector<TouchingEnd> neighbors = neighbors_of(touch);
@@ -339,8 +341,8 @@ std::optional<JunctionSmoother::Fork> JunctionSmoother::fork(const TouchingEnd& 
   return std::nullopt;
 }
 
-/// Where a short straight way meets the first curve; but for its own, `own` periods along which it
-/// began.
+/// The first curve that a short straight path meets. Excludes its own curve near its start, `own`
+/// periods along it.
 std::optional<JunctionSmoother::Meeting> JunctionSmoother::meeting(const TouchingEnd& touch,
                                                                    double own, const Vector3d& from,
                                                                    const Vector3d& to,
@@ -362,8 +364,8 @@ std::optional<JunctionSmoother::Meeting> JunctionSmoother::meeting(const Touchin
   return first;
 }
 
-/// From the last place where a curve has run straight for a period, straight on, `aside` radians
-/// to its left, until a curve is met.
+/// A straight path from the last place where the curve has run straight for a period, `aside`
+/// radians to its left, to the first curve.
 std::optional<JunctionSmoother::Fork> JunctionSmoother::straight_on(const TouchingEnd& touch,
                                                                     double aside) const {
   const Mesh& mesh = pattern_.mesh;
@@ -399,8 +401,7 @@ std::optional<JunctionSmoother::Fork> JunctionSmoother::straight_on(const Touchi
   return std::nullopt;
 }
 
-/// Other places that an end might be led to: on the nearest curves on both sides, not far before
-/// it.
+/// Other candidates for an end: on the nearest curves on both sides, shortly before the end.
 std::vector<TouchingEnd> JunctionSmoother::neighbors_of(const TouchingEnd& touch) const {
   const UnrolledCurve& curve = unrolled(touch.line);
   std::vector<TouchingEnd> found;
@@ -457,7 +458,7 @@ std::optional<JunctionSmoother::Fork> JunctionSmoother::fork_beside(const Touchi
     const Beside here = beside(own[i], beside_it), before = beside(own[i + back], beside_it);
     if (!may_leave(here, beside_it) || !may_leave(before, beside_it)) continue;
     if (comes_from_a_hook(own, i, beside_it)) continue;
-    // Towards the end of the curve, along the other one.
+    // The direction along the other curve towards the end of this one.
     const double way = (here.parallel > 0) == at_start ? -1 : 1;
     const double drift =
         std::clamp((here.room - before.room) / kDriftReach, -kMostDrift, kMostDrift);

@@ -1,4 +1,4 @@
-/// Ends of curves that lie on other curves, and ways on which they get there smoothly.
+/// Ends of curves that lie on other curves, and smooth junctions (forks) with them.
 #pragma once
 
 #include <array>
@@ -19,30 +19,29 @@ struct TouchingEnd {
   Index line;
   std::size_t end;  ///< 0 or 1
   Index other;
-  std::size_t segment;  ///< of the other one,
-  double periods;       ///< and how far along it
+  std::size_t segment;  ///< of the other curve
+  double periods;       ///< position along the other curve
 };
 
-/// All of them, in order of lines and ends.
+/// All touching ends, in order of lines and ends.
 std::vector<TouchingEnd> touching_ends(const StripeCurves& curves, const Mesh& mesh,
                                        std::span<const float> frequencies);
 
-/// A curve that has a fork should be faired so far before it, in periods; no other curve is led
-/// there.
+/// The length before a fork, in periods, that is faired again; no other curve joins there.
 inline constexpr double kBeforeFork = 1;
 
-/// Leads curves smoothly to the ones that they touch. Going back from its end, a curve leaves its
-/// way at the first place where it runs along the other one, no nearer than 0.6 of 1/f, and from
-/// where it can go on along that one, nearer and nearer, until it meets it with no angle. Where
-/// there is no such place within 4/f, or the other curve ends before, leaves its own way or turns
-/// it by more than 30 degrees, it takes another neighbour, or another part of its own; where there
-/// is none, it goes straight on, or a little aside, to the first curve within 2/f. Where nothing is
-/// met there, it takes what turns it more, or else stays as it is.
+/// Joins curves smoothly to the curves that they touch (forks). Going back from its end, a curve is
+/// redirected at the first place where it runs along the other one, at least 0.6 / f away. From
+/// there it approaches that curve and meets it tangentially. This needs such a place within 4 / f.
+/// The other curve must not end before, be redirected itself, or turn the fork by more than 30
+/// degrees. Otherwise another neighbour, or another part of the same curve, is tried. Next come
+/// straight paths, ahead or slightly to the side, to the first curve within 2 / f. Last come forks
+/// that turn more; without any, the end stays unchanged.
 class JunctionSmoother {
  public:
-  /// All but `progress` must outlive this. Throws Cancelled if `progress` asks for it.
-  /// `touches` may be those of the curves before they were faired. Other ends in branches and
-  /// singularities are led to a neighbour, too, where one is.
+  /// All arguments but `progress` must outlive this. `touches` may be those of the curves before
+  /// fairing. Other ends in branches and singularities are also joined to a neighbour, if there is
+  /// one. Throws Cancelled if `progress` cancels.
   JunctionSmoother(const StripeCurves& curves, const std::vector<TouchingEnd>& touches,
                    const WavePattern& pattern, const SurfaceWays& ways,
                    const Progress& progress = {});
@@ -50,11 +49,10 @@ class JunctionSmoother {
   JunctionSmoother(const JunctionSmoother&) = delete;
   JunctionSmoother& operator=(const JunctionSmoother&) = delete;
 
-  /// How long the ways are, in periods, that the ends of a line are led, 0 of those that stay; and
-  /// the line.
+  /// Lengths of the forks at both ends of a line, in periods; 0 without a fork.
   std::array<double, 2> forks_of(Index line) const;
-  std::size_t smooth_forks_of(Index line) const;  ///< ends of a line, led there with no angle
-  std::vector<SurfaceWays::Piece> forked(Index line) const;
+  std::size_t smooth_forks_of(Index line) const;  ///< the number of smooth forks of a line
+  std::vector<SurfaceWays::Piece> forked(Index line) const;  ///< the line with its forks
 
  private:
   struct Fork;
@@ -76,12 +74,12 @@ class JunctionSmoother {
   const StripeCurves& curves_;
   const WavePattern& pattern_;
   const SurfaceWays& ways_;
-  std::vector<std::optional<UnrolledCurve>> unrolled_;  // every line
+  std::vector<std::optional<UnrolledCurve>> unrolled_;  // by line
   CurveSegments segments_;
-  /// With the ends that touch nothing, as if they touched no segment of their own curve.
+  /// Includes ends that touch nothing, with their own curve and no segment.
   std::vector<TouchingEnd> touches_;        // in order of lines and ends
-  std::vector<std::optional<Fork>> forks_;  // of every touch
-  bool all_are_there_ = false;              // of them, but for those that must change
+  std::vector<std::optional<Fork>> forks_;  // by touch
+  bool all_are_there_ = false;              // all forks, except those that must change
 };
 
 }  // namespace brindle

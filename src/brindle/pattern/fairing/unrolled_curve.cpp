@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Frequencies are taken for no lower than this share of a curve's mean.
+/// The lower bound of frequencies, as a share of a curve's mean.
 constexpr double kLeastShare = 1e-3;
 
 PlanePoint unit(const PlanePoint& way) {
@@ -28,15 +28,15 @@ PlanePoint turn_between(const Vector3d& from, const Vector3d& to, const Vector3d
   return unit({from.dot(to), from.cross(to).dot(normal)});
 }
 
-/// By the smallest rotation from one normal to the other.
+/// Rotates a vector by the smallest rotation from one normal to the other.
 Vector3d carried(const Vector3d& way, const Vector3d& from, const Vector3d& to) {
   return Eigen::Quaterniond::FromTwoVectors(from, to) * way;
 }
 
-/// An edge that two triangles share, as the first has it.
+/// An edge that two triangles share, oriented as in the first.
 struct SharedEdge {
   Vector3d along;
-  bool against;  ///< the second one has it the other way round: both have the same side up
+  bool against;  ///< reversed in the second triangle: both have the same side up
 };
 
 std::optional<SharedEdge> shared_edge(const Mesh& mesh, Index first, Index second) {
@@ -57,7 +57,7 @@ Index point_after(const Polylines& lines, Index line, Index point) {
   return point + 1 < lines.offsets[line + 1] ? point + 1 : lines.offsets[line];
 }
 
-/// Points that segments begin at.
+/// One beyond the last point at which a segment begins.
 Index last_start(const Polylines& lines, Index line) {
   return lines.offsets[line + 1] - (lines.closed[line] ? 0 : 1);
 }
@@ -66,7 +66,7 @@ double periods_between(Index a, Index b, double length, std::span<const float> f
   return length * 0.5 * (static_cast<double>(frequencies[a]) + static_cast<double>(frequencies[b]));
 }
 
-/// By how much a curve turns within the surface between two places, at most pi.
+/// The angle by which a curve turns within the surface between two places, at most pi.
 double turn_within(const UnrolledCurve& curve, const Station& a, const Station& b) {
   const auto heading = [&](const Station& station) {
     return curve.in_plane(station.place.segment, station.along);
@@ -79,8 +79,7 @@ struct Heading {
   Vector3d along, normal;
 };
 
-/// The angle between two of them, which need not be near to each other: along the way between them
-/// directions turn as normals do.
+/// The angle between two headings, also far apart: the first one is rotated with its normal.
 double angle_between(const Heading& before, const Heading& after) {
   // Normals of unorientable surfaces may point either way.
   const double sign = before.normal.dot(after.normal) < 0 ? -1 : 1;
@@ -101,10 +100,10 @@ double periods_of(const Polylines& lines, Index line, std::span<const float> fre
   return periods;
 }
 
-/// From one segment to the next.
+/// The transition from one segment to the next.
 struct UnrolledCurve::Joint {
   PlanePoint turn;
-  bool flips;  ///< the side of the next triangle that is up is not that which its corners say
+  bool flips;  ///< the upper side of the next triangle is opposite to its winding
 };
 
 UnrolledCurve::UnrolledCurve(const Mesh& mesh, const Polylines& lines, Index line,
@@ -143,7 +142,7 @@ UnrolledCurve::Joint UnrolledCurve::joint(const Mesh& mesh, const Segment& befor
     const PlanePoint leaves = turn_between(edge->along, before.along, before.normal);
     return {unit(turn_between(edge->along, after.along, up) * std::conj(leaves)), flips};
   }
-  // By a vertex.
+  // Across a vertex.
   const bool flips = before.normal.dot(after.normal) < 0;
   const Vector3d up = flips ? Vector3d(-after.normal) : after.normal;
   const Vector3d along = carried(after.along, up, before.normal);

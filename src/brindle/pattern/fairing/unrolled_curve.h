@@ -1,4 +1,4 @@
-/// A curve on a mesh, rolled out into the plane; places along it, and how it turns between them.
+/// A curve on a mesh, unrolled into the plane: places along it and its turning angles.
 #pragma once
 
 #include <complex>
@@ -16,7 +16,7 @@ namespace brindle {
 
 using PlanePoint = std::complex<double>;
 
-/// A place on a curve that was rolled out.
+/// A place on an unrolled curve.
 struct UnrolledPlace {
   PlanePoint point;
   std::size_t segment;  ///< of the curve
@@ -27,8 +27,8 @@ struct UnrolledPlace {
 /// The length of a line in periods.
 double periods_of(const Polylines& lines, Index line, std::span<const float> frequencies);
 
-/// A line whose segments run within triangles, with its lengths and the angles by which it turns
-/// within the surface: triangles beside an edge are laid flat. A closed line goes on and on.
+/// A line whose segments lie within triangles, with its lengths and its turning angles within the
+/// surface: triangles beside an edge are flattened. A closed line repeats endlessly.
 class UnrolledCurve {
  public:
   /// `frequencies` has one entry per point of all lines.
@@ -43,20 +43,18 @@ class UnrolledCurve {
     return periods_[segment] + share * (periods_[segment + 1] - periods_[segment]);
   }
 
-  /// A way from a segment, the first time round: from the plane into the segment's triangle, and
-  /// back.
+  /// Maps vectors at a segment (first round) from the plane into the segment's triangle, and back.
   Eigen::Vector3d in_space(std::size_t segment, const PlanePoint& way) const;
   PlanePoint in_plane(std::size_t segment, const Eigen::Vector3d& way) const;
-  /// Unit vectors of a segment: where it runs, and to its left.
+  /// Unit vectors along a segment and to its left.
   const Eigen::Vector3d& along(std::size_t segment) const { return segments_[segment].along; }
   Eigen::Vector3d leftward(std::size_t segment) const {
     return segments_[segment].normal.cross(segments_[segment].along);
   }
-  /// Whether left is right after a round of a closed curve.
+  /// Whether a round of a closed curve swaps left and right.
   bool changes_sides() const { return second_.mirrored; }
 
-  /// Where a round begins: the rounds before it are turned, and mirrored on a surface that has but
-  /// one side.
+  /// The placement of a round in the plane; rounds are mirrored on one-sided surfaces.
   struct Round {
     double number = 0;
     PlanePoint start = 0, turn = 1;
@@ -67,13 +65,12 @@ class UnrolledCurve {
     }
   };
 
-  /// Goes along the curve.
+  /// Walks along the curve.
   class Walker {
    public:
     explicit Walker(const UnrolledCurve& curve) : curve_(curve) {}
 
-    /// The place so many periods from the start of a round; neither is less than in the call
-    /// before.
+    /// The place at `periods` from the start of a round. Calls must not go backwards.
     UnrolledPlace at(double periods, double round);
 
    private:
@@ -87,7 +84,7 @@ class UnrolledCurve {
     TrianglePoint from;
     std::array<double, 3> to;
     Eigen::Vector3d along = Eigen::Vector3d::Zero();   // unit
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, on the side that the curve began on
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit, on the side where the curve begins
     double length = 0;
     PlanePoint start = 0, heading = 1;  // in the plane
   };
@@ -104,38 +101,37 @@ class UnrolledCurve {
   bool closed_;
   double length_ = 0;
   std::vector<Segment> segments_;
-  std::vector<double> periods_;      // before every segment, and of all
+  std::vector<double> periods_;      // at the start of every segment, and in total
   std::vector<double> frequencies_;  // at the same places
-  Round second_;                     // of a closed curve
+  Round second_;                     // the second round of a closed curve
 };
 
 inline constexpr double kStationStep = 0.05;  // periods
 inline constexpr std::size_t kStationsPerPeriod = 20;
 
-/// A place on a curve, and where the curve runs there.
+/// A place on a curve, with the curve's direction.
 struct Station {
   double periods;
   UnrolledPlace place;
   Eigen::Vector3d position, along, left;
 };
 
-/// Places of a curve at equal steps between two lengths in periods; less where it ends, and nothing
-/// of a closed curve that would be passed twice.
+/// Stations at equal steps between two positions in periods, without those beyond an end. Empty for
+/// a closed curve that would be passed twice or changes sides.
 std::vector<Station> stations(const Mesh& mesh, const UnrolledCurve& curve, double from, double to);
 
-/// Places going back from an end of an open curve, `farthest` periods or to its middle at most;
+/// Stations going back from an end of an open curve, at most `farthest` periods and to its middle;
 /// none if it is too short.
 std::vector<Station> back_from_end(const Mesh& mesh, const UnrolledCurve& curve, std::size_t end,
                                    double farthest);
 
-/// Whether a curve has turned by more than `most` radians within the last period before a station,
-/// coming from those behind.
+/// Whether a curve turns by more than `most` radians within the period before a station. Stations
+/// are ordered backwards along the curve.
 bool has_turned(const UnrolledCurve& curve, const std::vector<Station>& own, std::size_t station,
                 double most);
 
-/// By how much the last step of a way from an end is turned against the curve one period before,
-/// radians; the way has a place for each step and begins at one of the stations going back from the
-/// end.
+/// The angle in radians between the last step of a path and the curve one period before. The path
+/// begins at a station and has one place per step.
 double turn_at_end(const Mesh& mesh, const std::vector<TrianglePoint>& places, std::size_t end,
                    const std::vector<Station>& own, std::size_t station);
 
