@@ -17,7 +17,7 @@
 namespace brindle {
 namespace {
 
-/// A number per row, or the length of a vector, also of extreme ones.
+/// One number per row; for vectors their length, also if it is extreme.
 std::vector<double> lengths_of_rows(const DataArray& array) {
   std::vector<double> numbers = doubles_of(array.axes());
   if (array.components == 1) return numbers;
@@ -30,8 +30,8 @@ std::vector<double> lengths_of_rows(const DataArray& array) {
   return lengths;
 }
 
-/// The place of a number in the range, from 0 to 1. Halves, because the difference of two doubles
-/// may overflow.
+/// The position of a number in the range, from 0 to 1. Halved, because the difference of two
+/// doubles may overflow.
 double share_of(const NumberExtent& extent, double number) {
   return (number / 2 - extent.lowest / 2) / (extent.highest / 2 - extent.lowest / 2);
 }

@@ -13,11 +13,11 @@
 namespace brindle {
 namespace {
 
-constexpr std::size_t kBlockGrain = 4;  ///< the least blocks for a task of its own
+constexpr std::size_t kBlockGrain = 4;  ///< fewest blocks per task
 constexpr std::size_t kCopyGrain = 65536;
-constexpr int kCoarseVisits = 2;  ///< of a level from the finer one, but for the finest: a W cycle
+constexpr int kCoarseVisits = 2;  ///< by each finer level but the finest: a W cycle
 constexpr int kCoarsestSweeps = 8;
-/// Corrections that are constant on aggregates are too short.
+/// Above 1, because corrections that are constant on aggregates are too short.
 constexpr double kLongestStep = 2;
 constexpr double kMostChanged = 64;  ///< levels are summed again when one node in 64 has changed
 
@@ -65,7 +65,7 @@ void for_rows(const RowLevel& rows, const Body& body) {
       kBlockGrain);
 }
 
-/// The same, including others' nodes.
+/// The same, including ghosts.
 template <class Body>
 void for_places(const RowLevel& rows, const Body& body) {
   for_rows(rows, body);
@@ -221,7 +221,7 @@ void BoundedMultigrid::relax_blocks(std::size_t l, std::span<const Index> blocks
       kBlockGrain);
 }
 
-/// Border blocks go first, so that their values travel while the others are relaxed.
+/// Relaxes border blocks first, so that their values are sent while the others are relaxed.
 template <bool kBounded>
 void BoundedMultigrid::sweep(std::size_t l, bool forward) {
   Level& level = levels_[l];
@@ -256,7 +256,7 @@ void BoundedMultigrid::exchange(std::size_t level, std::span<float> by_place) {
   peers_->finish();
 }
 
-/// Residuals of level l become the right side of the next.
+/// Sums residuals of level l into the right side of the next level.
 template <class Residual>
 void BoundedMultigrid::restrict_sums(std::size_t l, const Residual& residual) {
   const RowLevel& fine = rows_->levels[l];
@@ -281,7 +281,7 @@ void BoundedMultigrid::restrict_residual(std::size_t l) {
   });
 }
 
-/// The right side, and the bounds that are common to all children.
+/// Restricts the right side, and the bounds that are common to all children.
 void BoundedMultigrid::restrict_bounds(std::size_t l) {
   const RowLevel& fine = rows_->levels[l];
   const Level& from = levels_[l];
@@ -379,8 +379,8 @@ BoundedMultigrid::Measure BoundedMultigrid::measure() {
   return {sums.energy, std::sqrt(sums.square)};
 }
 
-/// Adds the coarser levels' correction and a share of the last cycle's step, projected. The product
-/// of that step with the matrix is known from the residuals before and after it.
+/// Adds the projected correction of the coarser levels and a share of the last cycle's step. The
+/// product of the matrix with that step follows from the residuals before and after it.
 void BoundedMultigrid::step() {
   const RowLevel& rows = rows_->levels[0];
   Level& level = levels_[0];
@@ -416,7 +416,7 @@ void BoundedMultigrid::step() {
   has_momentum_ = true;
 }
 
-/// Corrects by the coarser levels. `free_` travels while residuals are summed.
+/// Corrects by the coarser levels. `free_` is sent while residuals are summed.
 void BoundedMultigrid::correct_finest(const Progress& progress) {
   if (peers_ != nullptr) peers_->start(0, free_);
   restrict_free_residual();

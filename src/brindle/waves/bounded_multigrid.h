@@ -12,23 +12,23 @@
 namespace brindle {
 
 /// Minimises x'Ax - 2 b'x over lower <= x <= upper, for A symmetric and positive semidefinite with
-/// the pattern of `RowLevels`. A cycle is a sweep of projected Gauss-Seidel; a correction by the
-/// coarser levels of all nodes that are not at a bound, of the length with the least energy, then
-/// projected; and a sweep in reverse order (truncated multigrid: Kornhuber 1994, Gräser and
-/// Kornhuber 2009). Blocks of rows are relaxed in parallel, each with the others' last values and a
-/// diagonal enlarged by their common entries (Baker et al. 2011), so that sweeps never raise the
-/// energy and results do not depend on the number of threads. Nothing is allocated after
-/// construction. If `progress` throws, `x` is an intermediate value.
+/// the pattern of `RowLevels`. Cycles are truncated multigrid (Kornhuber 1994, Gräser and Kornhuber
+/// 2009). A cycle starts with a sweep of projected Gauss-Seidel. Then the coarser levels correct
+/// all nodes that are not at a bound; the correction gets the length of least energy and is
+/// projected. A sweep in reverse order ends the cycle. Blocks of rows are relaxed in parallel, each
+/// with the others' last values and a diagonal enlarged by their common entries (Baker et al.
+/// 2011). So sweeps never raise the energy, and results do not depend on the number of threads.
+/// Nothing is allocated after construction. If `progress` throws, `x` is an intermediate value.
 ///
-/// With peers, which must outlive it, it is one multigrid over all processes: others' nodes come
-/// after the own ones and have the values that their owners send at the end of a sweep.
+/// With `peers`, which must outlive this, it is one multigrid over all processes. Nodes of other
+/// processes (ghosts) come after own ones; their owners send their values at the end of a sweep.
 class BoundedMultigrid {
  public:
   explicit BoundedMultigrid(std::shared_ptr<const RowLevels> levels,
                             MultigridPeers* peers = nullptr);
 
-  // The problem, by place (`RowLevels::place_of`). Lower bounds are at most 1, upper ones at
-  // least 1. `x` and bounds include others' nodes.
+  // The problem, by place (`RowLevels::place_of`). Lower bounds are at most 1, upper ones at least
+  // 1. `x` and bounds include ghosts.
   std::span<float> values() { return levels_[0].values; }  ///< of the matrix, by entry
   std::span<float> diagonal() { return levels_[0].diagonal; }
   std::span<float> right() { return levels_[0].right; }  ///< b
@@ -39,7 +39,8 @@ class BoundedMultigrid {
   /// Must be called after the problem has changed.
   void prepare();
 
-  /// Sets `x` to a start: from the coarsest level down, each within the common bounds of its nodes.
+  /// Sets `x` to a start, computed from the coarsest level down; each level stays within the common
+  /// bounds of its nodes.
   void start(const Progress& progress = {});
 
   struct Measure {
@@ -47,13 +48,13 @@ class BoundedMultigrid {
     double projected_gradient = 0;  ///< length of b - Ax without parts that point out of the bounds
   };
 
-  /// One cycle. Returns the measure after its first sweep.
+  /// Runs one cycle; returns the measure after its first sweep.
   Measure cycle(const Progress& progress = {});
 
   /// The measure of `x`.
   Measure measure();
 
-  // As the coarser levels of another multigrid.
+  // For use as the coarser levels of another multigrid.
   void start_as_coarser();                ///< `start`, with sweeps at the end
   void prepare_without_bounds();          ///< after the matrix has changed
   void solve_without_bounds(int visits);  ///< `visits` cycles from zero
@@ -92,7 +93,7 @@ class BoundedMultigrid {
   MultigridPeers* peers_;
   std::vector<Level> levels_;
   std::vector<float> residual_, step_;
-  std::vector<float> last_x_, last_residual_;  ///< of the cycle before, after its first sweep
+  std::vector<float> last_x_, last_residual_;  ///< of the previous cycle, after its first sweep
   std::vector<float> free_;                    ///< 0 for nodes held by a bound, otherwise 1
   double nodes_of_all_ = 0;
   double changed_ = 0;  ///< changes of `free_` since the coarser levels were summed

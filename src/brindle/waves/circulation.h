@@ -7,12 +7,13 @@
 
 namespace brindle {
 
-/// Triangles that are processed side by side.
+/// Triangles processed together.
 inline constexpr int kTriangleLanes = 8;
 
 using Lanes = Eigen::Array<float, kTriangleLanes, 1>;
 using LaneVectors = std::array<Lanes, 3>;  ///< x, y and z
 
+/// Shapes of triangles, one per lane.
 struct TriangleShapes {
   std::array<LaneVectors, 3> edge;      ///< opposite to each corner, counter-clockwise
   std::array<Lanes, 3> half_cotangent;  ///< of the angle at each corner
@@ -24,17 +25,16 @@ struct TriangleShapes {
 /// outweigh all others.
 TriangleShapes triangle_shapes(const std::array<LaneVectors, 3>& corners);
 
-/// The circulation around a triangle of g d, g a frequency per corner, is `sum_m c_m g_m`: c_m is
-/// half of <e, d_m>, summed over the two edges at m. Corners are oriented alike and directions
-/// projected into the triangle's plane, where they have length 1. Zero where the corners cannot be
-/// oriented alike.
+/// The circulation around a triangle of g d, with a frequency g per corner, is `sum_m c_m g_m`: c_m
+/// is half of <e, d_m>, summed over the two edges at m. Corners are oriented alike; zero if they
+/// cannot be. Directions are projected into the triangle's plane and normalised there.
 std::array<Lanes, 3> circulation_coefficients(const TriangleShapes& shapes,
                                               const std::array<LaneVectors, 3>& directions);
 
 /// A safe divisor: zero becomes 1.
 Lanes divisor(const Lanes& x);
 
-/// Rounded as IEEE 754 demands. Eigen's vectors approximate, each processor in its own way.
+/// The square root of IEEE 754. Eigen's vector code approximates it, differently on each processor.
 Lanes square_root(const Lanes& x);
 
 }  // namespace brindle

@@ -43,7 +43,7 @@ void check_normals(const Adjacency& adjacency, std::span<const Vec3> normals) {
 }  // namespace
 
 TangentBasis tangent_basis(const Vec3& normal) {
-  // Duff et al. 2017: no branch but the sign, no loss of digits near the pole.
+  // Duff et al. 2017: branch-free except for the sign, and accurate near the pole.
   const float sign = std::copysign(1.0f, normal.z());
   const float a = -1 / (sign + normal.z());
   const float b = normal.x() * normal.y() * a;

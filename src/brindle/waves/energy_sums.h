@@ -11,7 +11,7 @@ struct EnergySums {
     return {energy + other.energy, weight + other.weight};
   }
 
-  /// The energy, as `energy` of phase_graph.h defines it.
+  /// The energy, as defined by `energy` of phase_graph.h.
   double relative() const {
     if (weight == 0) return 0;
     const double relative = energy / weight;

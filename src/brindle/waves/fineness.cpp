@@ -35,7 +35,7 @@ double largest_magnitude(std::span<const float> numbers) {
 
 }  // namespace
 
-/// No edge is longer than the diagonal of a box about zero that holds everything.
+/// No edge is longer than the diagonal of a box about the origin that contains all positions.
 bool may_be_too_fine(std::span<const Vec3> positions, std::span<const float> frequencies) {
   if (positions.empty()) return false;
   const double reach = largest_magnitude({positions.front().data(), 3 * positions.size()});

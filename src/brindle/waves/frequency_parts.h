@@ -34,7 +34,7 @@ struct FrequencySum {
   }
 };
 
-/// Of frequencies that are `counted` (1) and not NaN.
+/// Sums the frequencies that are `counted` (1) and not NaN.
 FrequencySum sum_of(std::span<const float> frequencies, std::span<const std::uint8_t> counted);
 
 /// As `drop_waves_without_frequency` of array_field.h, for the mean of the whole surface.

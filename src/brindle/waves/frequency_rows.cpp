@@ -51,7 +51,7 @@ struct Scale {
   }
 };
 
-/// `own` is the number of vertices with rows here.
+/// `own` is the number of vertices with rows on this process.
 Scale scale_of(const FrequencyInput& input, std::size_t own, MultigridPeers* peers) {
   Scale scale;
   scale.count = static_cast<double>(own);
@@ -67,7 +67,7 @@ Scale scale_of(const FrequencyInput& input, std::size_t own, MultigridPeers* pee
   return over_all(peers, scale);
 }
 
-/// Triangles, one a lane.
+/// Triangles, one per lane.
 struct TriangleLanes {
   std::array<LaneVectors, 3> corners, directions;
   std::array<Lanes, 3> f;
@@ -99,7 +99,7 @@ TriangleLanes gathered(const FrequencyTriangles& triangles, std::size_t first, s
   return lanes;
 }
 
-/// Terms of triangles, one a lane.
+/// Terms of triangles, one per lane.
 struct TermLanes {
   std::array<Lanes, 3> beside, pull;
   Lanes area, weight, circulation;  ///< its square
@@ -144,7 +144,7 @@ Vec3 middle_of(const std::array<LaneVectors, 3>& corners, int l) {
 
 bool has_three_vertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
-/// Strong along stripes, weak across them.
+/// Strengths for merging nodes: strong along stripes, weak across them.
 std::vector<float> stripe_strengths(const Adjacency& adjacency, const FrequencyInput& input) {
   std::vector<float> strengths(adjacency.directed_edge_count());
   parallel_for(adjacency.node_count(), [&](std::size_t begin, std::size_t end) {

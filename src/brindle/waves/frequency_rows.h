@@ -1,4 +1,4 @@
-/// The least squares of `YieldingFrequency` as rows of a sparse matrix.
+/// The least-squares problem of `YieldingFrequency` as rows of a sparse matrix.
 #pragma once
 
 #include <array>
@@ -29,13 +29,13 @@ struct alignas(32) TriangleTerms {
   std::array<float, 3> beside{};  ///< entries between the two other corners
   std::array<float, 3> pull{};    ///< right sides of corners
   float mass = 0;                 ///< a third of the area
-  float faith = 0;                ///< the same times w_T: the weight of the wanted frequencies
+  float faith = 0;                ///< mass times w_T: the weight of the requested frequencies
 };
 
 /// Area and weight of one row.
 struct RowMass {
   float area = 0;
-  float pull = 0;  ///< to the wanted frequency: mu times area and the square of the frequency
+  float pull = 0;  ///< weight of the requested frequency: mu times the sum of `faith`, times f^2
 };
 
 /// The terms of all triangles, and their common scale.
@@ -50,14 +50,13 @@ struct FrequencyTerms {
 struct FrequencyTriangles {
   std::vector<Triangle> corners;
   std::vector<float> weights;  ///< w_T; empty: 1
-  /// 1 for those that this process counts; empty: all. Each process of a triangle's vertices has
-  /// it, and one of them counts it.
+  /// 1 for triangles that this process counts; empty: all. Each process with a vertex of a triangle
+  /// has the triangle, and one of them counts it.
   std::vector<std::uint8_t> counted;
 };
 
-/// The matrix in which terms are summed. Nodes are merged along stripes of the directions at
-/// construction. With peers, others' vertices come last; own vertices have all their triangles
-/// here.
+/// The matrix in which terms are summed. Construction merges nodes along stripes of the directions.
+/// With `peers`, ghost vertices come last; all triangles of own vertices are present.
 class FrequencyRows {
  public:
   /// Edges of triangles must be edges of `adjacency`.
@@ -70,13 +69,13 @@ class FrequencyRows {
   /// Triangles with three different vertices, in the order of their rows.
   const FrequencyTriangles& triangles() const { return triangles_; }
 
-  /// The number of vertices with rows here.
+  /// The number of own vertices, which have rows here.
   Index own() const { return levels_->levels[0].size(); }
 
   /// Overwrites `terms`, which has one entry per triangle.
   void set_terms(const FrequencyInput& input, MultigridPeers* peers, FrequencyTerms& terms) const;
 
-  /// Sets the matrix and the right side, with logarithms drawn to 0, and `masses`, but no bounds.
+  /// Sets the matrix, the right side, which attracts logarithms to 0, and `masses`, but no bounds.
   void set(const FrequencyTerms& terms, std::span<const float> wanted, BoundedMultigrid& multigrid,
            std::span<RowMass> masses) const;
 
@@ -91,7 +90,7 @@ class FrequencyRows {
 
   std::shared_ptr<const RowLevels> levels_;
   FrequencyTriangles triangles_;
-  CompressedRows<Corner> corners_;  ///< a row a place
+  CompressedRows<Corner> corners_;  ///< one row per place
 };
 
 }  // namespace brindle

@@ -14,7 +14,7 @@
 namespace brindle {
 namespace {
 
-/// The corners of the triangles from `first` on, one a lane; the last of all triangles is repeated.
+/// The corners of the triangles from `first` on, one per lane; the mesh's last one fills up lanes.
 template <class At>
 std::array<LaneVectors, 3> corners_of(const Mesh& mesh, std::size_t first, const At& at) {
   std::array<LaneVectors, 3> corners;
@@ -72,7 +72,7 @@ bool turns_freely(const PhaseGraph& graph, int symmetry) {
 }
 
 bool is_much_curled(const CurlSums& sums) {
-  // The sums do not depend on scale. Far above rounding and above what bends no stripe.
+  // The sums do not depend on scale. Far above rounding, and above curls too small to bend stripes.
   constexpr double kShown = 0.1;
   const double mean = (sums.curl + sums.divergence) / 2, half = (sums.curl - sums.divergence) / 2;
   const double least = mean - std::sqrt(half * half + sums.mixed * sums.mixed);

@@ -1,4 +1,4 @@
-/// The angle by which a freely turning field is turned so that stripes along it branch least.
+/// The rotation of a freely turning field that makes stripes along it branch least.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace brindle {
 
-/// Integrals over triangles of the squared curl of a field of unit directions (up to sign), of its
-/// squared divergence, which is the curl of the field turned by 90 degrees, and of their product.
+/// Integrals over triangles of the squared curl of a field of unit directions (up to sign), its
+/// squared divergence (the curl of the field turned by 90 degrees), and their product.
 struct CurlSums {
   double curl = 0, divergence = 0, mixed = 0;
 
@@ -24,25 +24,24 @@ struct CurlSums {
 CurlSums curl_sums(const Mesh& mesh, std::span<const Vec3> directions,
                    std::span<const Vec3> normals);
 
-/// Whether all normals of a direction graph point to one side, so that a common angle can turn all
-/// directions.
+/// Whether all normals of a direction graph point to one side: one angle can turn all directions.
 bool is_one_sided(const PhaseGraph& graph);
 
-/// Whether all directions of an N-direction field can turn by one angle at the same energy with
-/// another curl: if it is one-sided and without anchors, and N is 1 or 2.
+/// Whether turning all directions of an N-direction field by one angle keeps its energy but changes
+/// its curl: it is one-sided, without anchors, and N is 1 or 2.
 bool turns_freely(const PhaseGraph& graph, int symmetry);
 
-/// The angle, from -pi/2 to pi/2, by which all directions are to be turned counter-clockwise
-/// about their normals so that the squared curl is least: with d' = cos b d + sin b (n x d) it is
-/// curl cos^2 b + divergence sin^2 b + 2 mixed cos b sin b.
+/// The angle, from -pi/2 to pi/2 and counter-clockwise about the normals, that minimises the
+/// squared curl. With d' = cos b d + sin b (n x d) it is curl cos^2 b + divergence sin^2 b + 2
+/// mixed cos b sin b.
 float least_curl_angle(const CurlSums& sums);
 
 /// Whether turning by that angle more than halves a curl that stripes would show. Fields that gain
 /// less are not turned, so that nearly equal surfaces have the same field.
 bool is_much_curled(const CurlSums& sums);
 
-/// Turns a smooth field with these sums to the least curl if it is much curled or `new_found`: from
-/// another start than that of a plain descent.
+/// Turns a smooth field with these sums to the least curl if it is much curled or `new_found`. The
+/// latter is a field from a start other than that of the plain descent.
 void turn_to_least_curl(const CurlSums& sums, bool new_found, std::span<const Vec3> normals,
                         DirectionField& directions);
 

@@ -19,8 +19,8 @@ struct RowProblem {
   std::span<const float> right, lower, upper;
 };
 
-/// All functions must be called by all processes, in the same order, with their own parts. One
-/// process has the whole of the coarsest level, and coarser ones.
+/// All processes must call all functions, in the same order, with their own parts. One process
+/// holds the complete coarsest level, and still coarser ones.
 class MultigridPeers {
  public:
   virtual ~MultigridPeers() = default;
@@ -31,12 +31,12 @@ class MultigridPeers {
   /// Whether this is the first process with nodes.
   virtual bool has_first_node() const = 0;
 
-  /// Blocks of rows whose values others need, and all other blocks.
+  /// Blocks of rows whose values other processes need, and all other blocks.
   virtual std::span<const Index> border_blocks(std::size_t level) const = 0;
   virtual std::span<const Index> inner_blocks(std::size_t level) const = 0;
 
-  /// Sends values of own nodes to processes that need them; after `finish` others' nodes have
-  /// theirs. In between, border blocks must not change and others' nodes must not be read.
+  /// Sends values of own nodes to processes that need them; after `finish`, ghosts have their
+  /// values. In between, border blocks must not change and ghosts must not be read.
   virtual void start(std::size_t level, std::span<float> by_place) = 0;
   virtual void finish() = 0;
 
@@ -49,11 +49,10 @@ class MultigridPeers {
   /// Replaces the matrix of the coarsest level.
   virtual void set_coarsest(const RowMatrix& matrix) = 0;
 
-  /// The solution on the coarsest level after `visits` cycles from zero, without bounds. `x`
-  /// includes others' nodes.
+  /// The solution on the coarsest level, ghosts included, by `visits` cycles from 0 without bounds.
   virtual void solve_coarsest(std::span<const float> right, int visits, std::span<float> x) = 0;
 
-  /// The same with bounds, from 1 on the coarsest level of that process.
+  /// The same with bounds, starting from 1 on the coarsest level of that process.
   virtual void start_coarsest(const RowProblem& problem, std::span<float> x) = 0;
 };
 

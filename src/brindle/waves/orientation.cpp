@@ -14,7 +14,7 @@ enum class Visit : std::uint8_t { not_yet, queued, done };
 /// Visits vertices breadth-first.
 class OrientationWalk {
  public:
-  /// `creased` has normals and positions where neighbours may be on two sides of a crease.
+  /// `creased` is the surface if neighbours may be on two sides of a crease, else null.
   OrientationWalk(const Adjacency& neighborhood, std::span<Vec3> directions,
                   const Progress& progress, const Surface* creased = nullptr)
       : neighborhood_(neighborhood),
@@ -35,7 +35,7 @@ class OrientationWalk {
 
   void enter_neighbors(Index vertex) {
     for (const Index neighbor : neighborhood_.of(vertex)) {
-      // Vertices without a wave pass no sign on.
+      // Vertices without a wave propagate no sign.
       if (!directions_[neighbor].isZero(0)) enter(neighbor);
     }
   }
@@ -61,7 +61,7 @@ class OrientationWalk {
                          creased_->normals[i]);
   }
 
-  /// By the sum of signed agreements with the neighbours that are done.
+  /// Decides by the sum of signed cosines to the neighbours that are done.
   bool runs_against_neighbors(Index vertex) const {
     float sum = 0;
     for (const Index neighbor : neighborhood_.of(vertex)) {
@@ -79,7 +79,7 @@ class OrientationWalk {
   std::size_t next_ = 0;
 };
 
-/// From the first vertex of every component that has not been reached.
+/// Starts at the first vertex of every component not yet reached.
 void walk_all(OrientationWalk& walk, std::size_t count) {
   for (Index start = 0; start < count; ++start) {
     walk.enter(start);

@@ -19,17 +19,17 @@ struct Distance {
   bool reflecting;
 };
 
-/// Eq. 2 and 7: both wave lines are projected into the plane through v_i, v_j and
-/// p = (v_i + d_i + v_j + d_j) / 2, where they meet in C, the common source. Two readings: the
-/// factor <C - v_j, d_j> of Eq. 2 can only be its sign, since d_ji is a length; and d_i is reversed
-/// to run like d_j before p is taken, because p would depend on signs of directions otherwise.
+/// Eq. 2 and 7: both wave lines are projected into the plane through v_i, v_j and p = (v_i + d_i +
+/// v_j + d_j) / 2. They meet there in C, the common source. Two readings: the factor <C - v_j, d_j>
+/// of Eq. 2 can only be its sign, since d_ji is a length. And d_i is reversed to run like d_j
+/// before p is computed, because p would otherwise depend on signs of directions.
 Distance common_source_distance(const Wave& j, const Wave& i) {
   using Vec3d = Eigen::Vector3d;
   const Vec3d e = (i.position - j.position).cast<double>();
   const Vec3d d_i = i.direction.cast<double>(), d_j = j.direction.cast<double>();
   const double cosine = d_i.dot(d_j);
   const double length = e.norm();
-  // Lines that never meet: the closed form of `aligned` is the plain projection.
+  // For lines that never meet, the closed form of `aligned` is the plain projection.
   const Distance parallel{aligned_distance(j.position, j.direction, i.position, i.direction),
                           cosine < 0};
   if (!(length > 0)) return parallel;

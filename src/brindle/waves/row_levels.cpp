@@ -14,7 +14,7 @@ namespace {
 constexpr Index kMembers = 4;
 constexpr Index kFree = ~Index{0};
 
-/// The free neighbour to which the members are joined most strongly, or kFree. `sums` is all zero
+/// The free neighbour with the strongest connection to the members, or kFree. `sums` is all zero
 /// before and after.
 Index strongest_free(const StrengthGraph& graph, std::span<const Index> members,
                      const Grouping& grouping, std::vector<float>& sums) {
@@ -33,7 +33,7 @@ Index strongest_free(const StrengthGraph& graph, std::span<const Index> members,
   return best;
 }
 
-/// The neighbouring group to which a single node is joined most strongly, or kFree.
+/// The neighbouring group with the strongest connection to a single node, or kFree.
 Index strongest_group(const StrengthGraph& graph, Index node, const Grouping& grouping) {
   Index best = kFree;
   float most = -1;
@@ -48,8 +48,7 @@ Index strongest_group(const StrengthGraph& graph, Index node, const Grouping& gr
 
 }  // namespace
 
-/// Single nodes join a neighbour's group; only those without neighbours in their process stay
-/// alone.
+/// Single nodes join a neighbour's group; those without neighbours in their process stay alone.
 Grouping RowLevelMaker::grouped(const Progress& progress) const {
   const StrengthGraph& graph = coarsest();
   Grouping grouping{std::vector<Index>(graph.size() + graph.others, kFree), 0, 0};
@@ -82,7 +81,7 @@ Grouping RowLevelMaker::grouped(const Progress& progress) const {
 
 namespace {
 
-/// Nodes by a key below `count`, those of one key in their order.
+/// Nodes grouped by a key below `count`, in ascending order within a group.
 CompressedRows<Index> nodes_by(std::span<const Index> key, Index count) {
   return compressed_rows<Index>(count, [&](const auto& add) {
     for (Index i = 0; i < key.size(); ++i) add(key[i], i);
@@ -180,7 +179,7 @@ void set_rows(const StrengthGraph& graph, const Places& places, RowLevel& level)
 
 void set_targets(RowLevel& fine, const RowLevel& coarse) {
   fine.target.resize(fine.columns.size());
-  // Each task has a list as long as the level.
+  // Tasks are large, because each needs a list as long as the level.
   const std::size_t grain = std::max<std::size_t>(kParallelGrain, coarse.size() / 8);
   const auto set = [&](std::size_t begin, std::size_t end) {
     std::vector<Index> entry_of(coarse.size_with_others());

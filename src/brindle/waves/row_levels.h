@@ -13,42 +13,43 @@ namespace brindle {
 /// The target of an entry whose ends have the same parent.
 inline constexpr Index kInsideParent = ~Index{0};
 
-/// Nodes of a block. Its rows are relaxed one after the other, blocks in parallel.
+/// Nodes per block. Rows of a block are relaxed in sequence, blocks in parallel.
 inline constexpr Index kRowBlock = 1024;
 
-/// Nodes of other processes (`MultigridPeers`) have no rows here. They come last: their columns are
-/// those from `size()` on.
+/// Nodes of other processes (ghosts, `MultigridPeers`) have no rows here. They come last: their
+/// columns start at `size()`.
 struct RowLevel {
   std::vector<Index> offsets{0};  ///< nodes + 1
   std::vector<Index> columns;     ///< of entries off the diagonal; the row's own block first
-  std::vector<Index> outside;     ///< per row the first entry of another block or process
+  std::vector<Index> outside;     ///< per row: its first entry of another block or process
   std::vector<Index> target;      ///< entry -> entry of the coarser level, or kInsideParent
   std::vector<Index> parent;      ///< node -> node of the coarser level
   std::vector<Index> children;    ///< node I of the coarser level has children[I] .. [I + 1] - 1
   // The coarsest level has neither targets nor parents nor children.
-  Index others = 0;  ///< nodes of other processes
+  Index others = 0;  ///< number of ghosts
 
   Index size() const { return static_cast<Index>(offsets.size() - 1); }
   Index size_with_others() const { return size() + others; }
   Index block_count() const { return (size() + kRowBlock - 1) / kRowBlock; }
 };
 
+/// All levels, and the places of nodes in the finest.
 struct RowLevels {
   std::vector<RowLevel> levels;  ///< the finest first; never empty
   std::vector<Index> node_at;    ///< place in the finest level -> node
   std::vector<Index> place_of;   ///< node -> place
 };
 
-/// Up to four strongly joined nodes become one node of the next level. The children of a node are
-/// adjacent in memory on every level. `strengths` has a number of 0 or above per directed edge.
-/// Throws Cancelled if `progress` asks for it.
+/// Up to four strongly connected nodes become one node of the next level. The children of a node
+/// are adjacent in memory on every level. `strengths` has a number of 0 or above per directed edge.
+/// Throws Cancelled if `progress` cancels.
 RowLevels row_levels(const Adjacency& adjacency, std::span<const float> strengths,
                      const Progress& progress = {});
 
-/// Levels of fewer nodes are not merged again.
+/// Levels of at most this many nodes are not merged further.
 inline constexpr Index kFewestNodes = 32;
 
-/// A graph with strengths of edges. Nodes of other processes come last and have no rows.
+/// A graph with strengths of edges. Ghosts come last and have no rows.
 struct StrengthGraph {
   std::vector<Index> offsets{0};
   std::vector<Index> neighbors;
@@ -58,11 +59,11 @@ struct StrengthGraph {
   Index size() const { return static_cast<Index>(offsets.size() - 1); }
 };
 
-/// The group of each node. Groups of other processes come last, too.
+/// The group of each node. Groups of ghosts come last, too.
 struct Grouping {
-  std::vector<Index> parent;  ///< by node, others last
-  Index count = 0;            ///< of own groups
-  Index others = 0;           ///< of others' groups
+  std::vector<Index> parent;  ///< by node, ghosts last
+  Index count = 0;            ///< number of own groups
+  Index others = 0;           ///< number of groups of ghosts
 };
 
 /// `row_levels` step by step, so that ranks can exchange groups.
@@ -73,13 +74,13 @@ class RowLevelMaker {
   /// The coarsest graph so far.
   const StrengthGraph& coarsest() const { return graphs_.back(); }
 
-  /// The groups of its own nodes; parents of others are not yet set.
+  /// Groups the own nodes of the coarsest graph; parents of ghosts are not yet set.
   Grouping grouped(const Progress& progress = {}) const;
 
-  /// Makes the groups the nodes of another level.
+  /// Adds a level whose nodes are the groups.
   void merge(Grouping grouping, const Progress& progress = {});
 
-  /// All levels. The places of others' nodes are their numbers.
+  /// All levels. The places of ghosts are their numbers.
   RowLevels made(const Progress& progress = {});
 
   /// Node -> place in a level, after `made`.

@@ -54,8 +54,8 @@ void check_stroke(const FieldStroke& stroke, const std::string& name) {
   }
 }
 
-/// The points of a stroke in the same order as those of its reverse, so that both give the same
-/// bits.
+/// The points of a stroke in an order that does not depend on its direction, so that both
+/// directions give the same bits.
 std::vector<Vec3d> points_one_way(const FieldStroke& stroke) {
   std::vector<Vec3d> points = stroke.points;
   const auto less = [](const Vec3d& a, const Vec3d& b) {
@@ -141,8 +141,8 @@ class StrokeReach {
         sums_(surface.mesh.vertex_count()),
         visit_of_(surface.mesh.vertex_count(), 0) {}
 
-  /// Spreads over the neighbourhood, so that places that are near in space but far along the
-  /// surface, like the other side of a sheet, are not reached.
+  /// Spreads over the neighbourhood, which excludes places that are near in space but far along the
+  /// surface, like the other side of a sheet.
   void add(const StrokeStep& step, const StepPlace& place, float radius) {
     ++visit_;
     queue_.clear();
@@ -173,7 +173,7 @@ class StrokeReach {
 
  private:
   struct Sum {
-    Complex line = 0;  ///< of exp(2 i theta)
+    Complex line = 0;  ///< weighted sum of exp(2 i theta)
     float weight = 0;
     float nearest = 0;  ///< the largest weight of one step
   };
@@ -217,7 +217,7 @@ class StrokeReach {
               "); " + remedy);
 }
 
-/// Points first: a line that leaves the surface between points on it is another mistake.
+/// Checks points first: a line that leaves the surface between them is another mistake.
 void check_near(const FieldStroke& stroke, const std::string& name, const NearSurface& surface,
                 double allowed) {
   for (std::size_t i = 0; i < stroke.points.size(); ++i) {
@@ -281,8 +281,8 @@ std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
 
 namespace {
 
-/// Lines of edges, each from corner to corner: vertices where other than two edges meet, or two at
-/// more than 45 degrees.
+/// Chains of edges from corner to corner. Corners are vertices where other than two edges meet, or
+/// two at more than 45 degrees.
 class EdgeChains {
  public:
   EdgeChains(const Mesh& mesh, const std::vector<std::array<Index, 2>>& edges,

@@ -47,7 +47,7 @@ double tolerance(const Eigenvalues& eigenvalues) {
   return kSame * eigenvalues.cwiseAbs().maxCoeff();
 }
 
-/// The number of the eigenvalue; they are in ascending order.
+/// The index of the axis's eigenvalue in ascending order.
 Eigen::Index chosen(const Eigen::Vector3d& eigenvalues, TensorAxis axis) {
   if (axis == TensorAxis::major) return 2;
   if (axis == TensorAxis::minor) return 0;
@@ -58,7 +58,7 @@ bool is_single(const Eigen::Vector3d& eigenvalues, Eigen::Index which) {
   return std::abs(eigenvalues[which] - eigenvalues[1]) > tolerance(eigenvalues);
 }
 
-/// Along an eigenvector of the part of a symmetric matrix within the tangent plane.
+/// The direction of an eigenvector of a symmetric matrix's tangential part.
 Vec3 tangent_axis(const Eigen::Matrix3d& matrix, const Vec3& normal, TensorAxis axis,
                   TensorCounts& counts) {
   const TangentBasis tangents = tangent_basis(normal);

@@ -34,16 +34,15 @@ void check_tangent(std::span<const Vec3> normals, std::span<const Vec3> directio
 /// Throws Error if a direction is more than 4 degrees out of its tangent plane.
 void check_turnable(std::span<const Vec3> normals, std::span<const Vec3> directions);
 
-/// Throws Error unless there is one phase for each of `count` vertices, a number of length 1 (to
-/// half a percent) or 0, naming the first that is not.
+/// Throws Error unless there is one phase for each of `count` vertices, of length 1 (to half a
+/// percent) or 0. The message names the first that is not.
 void check_last_phases(std::span<const Complex> z, std::size_t count);
 
-/// Throws Error unless each of the edge weights is finite and not negative, naming the first that
-/// is not.
+/// Throws Error unless all edge weights are finite and not negative, naming the first that is not.
 void check_edge_weights(std::span<const float> weights);
 
 /// Throws Error unless `waves` has one entry per node and `edge_weights` one per directed edge, or
-/// none, and for what `check_waves` and `check_edge_weights` refuse.
+/// none, and for values that `check_waves` and `check_edge_weights` reject.
 void check_coupled_waves(const Adjacency& adjacency, const WaveSet& waves,
                          std::span<const float> edge_weights);
 

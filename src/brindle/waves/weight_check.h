@@ -3,7 +3,7 @@
 
 namespace brindle {
 
-/// With larger ones couplings would be lost in rounding, and sums of squares would overflow.
+/// The largest anchor weight: beyond it, couplings vanish in rounding and sums of squares overflow.
 inline constexpr float kLargestWeight = 1e6f;
 
 /// False for NaN.

@@ -61,16 +61,16 @@ std::vector<std::pair<float, Index>> around(std::span<const Vec3> positions, con
   return result;
 }
 
-/// The same three numbers from whichever corner.
+/// The corners in ascending order, the same from each of them.
 Triangle from_smallest(Index a, Index b, Index c) {
   Triangle triangle = {a, b, c};
   ranges::sort(triangle.begin(), triangle.end());
   return triangle;
 }
 
-/// The triangles of every point with a normal and each two consecutive neighbours, seen along the
-/// normal, at an angle below 120 degrees; each once. They overlap, and edges between neighbours
-/// need not be edges of the neighbourhood.
+/// The triangles of every point with a normal and two consecutive neighbours, seen along the
+/// normal, at an angle below 120 degrees. Each is listed once. They overlap, and edges between
+/// neighbours need not be edges of the neighbourhood.
 std::vector<Triangle> neighbor_triangles(std::span<const Vec3> positions,
                                          std::span<const Vec3> normals,
                                          const Adjacency& neighborhood, const Progress& progress) {

@@ -18,8 +18,8 @@ namespace {
 constexpr int kMostCycles = 40;
 constexpr int kMostFrameCycles = 3;
 constexpr double kSmallestGain = 5e-4;  ///< of a cycle, over the energy
-constexpr float kCalmSlack = 2;         ///< slack that full calm adds, in multiples of S
-constexpr float kCalmWeight = 9;        ///< weight that it adds
+constexpr float kCalmSlack = 2;         ///< slack that `calm` = 1 adds, in multiples of S
+constexpr float kCalmWeight = 9;        ///< weight that `calm` = 1 adds
 
 /// Whether the gain of a cycle is too small for another one.
 bool is_small(double gain, double energy) { return gain <= kSmallestGain * std::abs(energy); }
@@ -48,7 +48,7 @@ ChangeSums over_all(MultigridPeers* peers, const ChangeSums& own) {
   return {sums[0], sums[1], sums[2], sums[3], static_cast<float>(low), static_cast<float>(high)};
 }
 
-/// Change of the logarithms over that of their target: first estimate, and the least.
+/// Change of the logarithms over that of their target: first estimate and lower bound.
 constexpr float kUsualGain = 0.2f, kLeastGain = 0.02f;
 
 }  // namespace
@@ -133,7 +133,7 @@ void YieldingSolver::set_start(const Progress& progress) {
   }
 }
 
-/// Cycles until they hardly lower the energy.
+/// Runs cycles until they hardly lower the energy.
 void YieldingSolver::relax(const Progress& progress) {
   auto constant = parallel_sum<double>(masses_.size(), [&](std::size_t begin, std::size_t end) {
     double part = 0;
@@ -200,7 +200,7 @@ RatioSums YieldingSolver::ratios(float shift) const {
 
 /// Shifts all logarithms so that the mean of ratios is 1, since curl does not depend on the scale
 /// of frequencies. Newton's method, with bisection where it leaves the bracket; a solution exists,
-/// because all bounds include the wanted frequencies. Vertices without triangles are not shifted.
+/// because all bounds include the requested frequencies. Skips vertices without triangles.
 RatioSums YieldingSolver::shift_to_mean() {
   constexpr int kMostShiftSteps = 40;
   float shift = 0, low = -2 * kMostLogarithm, high = 2 * kMostLogarithm;
@@ -240,9 +240,9 @@ void YieldingSolver::set_branch_penalty(float target) {
   });
 }
 
-/// Until the mean of all ratios is 1, and about 1 where it is calm: another slack and weight there
-/// would lead to other frequencies. The target of logarithms moves, the farther the less they
-/// follow it; from frame to frame by one such step.
+/// Relaxes until the mean of all ratios is 1, and about 1 under branch avoidance, whose slack and
+/// weight would otherwise change the mean there. Moves the target of logarithms there, the farther
+/// the less they follow it; between frames by one such step.
 void YieldingSolver::relax_to_means(const Progress& progress) {
   constexpr int kMostRounds = 5;
   constexpr float kSmallExcess = 0.02f;

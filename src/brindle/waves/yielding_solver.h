@@ -15,13 +15,13 @@
 
 namespace brindle {
 
-/// S by vertex, enlarged by calm.
+/// S by vertex, enlarged by branch avoidance (`calm`).
 std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices);
 
-/// w_T, by the calmest corner of each triangle. Empty without calm.
+/// w_T, by the largest `calm` of each triangle's corners. Empty without branch avoidance.
 std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<const float> calm);
 
-/// The constant input. Vertices of other processes come last.
+/// The constant input. Vertices of other processes (ghosts) come last.
 struct YieldingSetting {
   std::vector<float> slack;  ///< by vertex
   std::vector<float> calm;   ///< by vertex, from 0 to 1; empty: 0
@@ -29,11 +29,11 @@ struct YieldingSetting {
   std::shared_ptr<const Adjacency> adjacency;
 };
 
-/// For a whole surface. Throws Error as `check_slack` does; Cancelled if `progress` asks for it.
+/// For a whole surface. Throws Error as `check_slack` does; Cancelled if `progress` cancels.
 std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
                                                         const Progress& progress = {});
 
-/// Sums of areas times ratios g / f: over all rows, those not at a bound, and weighted by calm.
+/// Sums of areas times ratios g / f: over all rows, those not at a bound, and weighted by `calm`.
 struct RatioSums {
   double ratio = 0, free = 0, area = 0, calm_ratio = 0, calm_area = 0;
   RatioSums operator+(const RatioSums& o) const {
@@ -46,18 +46,18 @@ struct RatioSums {
   double calm_mean() const { return calm_area > 0 ? calm_ratio / calm_area : 1; }
 };
 
-/// YieldingFrequency, also over several processes. With peers all of them must call all functions
-/// but `keep`, `frequencies` and `change`, and `progress` has to throw for all or none.
+/// YieldingFrequency for one or several processes. With peers, all processes must call all
+/// functions except `keep`, `frequencies` and `change`, and `progress` must throw on all or none.
 class YieldingSolver {
  public:
   explicit YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
                           std::shared_ptr<MultigridPeers> peers = nullptr);
 
-  /// Another one for the same setting without a kept result; only without peers.
+  /// A solver for the same setting without a kept result; only without peers.
   YieldingSolver sibling() const { return YieldingSolver(setting_); }
 
-  /// Another slack from the next `solve` on, which starts from the kept result unless calm changes
-  /// weights of triangles. Throws Error as `check_slack` does; only without peers.
+  /// Changes the slack from the next `solve` on. It starts from the kept result unless `calm`
+  /// changes weights of triangles. Throws Error as `check_slack` does; only without peers.
   void set_slack(const Slack& slack);
 
   /// The same by a setting with the same adjacency; with peers, all must call it.
@@ -65,7 +65,7 @@ class YieldingSolver {
   void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
   const YieldingSetting& setting() const { return *setting_; }
 
-  /// As in YieldingFrequency; frequencies include others' vertices.
+  /// As in YieldingFrequency; frequencies include those of ghosts.
   std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
   void keep();
   void restart() { starts_ = true; }
@@ -88,12 +88,12 @@ class YieldingSolver {
 
   std::shared_ptr<const YieldingSetting> setting_;
   std::shared_ptr<MultigridPeers> peers_;
-  std::unique_ptr<FrequencyRows> rows_;  ///< none before the first `solve`
+  std::unique_ptr<FrequencyRows> rows_;  ///< null before the first `solve`
   std::unique_ptr<BoundedMultigrid> multigrid_;
   FrequencyTerms terms_;
   std::vector<RowMass> masses_;
   std::vector<float> relaxed_, kept_;      ///< x by place, before its shift to the mean
-  float target_ = 0, kept_target_ = 0;     ///< of logarithms where it is calm
+  float target_ = 0, kept_target_ = 0;     ///< of logarithms under branch avoidance
   std::vector<float> next_, frequencies_;  ///< by vertex: of the last `solve`, and kept
   FrequencyChange change_;
   bool has_next_ = false;      ///< whether there is a result that is not kept
