@@ -14,7 +14,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// The types of number that an ArrayView can look at.
+/// The number types of an ArrayView.
 enum class NumberType : std::uint8_t {
   float32,
   float64,
@@ -47,8 +47,8 @@ constexpr NumberType number_type() {
   }
 }
 
-/// A table of numbers of any type in somebody else's memory, which must outlive the view. It is
-/// read where it is handed over, checked there, and not kept.
+/// A non-owning view of a table of numbers of any type; the memory must outlive the view. Functions
+/// that take a view check and copy its numbers, and keep no reference.
 class ArrayView {
  public:
   /// No rows.
@@ -64,7 +64,7 @@ class ArrayView {
             row_stride != 0 ? row_stride : static_cast<std::ptrdiff_t>(columns * sizeof(Number)),
             column_stride != 0 ? column_stride : static_cast<std::ptrdiff_t>(sizeof(Number))) {}
 
-  /// As above, for a type known only when the program runs; both strides count.
+  /// As above, for a type known only at run time. Strides of 0 are used as given.
   ArrayView(const void* data, NumberType type, std::size_t rows, std::size_t columns,
             std::ptrdiff_t row_stride, std::ptrdiff_t column_stride)
       : data_(static_cast<const std::byte*>(data)),
@@ -108,7 +108,7 @@ class ArrayView {
   NumberType type_ = NumberType::float32;
 };
 
-/// Copies of tables of three columns and of one, as numbers in double precision rounded to float.
+/// Copies of tables with three columns or one; numbers are converted to double, then to float.
 /// `what` names the array in messages ("directions"). Throw Error for another number of columns.
 std::vector<Vec3> vectors_of(const ArrayView& array, std::string_view what);
 std::vector<float> numbers_of(const ArrayView& array, std::string_view what);

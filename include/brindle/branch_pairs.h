@@ -1,4 +1,4 @@
-/// Pairs of branches that a pattern can do without.
+/// Cancellation of pairs of opposite branches.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +10,38 @@
 
 namespace BRINDLE_EXPORT brindle {
 
+/// Results of `merge_branches`.
 struct MergedBranches {
-  std::size_t pairs = 0;  ///< that are gone
+  std::size_t pairs = 0;  ///< cancelled
   std::size_t branches_before = 0, branches_after = 0;
   double energy_before = 0, energy_after = 0;
 };
 
+/// Options of `merge_branches`.
 struct MergingOptions {
-  double share = 0;      ///< by how much the energy may rise, as a share of it: 0 or above
+  double share = 0;      ///< largest rise of the energy, as a share of it: 0 or above
   double distance = 10;  ///< from a branch to its opposite, in periods: above 0, 1000 at most
 };
 
-/// Removes pairs of opposite branches with a way between them of `distance` periods at most: the
-/// way is taken a period longer on one side, and phases around are solved for by least squares. Of
-/// all pairs those go first that raise the energy least, as long as it stays within 1 + `share`
-/// times what it was; those that lower it go in any case. Works on what any solver has found;
-/// phases farther than 0.4 `distance` from such a way, and fixed ones, stay as they are. Throws
-/// Error for options that are not in range, for points without triangles and for a pattern of
-/// another surface; Cancelled if `progress` asks for it. The pattern then is as it was.
+/// Cancels pairs of opposite branches joined by a path of at most `distance` periods. One whole
+/// turn is added across the path, and the phases around it are solved by least squares. Pairs that
+/// lower the energy always go. Others go in order of their cost, while the energy stays within 1 +
+/// `share` times its initial value. Works on patterns of any solver. Phases farther than 0.4
+/// `distance` from such a path, and fixed ones, do not change. Throws Error for options out of
+/// range, points without triangles and a pattern of another surface; Cancelled if `progress`
+/// cancels. Then the pattern is unchanged.
 MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
                               const MergingOptions& merging, const StripeOptions& options = {},
                               const Progress& progress = {});
 
-/// The same of both stripe patterns of a texture, which is then oriented and measured anew. `share`
-/// is of each pattern's energy; the figures are those of both, their energies added.
+/// As above for both stripe patterns of a texture, which is then oriented and measured again.
+/// `share` applies to each pattern's energy; the results add up both patterns.
 MergedBranches merge_branches(const Surface& surface, TexturePattern& pattern,
                               const MergingOptions& merging, const TextureOptions& options = {},
                               const Progress& progress = {});
 
-/// The same of both waves of a cross field together. Branches of singularities, which stay, are not
-/// among those of the figures.
+/// As above for both waves of a cross field together. The results exclude branches at
+/// singularities, which stay.
 MergedBranches merge_branches(const Surface& surface, CrossPattern& pattern,
                               const MergingOptions& merging, const StripeOptions& options = {},
                               const Progress& progress = {});

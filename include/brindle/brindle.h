@@ -1,17 +1,19 @@
-/// All of brindle but what needs OpenGL (renderer.h, splats.h, gpu_solver.h, gpu_animator.h and
-/// headless_context.h), PNG files (image.h) and drawings of lines (line_drawing.h).
+/// The headers for surfaces, fields, patterns and files in one. It leaves out the headers for
+/// OpenGL (renderer.h, splats.h, styled_picture.h, gpu_solver.h, gpu_animator.h,
+/// headless_context.h), MPI (distributed_stripes.h), pictures, PNG files (image.h) and line
+/// drawings (line_drawing.h).
 ///
 /// Surfaces: `make_mesh` and `make_surface` from arrays, `split_at_creases` for sharp edges,
 /// `read_mesh` from files, `make_shape`. Fields: `smooth_direction_field`,
 /// `projected_direction_field`, `curvature_direction_field`, `tangent_directions`,
 /// `direction_field_of` arrays, `tensor_field_of`. Patterns: `stripe_pattern`, `texture_pattern`,
 /// `cross_pattern`, `pattern_warnings`. From patterns: `stripe_curves`, `stripe_samples`,
-/// `texture_coordinates`. Frequencies that yield, alone: `YieldingFrequency`. Moving input:
+/// `texture_coordinates`. Spacing tolerance alone: `YieldingFrequency`. Moving input:
 /// `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`,
 /// `matched_directions`, `carried_directions`.
 ///
-/// Functions throw `Error` for what a caller can mend, and leave all objects as they were. What
-/// threads may do at the same time stands in threads.h.
+/// Functions throw `Error` for errors that a caller can fix. Failed or cancelled calls change no
+/// object. For concurrent calls, see threads.h.
 #pragma once
 
 #include "brindle/array_field.h"

@@ -1,4 +1,4 @@
-/// This rank among the others: messages between ranks behind a few functions.
+/// Messages between MPI ranks behind a few functions.
 #pragma once
 
 #include <algorithm>
@@ -19,30 +19,31 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// A wait of this process for other ranks, as a watchdog reads it.
+/// The current wait of this process for other ranks, for a watchdog.
 struct Waiting {
   const char* what;  ///< "for messages of other ranks"
   std::chrono::steady_clock::duration time;
 };
 
-/// What the process waits for now, and for how long; nothing if it works. From any thread.
+/// The current wait and its duration; empty while the process works. May be called by any thread.
 std::optional<Waiting> waiting_now();
 
-/// Bytes that go to a rank, or for which there is room when they come from there.
+/// Bytes to send to a rank.
 struct Outgoing {
   int rank;
   std::span<const std::byte> bytes;
 };
+/// Memory for bytes that a rank sends.
 struct Incoming {
   int rank;
   std::span<std::byte> bytes;
 };
 
-/// All functions but `rank`, `size` and those of single messages must be called by all ranks.
-/// Sums are over ranks in ascending order, so that they are the same in every run.
+/// All ranks must call every function except `rank`, `size`, `traffic` and those of single
+/// messages. Sums add ranks in ascending order, so every run gives the same bits.
 class Communicator {
  public:
-  /// With messages of its own, which meet none of the caller's.
+  /// Duplicates `comm`, so that its messages never meet the caller's.
   explicit Communicator(MPI_Comm comm);
   ~Communicator();
   Communicator(const Communicator&) = delete;
@@ -51,7 +52,7 @@ class Communicator {
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  /// Every rank's value.
+  /// Every rank's value, on all ranks.
   template <class T>
   std::vector<T> all(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -60,7 +61,7 @@ class Communicator {
     return values;
   }
 
-  /// The sum of all ranks' values; that of one rank is its value, to the bit.
+  /// The sum of all ranks' values; with one rank its value, bit for bit.
   template <class T>
   T sum(const T& value) {
     const std::vector<T> values = all(value);
@@ -78,18 +79,18 @@ class Communicator {
 
   bool any(bool value) { return greatest<std::uint8_t>(value ? 1 : 0) != 0; }
 
-  /// Runs `work`. If it throws on any rank, all ranks throw: Cancelled if the lowest of those was
-  /// cancelled, otherwise an Error with its message, which names the rank if there are several.
+  /// Runs `work`. If it throws on any rank, all ranks throw for the lowest of those: Cancelled if
+  /// that was cancelled, otherwise an Error with its message and, with several ranks, its number.
   void throw_on_all(const std::function<void()>& work);
 
-  /// Runs `work` on rank 0, while the others wait, and throws what `together` throws. What it
-  /// reports, all ranks' `progress` hears: each can cancel it.
+  /// Runs `work` on rank 0 while the others wait, and throws as `throw_on_all` does. All ranks'
+  /// `progress` receives its reports, and each can cancel it.
   void on_first(const Progress& progress, const std::function<void(const Progress&)>& work);
 
-  /// What every rank has for this one: `to` has one list per rank.
+  /// Exchanges lists: `to` has one list for each rank, the result one from each rank.
   template <class T>
   std::vector<std::vector<T>> swap_lists(const std::vector<std::vector<T>>& to) {
-    // Eigen's vectors are numbers alone, though they are not trivial to copy.
+    // Eigen's vectors contain only numbers, but are not trivially copyable.
     static_assert(std::is_trivially_destructible_v<T>);
     std::vector<std::uint64_t> counts;
     for (const auto& list : to) counts.push_back(list.size());
@@ -114,21 +115,21 @@ class Communicator {
     return std::move(swap_lists(to)[0]);
   }
 
-  /// Numbers of so many things, if those of all ranks are counted rank by rank.
+  /// Numbers for `count` objects of this rank, counted rank by rank over all ranks.
   std::vector<std::uint64_t> numbers_of(std::size_t count);
 
-  /// All ranks' bytes on rank 0, one list per rank; nothing elsewhere.
+  /// All ranks' bytes on rank 0, one list per rank; empty elsewhere.
   std::vector<std::vector<std::byte>> gather(std::span<const std::byte> bytes);
 
-  /// Sends and receives single messages, and waits for them. Empty ones are not sent.
+  /// Sends and receives single messages, and waits for them. Empty messages are not sent.
   void transfer(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming);
 
-  /// The two halves of the same: what is sent and received must stay where it is in between. One
+  /// The two halves of `transfer`. Sent and received memory must stay valid in between. One
   /// transfer at a time.
   void start(std::span<const Outgoing> outgoing, std::span<const Incoming> incoming);
   void finish();
 
-  /// What this rank has sent so far, and how long it has waited for others.
+  /// Bytes sent by this rank so far, and its time waiting for others.
   const Traffic& traffic() const { return traffic_; }
   Traffic& traffic() { return traffic_; }
 
@@ -142,7 +143,7 @@ class Communicator {
   Traffic traffic_;
 };
 
-/// What ranks have sent, one behind the other.
+/// Concatenates the lists that ranks have sent.
 template <class T>
 std::vector<T> joined(const std::vector<std::vector<std::byte>>& parts) {
   std::vector<T> result;

@@ -1,4 +1,4 @@
-/// How far stripes miss each other along sharp edges.
+/// Mismatch of stripes across sharp edges.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Phases that differ by more, a sixth of a period, do not meet across a crease.
+/// Phases that differ by more than this, a sixth of a period, do not meet across a crease.
 inline constexpr float kSlipDegrees = 60;
 
-/// Where the faces of a crease ask for different frequencies along it, phases cannot meet: each
-/// face keeps its spacing, and stripes end there.
+/// Phase differences across creases. Phases cannot meet where the faces need different frequencies
+/// along a crease: each face keeps its spacing, and stripes end there.
 struct CreaseSlip {
-  double mean_deg = 0;  ///< mean difference of the phases on both sides, 0 to 180, by length
-  double share = 0;     ///< of the length where it is above `kSlipDegrees`, 0 to 1
+  double mean_deg = 0;  ///< mean phase difference, 0 to 180, weighted by length
+  double share = 0;     ///< share of the length with a difference above `kSlipDegrees`, 0 to 1
   double length = 0;    ///< of all creases between waves, in units of length
 };
 
-/// Nothing for a surface without creases. `z` has a phase for every vertex.
+/// Empty for a surface without creases. `z` has one phase per vertex.
 std::optional<CreaseSlip> crease_slip(const Surface& surface, const WaveSet& waves,
                                       std::span<const Complex> z);
 

@@ -22,9 +22,9 @@ struct CrossCover {
   WaveSet waves;                                  ///< one wave per node
   std::shared_ptr<const Adjacency> neighborhood;  ///< of the nodes
 
-  /// For every triangle of `base`, in its order, the nodes of one of its two waves, U; then, for
-  /// every triangle again, those of the other, V. A cross does not tell U from V, so they may be
-  /// exchanged from one triangle to the next.
+  /// For every triangle of `base`, in its order, the nodes of one of its two waves, U; then, again
+  /// for every triangle, those of the other, V. A cross does not distinguish U from V, so they may
+  /// be swapped between triangles.
   std::vector<Triangle> triangles;
   std::vector<Index> base;  ///< triangles of the surface around which crosses match
 
@@ -49,13 +49,14 @@ WaveSet cross_waves(const WaveSet& waves, std::span<const Vec3> normals);
 /// i and j.
 Index matching_wave(const WaveSet& crosses, Index i, Index j);
 
-/// Whether `crosses`, other waves of the same vertices, match along all edges as those of the cover
-/// do, so that the cover is theirs except for `waves`.
+/// Whether `crosses`, other waves of the same vertices, match along all edges as in the cover, so
+/// that the cover is theirs except for `waves`.
 bool are_matched_alike(const Adjacency& neighborhood, const WaveSet& crosses,
                        const CrossCover& cover);
 
-/// `crosses` has two waves for every vertex of `neighborhood`, as from `cross_waves`. Throws Error
-/// if sizes do not match or exceed half the range of Index; Cancelled if `progress` asks for it.
+/// Builds the double cover. `crosses` has two waves for every vertex of `neighborhood`, as from
+/// `cross_waves`. Throws Error if sizes do not match or exceed half the range of Index; Cancelled
+/// if `progress` cancels.
 CrossCover cross_cover(const Adjacency& neighborhood, std::span<const Triangle> triangles,
                        WaveSet crosses, const Progress& progress = {});
 

@@ -15,43 +15,45 @@
 
 namespace BRINDLE_EXPORT brindle {
 
+/// A stripe pattern along both waves of a cross field.
 struct CrossPattern {
   CrossCover cover;
   Surface surface;        ///< the cover as a surface: its nodes are vertices
   StripePattern pattern;  ///< on `surface`; its corners are those of `cover.triangles`
 
-  /// Both waves together. `field_singularities` are triangles of the mesh around which the cross
-  /// does not come back to itself unturned; `branches` counts such a triangle once for each wave.
+  /// Of both waves together. `field_singularities` are triangles of the mesh around which the cross
+  /// does not return to itself unturned; `branches` counts each once per wave.
   PatternQuality quality;
 };
 
-/// The cover as a surface, whose vertices are its nodes: on it a cross field is a line field, and
-/// everything that works on surfaces works. `normals` are those of the covered surface's vertices.
+/// The cover as a surface, whose vertices are its nodes. On it a cross field is a line field, so
+/// all functions for surfaces apply. `normals` are those of the covered surface's vertices.
 Surface cover_surface(const CrossCover& cover, std::span<const Vec3> normals);
 
-/// Matches the crosses that `waves` (one per vertex) and a quarter turn make along the edges of the
-/// surface, and lays stripes along both their waves. Everything has 90-degree symmetry: turning any
-/// vertex's direction by a quarter changes nothing but names. Throws what `stripe_pattern` throws.
+/// Matches the crosses that `waves` (one per vertex) and their quarter turns form along the edges,
+/// and lays stripes along both waves. The result has 90-degree symmetry: a quarter turn of any
+/// vertex's direction only renames waves. Throws what `check_tangent_waves` and `stripe_pattern`
+/// throw.
 CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
                            const StripeOptions& options = {}, const Progress& progress = {});
 
-/// What a texture is drawn on.
+/// A texture along both waves of a cross field.
 struct CrossTexture {
-  /// The surface with every singular triangle split at its barycentre: triangles around which
+  /// The surface with every singular triangle split at its barycentre. Triangles around which
   /// crosses match come first (`cover.base`), then three for each of `cover.singular`. New vertices
-  /// stand behind those of the surface and have no wave of their own.
+  /// follow those of the surface and have no wave of their own.
   Surface surface;
 
-  /// `u` holds the waves (i, 0), `v` the waves (i, 1); their corners, one entry per triangle, are
-  /// those of U and V there, whichever of the two waves that is at a vertex. Both have the energy
-  /// and the quality of the whole cross pattern. There are no seams for a tile that looks the same
-  /// turned by 90 degrees: `seams` is not filled.
+  /// `u` holds the waves (i, 0), `v` the waves (i, 1). Their corners, one entry per triangle, are
+  /// those of U and V, either of which may be either wave of a vertex. Both have the energy and the
+  /// quality of the whole cross pattern. `seams` is not filled: tiles with 90-degree symmetry have
+  /// none.
   TexturePattern pattern;
 };
 
-/// Gives every triangle waves U and V. In a singular triangle each of the three parts matches the
-/// crosses along its own edge, so that it fits its neighbour there; between the parts, inside the
-/// triangle, the texture turns. V runs to the left of U everywhere, seen from outside.
+/// Assigns waves U and V to every triangle. In a singular triangle, each of the three parts matches
+/// the crosses along its own edge, and so fits its neighbour; between the parts the texture turns.
+/// V runs to the left of U everywhere, seen from outside.
 CrossTexture cross_texture(const Surface& surface, const CrossPattern& cross,
                            PhaseShiftKind phase_shift = PhaseShiftKind::aligned,
                            const Progress& progress = {});

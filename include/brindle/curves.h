@@ -1,4 +1,4 @@
-/// Stripes as curves: the centre lines of stripes, joined over a whole surface.
+/// Stripes as curves: their centre lines, joined over a whole surface.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Why a curve ends.
+/// Reasons why a curve ends.
 enum class CurveEnd : std::uint8_t {
-  closed,       ///< it does not
+  closed,       ///< no end: the curve is closed
   boundary,     ///< an edge of one triangle
   no_wave,      ///< a triangle with a corner that has no wave
   nonmanifold,  ///< an edge of three triangles or more
@@ -23,39 +23,39 @@ enum class CurveEnd : std::uint8_t {
 };
 inline constexpr std::size_t kCurveEndKinds = 7;
 
-/// Curves with the reason why each end is one.
+/// Curves with the reasons of their ends.
 struct StripeCurves {
   Polylines lines;
-  std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line, at its first and its last point
-  std::size_t joined_ends = 0;                ///< that `CurveOptions::join` made go
-  std::size_t ends_at_neighbors = 0;          ///< that it let run on into another curve
-  std::size_t smooth_forks = 0;               ///< of these, without an angle by `fair`
-  std::size_t trimmed_ends = 0;               ///< that `CurveOptions::trim` cut back
-  std::size_t trimmed_away = 0;               ///< curves of which it left nothing
-  double largest_move = 0;                    ///< of a point by `CurveOptions::fair`, times f
+  std::vector<std::array<CurveEnd, 2>> ends;  ///< of every line: first and last point
+  std::size_t joined_ends = 0;                ///< removed by `CurveOptions::join`
+  std::size_t ends_at_neighbors = 0;          ///< extended by `join` into another curve
+  std::size_t smooth_forks = 0;  ///< of these, smoothed to forks without an angle by `fair`
+  std::size_t trimmed_ends = 0;  ///< cut back by `CurveOptions::trim`
+  std::size_t trimmed_away = 0;  ///< curves that `trim` removed
+  double largest_move = 0;       ///< of a point by `CurveOptions::fair`, times f
 
-  /// How many ends are of each kind, in the order of CurveEnd; a closed curve has none.
+  /// Numbers of ends by kind, in the order of CurveEnd; closed curves have none.
   std::array<std::size_t, kCurveEndKinds> end_counts() const;
 };
 
+/// Options of `stripe_curves`.
 struct CurveOptions {
-  /// Where several curves end in one branch or singularity, joins them in pairs. Every curve that
-  /// ends alone runs on into a neighbour, aslant over the surface, if there is one within two
-  /// periods; that is an end of the same kind still.
+  /// Joins curves that end in one branch or singularity in pairs. A curve that ends alone runs on,
+  /// aslant over the surface, into a neighbour within two periods, if any; its end keeps its kind.
   bool join = false;
-  /// Above 0, cuts curves that end in a branch or singularity back to where no curve beside them is
-  /// nearer than this share of the spacing 1/f (0 to 1; 0.6 leaves clean ends), and leaves out what
-  /// is then shorter than 1/f. Not together with `join`, whose ends run on into their neighbours.
+  /// Above 0, cuts curves that end in a branch or singularity back until no curve beside them is
+  /// nearer than this share of the spacing 1/f (0 to 1; 0.6 leaves clean ends). Removes curves then
+  /// shorter than 1/f. Not together with `join`, whose ends run into their neighbours.
   float trim = 0;
-  /// Above 0, takes out kinks shorter than about this share of the spacing 1/f (0 to 1; 0.25 is
-  /// good): curves become smoothing splines within the surface, and no point moves by more than a
-  /// tenth of 1/f. Ends stay; those that `join` has let run on leave their curves earlier and meet
-  /// their neighbours with no angle where they can, or else go along with these. After `join` and
-  /// `trim`.
+  /// Above 0, removes kinks shorter than about this share of the spacing 1/f (0 to 1; 0.25 is
+  /// good). Curves become smoothing splines within the surface, and no point moves by more than a
+  /// tenth of 1/f. Ends stay. Ends extended by `join` leave their curves earlier and meet their
+  /// neighbours without an angle where possible, and otherwise move with them. Applied after `join`
+  /// and `trim`.
   float fair = 0;
 };
 
-/// The curves that are at least `length` long.
+/// The curves of at least this length.
 StripeCurves longer_than(const StripeCurves& curves, double length);
 
 }  // namespace brindle

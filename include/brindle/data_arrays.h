@@ -1,4 +1,4 @@
-/// Named arrays of numbers that come with a mesh: what simulations store per point or per cell.
+/// Named arrays of numbers of a mesh, one row per point or per cell, as simulations store them.
 #pragma once
 
 #include <array>
@@ -16,22 +16,22 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// A table of numbers, one row per point or per cell, of the type that they had in their file, so
-/// that they are written as they were read.
+/// A table of numbers, one row per point or per cell. It keeps the number type of its file, so that
+/// it is written as it was read.
 struct DataArray {
   std::string name;
   NumberType type = NumberType::float32;
   int components = 1;            ///< numbers in a row, 1 or more
-  std::vector<std::byte> bytes;  ///< the numbers, row by row, as this machine stores them
-  /// Where rows of two or three numbers are means of others: the means of these as axes, v and -v
-  /// being the same. Empty: `bytes` are that, too.
+  std::vector<std::byte> bytes;  ///< the numbers, row by row, in native byte order
+  /// For rows of two or three numbers that are means of others: the means as axes, where v and -v
+  /// are equal. Empty: `bytes` serve as these, too.
   std::vector<std::byte> axis_bytes = {};
 
-  /// Rows that are complete.
+  /// The number of complete rows.
   std::size_t rows() const;
   /// The table; valid as long as `bytes` is.
   ArrayView view() const;
-  /// The table that directions without a sign are read from; valid as long as `axis_bytes`.
+  /// The table for directions without a sign; valid as long as `axis_bytes` and `bytes` are.
   ArrayView axes() const;
 
   bool operator==(const DataArray&) const = default;
@@ -72,34 +72,34 @@ struct DataArrays {
 /// The array of that name, or null.
 const DataArray* find_array(std::span<const DataArray> arrays, std::string_view name);
 
-/// Rows of `array` in the order of `rows`, any of them any number of times. Throws Error, naming
-/// the array, for a row that it has not.
+/// Rows of `array` by number, in any order and any number of times. Throws Error, naming the array,
+/// for a number out of range.
 DataArray rows_of(const DataArray& array, std::span<const Index> rows);
 std::vector<DataArray> rows_of(std::span<const DataArray> arrays, std::span<const Index> rows);
 
-/// A point between three rows of an array: weights sum to 1.
+/// A point between three rows of an array; weights sum to 1.
 struct RowBlend {
   std::array<Index, 3> rows;
   std::array<double, 3> weights;
 };
 
-/// An array with a row per blend: the weighted mean of floating-point numbers, and of rows of two
-/// or three also that of axes; for whole numbers, which may be labels, the row with the largest
-/// weight, the first of equal ones. A row with weight 0 does not count, even if it is NaN. Throws
-/// Error, naming the array, for a row that it has not.
+/// An array with one row per blend. Floating-point numbers become weighted means; rows of two or
+/// three also get means as axes. Whole numbers, which may be labels, come from the row with the
+/// largest weight, the first of equal ones. Rows of weight 0 do not count, even if NaN. Throws
+/// Error, naming the array, for a row out of range.
 DataArray blended(const DataArray& array, std::span<const RowBlend> blends);
 std::vector<DataArray> blended(std::span<const DataArray> arrays, std::span<const RowBlend> blends);
 
 /// Statistics of an array.
 struct ArrayFigures {
-  double minimum = 0, maximum = 0;  ///< of all finite numbers; of rows with more than one component
-                                    ///< the length of the vector. Both 0 if there are none
+  double minimum = 0, maximum = 0;  ///< of all finite numbers, or of the magnitudes of rows with
+                                    ///< several components; 0 if there are none
   std::size_t rows_nan = 0;         ///< rows with a component that is NaN
 };
 
 ArrayFigures measure_array(const DataArray& array);
 
-/// "float32", "int64" and so on.
+/// The name of a type, such as "float32".
 std::string_view name_of(NumberType type);
 
 }  // namespace brindle

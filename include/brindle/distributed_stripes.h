@@ -1,4 +1,4 @@
-/// Stripes over a surface that many processes hold together. Needs a build with BRINDLE_MPI.
+/// Stripes on a surface partitioned over processes. Needs a build with BRINDLE_MPI.
 #pragma once
 
 #include <cstddef>
@@ -16,53 +16,54 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Those of a StripeAnimator but weights by edge, which are refused. Slack and calm by vertex are
-/// those of the piece's vertices; what counts is what a vertex's owner says.
+/// Options of a StripeAnimator; weights by edge are rejected. Slack and `calm` by vertex have one
+/// entry per vertex of the partition; the owner's values of a vertex count.
 struct DistributedOptions : AnimatorOptions {
-  /// Levels with fewer nodes on all ranks together are solved by rank 0 alone.
+  /// Rank 0 alone solves levels with fewer nodes on all ranks together.
   std::size_t gather_below = 16384;
-  /// A surface with fewer vertices is solved by rank 0 alone, as one process would solve it. It
-  /// needs the room of the whole for that.
+  /// Rank 0 alone solves surfaces with fewer vertices, as one process does. It needs memory for the
+  /// whole surface.
   std::size_t plan_below = 262144;
-  EdgeWeights weights = EdgeWeights::paper;  ///< of the pieces' shape; in place of `edge_weights`
+  EdgeWeights weights =
+      EdgeWeights::paper;  ///< from the partitions' geometry; replaces `edge_weights`
 };
 
-/// What the measured triangles of all ranks say of a pattern.
+/// Metrics of a pattern over the measured triangles of all ranks.
 struct DistributedMeasures {
-  std::vector<CornerPhases> corners;  ///< of the piece's triangles; of its ghosts no_wave
+  std::vector<CornerPhases> corners;  ///< of the partition's triangles; ghosts have no_wave
   PatternQuality quality;             ///< of the whole surface, on every rank
 };
 
-/// What frames took, on this rank. All but `ghosts` are 0 before the first frame.
+/// Statistics of frames, on this rank. All but `ghosts` are 0 before the first frame.
 struct DistributedFigures {
-  double topology_milliseconds = 0;    ///< of the first frame, that later ones do not need
-  std::size_t distributed_levels = 0;  ///< that all ranks have parts of; rank 0 has coarser ones
+  double topology_milliseconds = 0;    ///< of the first frame only
+  std::size_t distributed_levels = 0;  ///< levels shared by all ranks; coarser ones are on rank 0
   int sweeps = 0;          ///< over the finest level in the last descent, cycles included
   std::size_t ghosts = 0;  ///< of the finest level
-  /// What the sweeps of a frame without cycles have to bring to this rank at least: 8 for each
+  /// The least number of bytes that sweeps of a frame without cycles bring to this rank: 8 per
   /// ghost, sweep and distributed level.
   std::size_t halo_bytes = 0;
-  /// What the frequencies of the last frame have sent, where ranks solve for them together.
+  /// Bytes sent to solve for the frequencies of the last frame, if ranks do so together.
   std::uint64_t frequency_bytes = 0;
-  /// What halos brought for them: 4 bytes for each ghost, sweep and distributed level, and for each
-  /// ghost of the finest level once a cycle.
+  /// Bytes that halos brought for them: 4 per ghost, sweep and distributed level, and per ghost of
+  /// the finest level once a cycle.
   std::uint64_t frequency_halo_bytes = 0;
 };
 
-/// A StripeAnimator over all ranks. With one rank, and below `plan_below` vertices with any number,
-/// its phases and energies are those of a StripeAnimator, bit for bit, where triangles have
-/// numbers; else the same bits in every run with the same pieces. All members are collective.
+/// A StripeAnimator over all ranks. All members are collective. With one rank, or below
+/// `plan_below` vertices, phases and energies are bit-identical to a StripeAnimator's if triangles
+/// have numbers. Otherwise the same partitions give the same bits in every run.
 class DistributedStripeAnimator {
  public:
-  /// Throws Error for options out of range and weights by edge.
+  /// Throws Error for options out of range and for weights by edge.
   explicit DistributedStripeAnimator(const DistributedSurface& surface,
                                      const DistributedOptions& options = {});
   ~DistributedStripeAnimator();
   DistributedStripeAnimator(DistributedStripeAnimator&&) noexcept;
   DistributedStripeAnimator& operator=(DistributedStripeAnimator&&) noexcept;
 
-  /// As StripeAnimator::frame. The input has one entry per vertex of the piece; what counts of a
-  /// vertex is what its owner says. Where `progress` cancels one rank, all are cancelled.
+  /// As StripeAnimator::frame. The input has one entry per vertex of the partition; the owner's
+  /// values of a vertex count. If `progress` cancels one rank, all are cancelled.
   FrameResult frame(const FrameInput& input, const Progress& progress = {});
 
   /// The energy of the last frame's phases, over all ranks. Throws Error before the first frame.
@@ -74,12 +75,11 @@ class DistributedStripeAnimator {
   /// Forgets the last frame's phases.
   void restart();
 
-  /// As StripeAnimator::set_last_phases, of the piece's vertices: so stripes go on where a surface
-  /// has been dealt to ranks anew. What counts of a vertex is what its owner says.
+  /// As StripeAnimator::set_last_phases, for the partition's vertices, such as after
+  /// repartitioning. The owner's values of a vertex count.
   void set_last_phases(std::span<const Complex> z);
 
-  /// As StripeAnimator::set_slack; of slack and calm by vertex, what counts of a vertex is what its
-  /// owner says.
+  /// As StripeAnimator::set_slack. For slack and `calm` by vertex, the owner's values count.
   void set_slack(const Slack& slack);
 
   DistributedFigures figures() const;

@@ -1,9 +1,8 @@
-/// A surface that many processes hold together, each a piece of it (docs/distributed.md). Needs a
-/// build with BRINDLE_MPI.
+/// A surface partitioned over processes (docs/distributed.md). Needs a build with BRINDLE_MPI.
 ///
-/// A process is a rank of an MPI communicator. What is said to be collective must be called by all
-/// ranks of it, in the same order. An Error that one rank has is thrown by all, so that none waits
-/// for it; MPI is called from the thread that calls.
+/// A process is a rank of an MPI communicator. All ranks must call collective functions in the same
+/// order. An Error on one rank is thrown on all, so that none waits for it. MPI is called from the
+/// calling thread.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +11,7 @@
 #include <span>
 #include <vector>
 
-// C alone, without the C++ that MPI once had.
+// Only the C interface, without MPI's former C++ bindings.
 #ifndef OMPI_SKIP_MPICXX
 #define OMPI_SKIP_MPICXX 1
 #endif
@@ -32,31 +31,30 @@ namespace BRINDLE_EXPORT brindle {
 
 struct RankSurface;
 
-/// One rank's piece. It may be empty, of any topology, and in parts.
+/// One rank's partition. It may be empty, of any topology, and have several components.
 struct SurfacePiece {
   Mesh mesh;  ///< `origin` must be the same on all ranks
-  /// One per vertex: vertices of several ranks are the same exactly if their numbers are. Any
-  /// numbers will do, each once in a piece.
+  /// One per vertex: ranks share a vertex exactly if its numbers are equal. Any numbers may be
+  /// used, each once per partition.
   std::vector<std::uint64_t> vertex_ids;
-  /// One per triangle: 1 if it is another rank's and only here to be seen, as visualisation
-  /// programs have layers of ghosts; empty: none. Every triangle is one rank's alone.
+  /// One per triangle: 1 for a ghost, which belongs to another rank, as in visualisation programs;
+  /// empty: none. Every triangle belongs to exactly one rank.
   std::vector<std::uint8_t> ghost_triangles;
-  /// One per triangle: its number in the whole, on all ranks or on none. Normals then have the bits
-  /// that `make_surface` gives the whole, also at borders, as sums around vertices are made in the
-  /// order of these numbers; empty: triangles count as numbered rank by rank.
+  /// One per triangle: its number in the whole, on all ranks or on none. Sums around vertices
+  /// follow these numbers. Normals are therefore bit-identical to those of `make_surface` on the
+  /// whole, also at borders. Empty: triangles are numbered rank by rank.
   std::vector<std::uint64_t> triangle_ids = {};
 };
 
-/// Collective. For every triangle of the piece 1 if it stands elsewhere already: with the same
-/// three vertices, in whatever order, on a lower rank, or before it in the piece; otherwise 0. So
-/// of the triangles that ranks have together one of each is left, as `repair_mesh` leaves of one
-/// process's. Ghosts do not count. Throws Error on all ranks for a piece that a DistributedSurface
-/// would refuse by itself.
+/// Collective. 1 for every triangle of the partition that repeats another one: with the same three
+/// vertices, in any order, on a lower rank or earlier in the partition; otherwise 0. Dropping these
+/// leaves one of each over all ranks, as `repair_mesh` does in one process. Ghosts do not count.
+/// Throws Error on all ranks for a partition that a DistributedSurface would reject by itself.
 std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm communicator);
 
-/// What a rank has sent to others, and how long it has waited for them.
+/// Data sent by a rank, and its time waiting for others.
 struct Traffic {
-  std::uint64_t bytes = 0;  ///< messages to single ranks; few more are for sums over all
+  std::uint64_t bytes = 0;  ///< of messages to single ranks; sums over all ranks add few
   std::uint64_t messages = 0;
   double waiting_milliseconds = 0;
 
@@ -66,28 +64,28 @@ struct Traffic {
   }
 };
 
-/// Who owns which vertex, and what ranks need of each other, once per connectivity. A vertex is
-/// owned by the lowest rank that has it in a triangle of its own. Copies share all this.
+/// Owners of vertices, and the data that ranks need of each other, once per connectivity. The
+/// lowest rank with a vertex in a triangle of its own owns it. Copies share these data.
 class DistributedSurface {
  public:
-  /// Collective. Finds what lies around the piece's vertices on other ranks: ghosts that were given
-  /// are not needed, and not used. Throws Error for pieces that do not fit together: numbers that
-  /// are missing or double, triangles and positions as `make_surface` refuses them.
+  /// Collective. Finds the neighbourhood of the partition on other ranks; given ghosts are neither
+  /// needed nor used. Throws Error for inconsistent partitions: missing or repeated numbers, and
+  /// triangles and positions that `make_surface` rejects.
   DistributedSurface(SurfacePiece piece, MPI_Comm communicator);
 
-  /// Unit normals of the piece's vertices, or zero, as `make_surface` has them of the whole.
+  /// Unit normals of the partition's vertices, or zero, as in `make_surface` of the whole.
   std::span<const Vec3> normals() const;
 
-  /// Which of the piece's vertices this rank owns.
+  /// 1 for vertices of the partition that this rank owns.
   std::span<const std::uint8_t> is_own() const;
 
   /// Of the whole surface, on every rank.
   std::size_t vertex_count() const;
   std::size_t triangle_count() const;
   std::size_t edge_count() const;
-  double diagonal() const;  ///< of the box around all vertices that triangles use
+  double diagonal() const;  ///< of the bounding box of all vertices in triangles
 
-  /// What this rank has sent in all that was done with this surface.
+  /// Traffic of this rank for all work with this surface.
   const Traffic& traffic() const;
 
   /// For the library itself.
@@ -104,43 +102,41 @@ class DistributedSurface {
   std::shared_ptr<const RankSurface> surface_;
 };
 
-// Fields of a surface in pieces are found by rank 0, which gets the whole surface and needs room
-// for it. They have the bits of one process where triangles have numbers.
+// Rank 0 computes fields on the gathered surface, and needs memory for it. They have the bits of
+// one process if triangles have numbers.
 
-/// Collective. What `smooth_direction_field` finds for the whole, at the vertices of the piece.
-/// Anchors and the last field are those of vertices of the piece; what counts is what a vertex's
-/// owner has. Throws Error on all ranks, as that does.
+/// Collective. `smooth_direction_field` of the whole, at the vertices of the partition. Anchors and
+/// the last field refer to the partition's vertices; the owner's values of a vertex count. Throws
+/// Error on all ranks, as that does.
 DirectionField smooth_direction_field(const DistributedSurface& surface,
                                       const SmoothFieldOptions& options = {});
 
-/// Collective. The anchors that `stroke_anchors` of strokes.h makes for the whole surface, at the
-/// vertices of the piece; all ranks have the same strokes. Throws Error on all ranks, as that does.
+/// Collective. `stroke_anchors` of strokes.h for the whole surface, at the vertices of the
+/// partition; all ranks pass the same strokes. Throws Error on all ranks, as that does.
 std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
                                         std::span<const FieldStroke> strokes);
 
-/// Collective. The strokes that `feature_strokes` of strokes.h makes of the whole surface, on all
-/// ranks.
+/// Collective. `feature_strokes` of strokes.h for the whole surface, on all ranks.
 std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, float angle_deg,
                                          double radius, double strength);
 
-/// A field at the scale of its stripes.
+/// A field smoothed at the scale of its stripes.
 struct DistributedDetail {
-  DetailedField field;         ///< of the piece's vertices
+  DetailedField field;         ///< at the partition's vertices
   FieldDetailFigures figures;  ///< of the whole, on every rank
 };
 
-/// Collective. What a FieldDetail makes of the whole's field. `measured` has a datum per vertex of
-/// the piece, where what counts is what the owner has, or per triangle, ghosts among them, which do
-/// not count; `frequencies` and `last`, on all ranks or none, one per vertex. Throws on all ranks
-/// what FieldDetail throws, and Error for other numbers of entries; Cancelled if the `progress` of
-/// a rank asks for it.
+/// Collective. The result of FieldDetail for the whole field. `measured` has one datum per vertex
+/// of the partition, of which the owner's count, or per triangle, of which ghosts do not count.
+/// `frequencies` and `last` have one entry per vertex; `last` is given on all ranks or none. Throws
+/// on all ranks what FieldDetail throws, and Error for other numbers of entries; Cancelled if the
+/// `progress` of any rank cancels.
 DistributedDetail detailed_field(const DistributedSurface& surface, const MeasuredField& measured,
                                  std::span<const float> frequencies,
                                  const FieldDetailOptions& options = {},
                                  const MeasuredField& last = {}, const Progress& progress = {});
 
-/// Collective. The same of frequencies: what `detailed_frequencies` of measured_field.h makes of
-/// those of the whole.
+/// Collective. `detailed_frequencies` of measured_field.h for those of the whole.
 DetailedFrequencies detailed_frequencies(const DistributedSurface& surface,
                                          std::span<const float> frequencies,
                                          const FrequencyDetailOptions& options = {},
@@ -150,8 +146,8 @@ DetailedFrequencies detailed_frequencies(const DistributedSurface& surface,
 DirectionField curvature_direction_field(const DistributedSurface& surface,
                                          CurvatureDirection direction);
 
-/// Collective. The greater principal curvature at the piece's vertices, as `principal_curvatures`
-/// has it of the whole; NaN where there is none.
+/// Collective. The maximum principal curvature at the partition's vertices, as in
+/// `principal_curvatures` of the whole; NaN where there is none.
 std::vector<float> greatest_curvatures(const DistributedSurface& surface);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// Waves of a surface that many processes hold together.
+/// Waves on a surface partitioned over processes.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// A piece of a surface as what waves are on. Its functions are collective, and give what those of
-/// a `WholeSurface` give of the whole: what counts of a vertex is what its owner says.
+/// A partition as the surface of waves. Its functions are collective and return the results of a
+/// `WholeSurface` for the whole; the owner's values of a vertex count.
 class PieceSurface final : public WaveSurface {
  public:
-  /// Refers to both; `piece` is the mesh that the surface was made of.
+  /// Keeps references to both; `piece` is the mesh that the surface was made from.
   PieceSurface(const DistributedSurface& surface, const Mesh& piece)
       : surface_(surface), piece_(piece) {}
 
   std::vector<Vec3> positions() const override { return piece_.positions; }
   std::span<const Vec3> normals() const override { return surface_.normals(); }
   bool any(bool here) const override;
-  /// The mean frequency and the number are those of all ranks.
+  /// The mean frequency and the number are over all ranks.
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
   DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
                                             const FrequencyDetailOptions& options,

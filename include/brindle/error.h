@@ -1,4 +1,4 @@
-/// The one exception type that brindle throws for failures a user can act on.
+/// The one exception type that brindle throws for failures that a user can fix.
 #pragma once
 
 #include <stdexcept>
@@ -8,8 +8,8 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// A job that could not be done. The message names what failed (file and line where there is one)
-/// and, where one is known, the remedy.
+/// A failed job. The message names the cause (file and line where there is one) and, where one is
+/// known, the remedy.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

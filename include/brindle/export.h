@@ -1,10 +1,10 @@
-/// What a shared library shows of its classes, and what these keep behind their headers.
+/// Symbol visibility in shared libraries, and private state of classes.
 #pragma once
 
 #include <memory>
 #include <utility>
 
-// On Windows a namespace has no such attribute: there CMake exports all symbols.
+// Windows has no such attribute for namespaces; there CMake exports all symbols.
 #if defined(__GNUC__) && !defined(_WIN32)
 #define BRINDLE_EXPORT [[gnu::visibility("default")]]
 #else
@@ -13,11 +13,10 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Throws Error: an object that was moved from can be assigned to and destroyed, nothing else.
+/// Throws Error: a moved-from object can only be assigned to or destroyed.
 [[noreturn]] void refuse_moved_from();
 
-/// The one owner of an object's state. An object that was moved from has none, and using it throws
-/// Error.
+/// The sole owner of an object's state. A moved-from object has none; using it throws Error.
 template <class State>
 class Pimpl {
  public:

@@ -1,4 +1,4 @@
-/// Lines that tell a shape: where it turns away from the viewer, its creases and borders.
+/// Feature lines of a shape: silhouettes, creases, borders and slices.
 #pragma once
 
 #include <span>
@@ -14,26 +14,25 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Where the surface turns from the viewer's side to the other: lines through triangles on which
-/// normals, linear between vertices, are at right angles to the view (Hertzmann and Zorin 2000).
-/// `normals` has one unit normal per vertex; vertices without one (zero) are on the viewer's side.
-/// `eye` is relative to the mesh's origin. Also edges at which the mesh is split, as along creases,
-/// if one side is turned to the viewer and the other away.
+/// Silhouettes: lines through triangles where normals, linear between vertices, are at right angles
+/// to the view (Hertzmann and Zorin 2000). `normals` has one unit normal per vertex; vertices
+/// without one (zero) count as facing the viewer. `eye` is relative to the mesh's origin. Includes
+/// edges at which the mesh is split, as along creases, between a front face and a back face.
 Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye);
 
-/// The edge along which a slice (`Camera::slice`) opens the surface, a ten-thousandth of its
-/// diagonal within what is left.
+/// The edge where a slice (`Camera::slice`) opens the surface, moved by a ten-thousandth of the
+/// diagonal into the part that remains.
 Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
                       const Eigen::Hyperplane<float, 3>& slice);
 
 /// Borders, and edges at which the surface bends by more than `angle_deg` degrees (0: flat).
-/// Vertices at one place count as one. Throws Cancelled if `progress` asks for it.
+/// Coincident vertices count as one. Throws Cancelled if `progress` cancels.
 Polylines crease_lines(const Mesh& mesh, std::span<const Vec3> normals, float angle_deg,
                        const Progress& progress = {});
 
-/// The parts of lines that a pattern's strokes cover, which are `width` of a period wide: dashes
-/// that lie where the surface's own strokes would. Where there is no wave, lines are whole. `lines`
-/// come from the functions above; `waves` and `z` have an entry per vertex.
+/// The parts of lines that a pattern's strokes cover, which are `width` of a period wide. The
+/// dashes lie where the surface's own strokes would. Without a wave, lines are whole. `lines` come
+/// from the functions above; `waves` and `z` have one entry per vertex.
 Polylines dashes_of(const Polylines& lines, const Mesh& mesh, const WaveSet& waves,
                     std::span<const Complex> z, float width);
 

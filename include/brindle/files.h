@@ -1,4 +1,4 @@
-/// Meshes, points, lines, samples and strokes from and to files.
+/// Readers and writers of meshes, points, lines, samples and strokes.
 #pragma once
 
 #include <filesystem>
@@ -18,96 +18,95 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Arrays that formats store in their own way: "normal" (unit vectors)
-/// of 3 floating-point numbers; "color" (red, green, blue) of 3, floating-point from 0 to 1 or
-/// uint8 from 0 to 255; "uv" (texture coordinates in sides of the picture, from its lower left
-/// corner to the right and up) of 2 floating-point numbers.
+/// Arrays that formats store in their own way: "normal" (unit vectors) of 3 floating-point numbers;
+/// "color" (red, green, blue) of 3, floating-point from 0 to 1 or uint8 from 0 to 255; "uv"
+/// (texture coordinates in sides of the picture, from its lower left corner to the right and up) of
+/// 2 floating-point numbers.
 bool is_normal(const DataArray& array);
 bool is_color(const DataArray& array);
 bool is_uv(const DataArray& array);
 
-/// Arrays in the form in which a file holds them.
+/// Arrays in the form that a file can hold.
 struct FittedArrays {
   DataArrays arrays;
-  std::vector<std::string> left_out;  ///< a line for each: "array 'stress' (9 components) is not
-                                      ///< kept in .glb"
+  std::vector<std::string>
+      left_out;  ///< one line each: "array 'stress' (9 components) is not kept in .glb"
 };
 
 /// The part of `arrays` that the file `path` can hold, by its extension:
-/// .vtp         everything; names are as they are, but for characters that XML has not;
-/// .ply         everything but 64-bit numbers that are neither 32-bit ones nor a double exactly;
-///              arrays of cells are properties of faces. Names are one word: other characters than
+/// .vtp         everything; names stay, except for characters that XML lacks;
+/// .ply         everything except 64-bit numbers that neither 32-bit integers nor doubles hold
+/// exactly;
+///              arrays of cells become properties of faces. In names, characters other than
 ///              letters, digits and underscores become underscores;
-/// .gltf .glb   arrays of points with 1 to 4 components of finite numbers that are 32-bit floats
+/// .gltf .glb   arrays of points with 1 to 4 components of finite numbers that 32-bit floats hold
 ///              exactly; names are in capitals after an underscore;
 /// .obj         "normal" and "uv" of points;
 /// .csv         everything, for lines and samples.
-/// Names that are the same then, or taken, get underscores at their end. What was fitted fits: it
-/// stays as it is. Numbers of components are 1 or more.
+/// Names that are then equal, or taken, get underscores at their end. Fitted arrays do not change
+/// when fitted again. Numbers of components are 1 or more.
 FittedArrays fitted_arrays(const std::filesystem::path& path, DataArrays arrays);
 
+/// A mesh read from a file.
 struct LoadedMesh {
   Mesh mesh;
   MeshRepair repair;  ///< defects of the file's mesh
   /// For every vertex of the file, in its order, the vertex that triangles use in its place:
-  /// itself, or the first at the same place. Empty if nothing was joined.
+  /// itself, or the first at the same position. Empty if nothing was joined.
   std::vector<Index> vertex_of_row;
   /// Arrays of the file, with a row per vertex of `mesh` and per triangle.
   DataArrays arrays = {};
   bool renumbered = false;  ///< joined vertices were removed, and the others have new numbers
-  /// Lines for the user on parts of the file that are missing here.
+  /// Lines for the user on parts of the file that were not read.
   std::string left_out = {};
 };
 
-/// Reads VTP, VTU, legacy VTK, PLY, OBJ, OFF, STL, glTF and GLB, told apart by the path's
-/// extension; polygons are cut into triangles, and all objects of the file become one mesh. Arrays
-/// of numbers in files of VTK, properties of PLY and attributes of glTF come with it, of the types
-/// that they have there. `left_out` lists the rest of the file. The mesh of a file of VTK with
-/// volume cells alone is their boundary: the faces that belong to one cell only.
+/// Reads VTP, VTU, legacy VTK, PLY, OBJ, OFF, STL, glTF and GLB, by the path's extension. Polygons
+/// are cut into triangles, and all objects of the file become one mesh. Numeric arrays of VTK
+/// files, properties of PLY and attributes of glTF keep their types. `left_out` lists the rest of
+/// the file. A VTK file with only volume cells gives their boundary: faces of exactly one cell.
 ///
-/// Vertices of VTK, OBJ, PLY and OFF files keep their numbers, so that data per vertex match,
-/// whether or not a triangle uses them. In every format, triangles use the first of all vertices
-/// that stand at exactly one place: files often repeat vertices along seams of texture, or for
-/// every triangle. The others stay behind unreferenced; in an STL file, which has no numbers, they
-/// are removed. Coordinates that are large against the mesh's size are made relative to
-/// `Mesh::origin`.
+/// Vertices of VTK, OBJ, PLY and OFF files keep their numbers, used or not, so that data per vertex
+/// match. Files often repeat vertices along texture seams or for every triangle. In every format,
+/// triangles therefore use the first of all vertices at exactly one position. The others stay
+/// unreferenced; in STL files, which have no numbers, they are removed. Coordinates that are large
+/// against the mesh's size are made relative to `Mesh::origin`.
 ///
 /// Throws Error, naming the file, the line where there is one, and the remedy, for a path that
-/// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle; and
-/// Cancelled if `progress`, which reports the share of the file that is read, asks for it.
+/// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
+/// Throws Cancelled if `progress` cancels, which reports the share of the file that was read.
 LoadedMesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
-/// The files that `read_mesh` reads besides a .gltf; empty if that cannot be read.
+/// The files that `read_mesh` reads besides a .gltf; empty if the .gltf cannot be read.
 std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& gltf);
 
-/// The vertices that `read_mesh` reads, of a file with or without triangles. Coordinates that are
-/// no numbers stay so. Throws Error as `read_mesh` does.
+/// The vertices that `read_mesh` reads, from a file with or without triangles. Coordinates that are
+/// no numbers are kept. Throws Error as `read_mesh` does.
 Mesh read_vertices(const std::filesystem::path& path);
 
 /// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all, with
-/// arrays of a row per vertex and per triangle (`fitted_arrays`).
-/// Throws Error for an unknown extension, for arrays that the format cannot hold or that have
-/// another number of rows, and what write_file throws; Cancelled if `progress` asks for it, which
-/// leaves what stood at the path.
+/// arrays of a row per vertex and per triangle (`fitted_arrays`). Throws Error for an unknown
+/// extension, for arrays that the format cannot hold or that have another number of rows, and what
+/// write_file throws. Throws Cancelled if `progress` cancels, and then keeps an existing file.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                 std::span<const DataArray> point_arrays = {},
                 std::span<const DataArray> cell_arrays = {}, const Progress& progress = {});
 
-/// Writes a mesh that shows a picture at its texture coordinates, which repeats beyond its borders.
-/// `point_arrays` have "uv"; `png` is a PNG file's content. glTF and GLB hold the picture; for
-/// others it is written beside the mesh, for OBJ with a material library: `textured_mesh_files`.
-/// Throws Error as `write_mesh` does, and if "uv" is missing.
+/// Writes a mesh that shows a picture, repeated, at its texture coordinates. `point_arrays` have
+/// "uv"; `png` is a PNG file's content. glTF and GLB hold the picture. For other formats it is
+/// written beside the mesh, for OBJ with a material library: `textured_mesh_files`. Throws Error as
+/// `write_mesh` does, and if "uv" is missing.
 void write_textured_mesh(const std::filesystem::path& path, const Mesh& mesh,
                          std::span<const DataArray> point_arrays, const std::string& png,
                          std::span<const DataArray> cell_arrays = {},
                          const Progress& progress = {});
 
-/// All files that `write_textured_mesh` writes for `path`, that itself last. Throws Error if the
-/// mesh would name a file beside it whose name has control characters, such as line breaks.
+/// All files that `write_textured_mesh` writes for `path`, itself last. Throws Error if the mesh
+/// would refer to a file name with control characters, such as line breaks.
 std::vector<std::filesystem::path> textured_mesh_files(const std::filesystem::path& path);
 
-/// A file of a mesh or of points, which is read once: if it had to be read to find out whether it
-/// has faces, the result is kept until the mesh or the points are taken.
+/// A file of a mesh or of points that is read only once. A check for faces that has to read the
+/// file keeps the result until the mesh or the points are taken.
 class SurfaceFile {
  public:
   /// Reads nothing.
@@ -119,19 +118,19 @@ class SurfaceFile {
   const std::filesystem::path& path() const;
 
   /// False for .csv, and for .vtp, .vtu, .vtk, .ply and .obj without faces (and without volume
-  /// cells, whose boundary are faces). True if the file cannot be read: `mesh` throws the reason.
-  /// Throws Cancelled if `progress` asks for it.
+  /// cells, whose boundary has faces). True if the file cannot be read; then `mesh` throws the
+  /// reason. Throws Cancelled if `progress` cancels.
   bool has_faces(const Progress& progress = {});
 
-  /// Whether the file is to be read as points unless somebody chose: it has no faces. Throws Error,
-  /// with the remedy, for a file of lines without faces, whose points are on curves and not all
-  /// over a surface; and Cancelled if `progress` asks for it.
+  /// Whether the file is read as points by default: it has no faces. Throws Error, with the remedy,
+  /// for a file of lines without faces, whose points lie on curves rather than over a surface; and
+  /// Cancelled if `progress` cancels.
   bool is_point_cloud(const Progress& progress = {});
 
-  /// What `read_mesh` returns, and throws.
+  /// Returns and throws what `read_mesh` does.
   LoadedMesh mesh(const Progress& progress = {});
 
-  /// What `read_points` returns, and throws; and Cancelled if `progress` asks for it.
+  /// Returns and throws what `read_points` does; also Cancelled if `progress` cancels.
   LoadedPoints points(const Progress& progress = {});
 
  private:
@@ -140,15 +139,15 @@ class SurfaceFile {
 };
 
 /// Whether a file holds points and no faces: .csv, and .vtp, .vtu, .vtk, .ply and .obj without
-/// faces (and without volume cells, whose boundary are faces). False if the file cannot be
-/// read: `read_mesh` throws the reason. Use a `SurfaceFile` to read it next.
+/// faces (and without volume cells, whose boundary has faces). False if the file cannot be read;
+/// then `read_mesh` throws the reason. Use a `SurfaceFile` to read it next.
 bool is_point_file(const std::filesystem::path& path);
 
 /// Reads points, and normals if there are as many, from
-/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz; or, where the first row names columns, those called
-///   Points:0 to Points:2, or x, y and z, and Normals:0 to Normals:2, or nx, ny and nz. The others
-///   are arrays, as `read_csv_arrays` makes them;
-/// - PLY, OBJ and VTK's files: the vertices, whether or not there are faces, with their arrays;
+/// - CSV: rows of x,y,z or x,y,z,nx,ny,nz. If the first row names columns: Points:0 to Points:2, or
+///   x, y and z; and Normals:0 to Normals:2, or nx, ny and nz. The others become arrays
+///   (`read_csv_arrays`);
+/// - PLY, OBJ and VTK files: the vertices, with or without faces, and their arrays;
 /// - any other mesh file: the vertices, without normals.
 /// Throws Error naming the file, the line where there is one, and the remedy for a file that cannot
 /// be read or has no point with finite coordinates.
@@ -161,76 +160,72 @@ struct NamedLines {
   std::vector<DataArray> arrays = {};  ///< a row per point
 };
 
-/// Whether `write_polylines` knows the path's extension.
+/// Whether `write_polylines` supports the path's extension.
 bool is_polyline_format(const std::filesystem::path& path);
 
 /// Writes by the path's extension, whole or not at all:
 /// .obj  points, and lines (`l`) in a group per kind;
-/// .ply  binary: points with normals, the number of their line and of its kind, and edges;
+/// .ply  binary: points with normals, the numbers of their line and kind, and edges;
 /// .vtp  lines, with the number of their kind, whether they are closed and their length;
 /// .csv  a row per point: kind, line, closed, x, y, z, nx, ny, nz.
-/// A closed line comes back to its first point, which is not repeated but in .vtp and .obj's lists.
-/// All but .obj hold the arrays too, which are the same of all kinds but for their numbers; in .ply
-/// and .csv they are columns, NAME or, of three components, NAME_x, NAME_y, NAME_z, of other
-/// numbers of them NAME_0 and so on. Names that are taken get underscores at their end.
-/// Throws Error for another extension, for more points than an Index can count, for arrays with
-/// other numbers of rows or that differ between kinds or do not fit (`fitted_arrays`), and what
-/// write_file throws.
+/// Closed lines repeat their first point only in .vtp and in the lists of .obj.
+/// All formats but .obj hold the arrays too, which must agree between kinds except for their
+/// numbers. In .ply and .csv they are columns: NAME; for three components NAME_x, NAME_y, NAME_z;
+/// for others NAME_0 and so on. Names that are taken get underscores at their end. Throws Error for
+/// another extension, for more points than an Index can count, for arrays with other numbers of
+/// rows or that differ between kinds or do not fit (`fitted_arrays`), and what write_file throws.
 void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds,
                      const Progress& progress = {});
 
-/// Whether `write_samples` knows the path's extension.
+/// Whether `write_samples` supports the path's extension.
 bool is_sample_format(const std::filesystem::path& path);
 
-/// Writes all that a Sample has, whole or not at all, by the path's extension: .csv a row per
-/// sample, .ply (binary) a vertex per sample, .vtp a point per sample; and `arrays` of a row per
-/// sample, as `write_polylines` does. Positions are relative to `origin`, which is that of the
-/// mesh, and written where they stand. Throws Error for another extension, for arrays as
-/// `write_polylines` does, and what write_file throws.
+/// Writes all members of a Sample, whole or not at all, by the path's extension: .csv a row per
+/// sample, .ply (binary) a vertex per sample, .vtp a point per sample. `arrays` have a row per
+/// sample and are written as in `write_polylines`. Positions are relative to the mesh's `origin`;
+/// files get absolute ones. Throws Error for another extension, for arrays as `write_polylines`
+/// does, and what write_file throws.
 void write_samples(const std::filesystem::path& path, std::span<const Sample> samples,
                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
                    std::span<const DataArray> arrays = {}, const Progress& progress = {});
 
-/// The columns of a CSV file whose first row names them, as arrays of float64 with a row each.
-/// Commas, semicolons, tabs or spaces part the columns, and cells may stand in quotation marks;
-/// empty cells are NaN, and columns of words are left out. Columns NAME:0 to NAME:k-1 (so
-/// ParaView writes them), NAME_0 to NAME_k-1, or NAME with :x, :y, :z or _x, _y, _z, in any order,
-/// become one array NAME; so do xx, yy, zz, xy, yz, xz, and xx, xy, xz, yx and so on to zz. Throws
-/// Error naming the file, the line, the column and the remedy if the file cannot be read or does
-/// not name its columns, a word stands in a column of numbers, or a row has more or fewer cells
-/// than there are names.
+/// The columns of a CSV file whose first row names them, as arrays of float64. Commas, semicolons,
+/// tabs or spaces separate columns, and cells may be quoted. Empty cells are NaN; columns of words
+/// are left out. Columns NAME:0 to NAME:k-1 (as ParaView writes them), NAME_0 to NAME_k-1, or NAME
+/// with :x, :y, :z or _x, _y, _z, in any order, become one array NAME; so do xx, yy, zz, xy, yz,
+/// xz, and xx, xy, xz, yx and so on to zz. Throws Error naming the file, the line, the column and
+/// the remedy if the file cannot be read or does not name its columns, a column of numbers contains
+/// a word, or a row has more or fewer cells than there are names.
 std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path);
 
-/// The same from the first row alone: every array has one row, with the numbers of its columns,
-/// counted from 0. Columns of words have not been left out.
+/// As above from the first row alone: every array has one row, with the numbers of its columns,
+/// counted from 0. Columns of words are included.
 std::vector<DataArray> csv_columns(const std::filesystem::path& path);
 
 /// The rows of a field file, one per vertex.
 struct FieldFile {
   std::vector<Vec3> vectors;
   std::vector<float> frequencies;    ///< stripes per unit length; empty if the file has 3 columns
-  std::vector<float> frequencies_v;  ///< of the crossing stripes; empty below 5 columns
+  std::vector<float> frequencies_v;  ///< of V, the crossing stripes; empty below 5 columns
 };
 
 /// Reads a CSV file (`read_csv_arrays`) of 3 columns x,y,z, 4 with the frequency, or 5 with the
-/// frequency of the stripes that cross the others where a texture is laid along both. Of a file
-/// whose first row names columns x, y and z, these and, if there are such names, `frequency` and
-/// `frequency_v` are taken wherever they stand; unless x,y,z come first, of five columns or fewer,
-/// and the others have other names: then these are the frequencies. `nan` is a value: no wave here.
-/// The length of vectors does not matter.
+/// frequency of V, the crossing stripes of a texture. If the first row names columns x, y and z,
+/// these and any `frequency` and `frequency_v` are found by name. In files of at most five columns
+/// that begin with x,y,z, the others may have any names. `nan` is valid: no wave here. The length
+/// of vectors does not matter.
 ///
-/// A row stands for a vertex of the mesh or, if there are as many rows as entries in
-/// `vertex_of_row`, for a vertex of the mesh's file (`LoadedMesh`). Several rows of one vertex
-/// are averaged: directions up to sign, and frequencies.
-/// Throws Error naming the file, the line and the remedy if the file cannot be read, a row has
-/// another number of columns or a word in it, a frequency is not above zero, or the number of rows
-/// is neither of both.
+/// A row belongs to a vertex of the mesh or, if there are as many rows as entries in
+/// `vertex_of_row`, to a vertex of the mesh's file (`LoadedMesh`). Several rows of one vertex are
+/// averaged: directions up to sign, and frequencies. Throws Error naming the file, the line and the
+/// remedy if the file cannot be read, a row has another number of columns or a word, a frequency is
+/// not above zero, or the number of rows matches neither.
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
                          std::span<const Index> vertex_of_row = {});
 
-/// Reads a CSV file of one number from 0 to 1 a row, or with a column of the name `calm`: the
-/// weight of branch avoidance (`Slack::calm`). Rows are assigned to vertices as in
-/// `read_field_csv`; the greatest of several rows of one vertex is used. Throws Error as that does.
+/// Reads a CSV file of one number from 0 to 1 per row, or with a column `calm`: the weight of
+/// branch avoidance (`Slack::calm`). Rows are assigned to vertices as in `read_field_csv`; the
+/// greatest of several rows of one vertex is used. Throws Error as that does.
 std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
                                  std::span<const Index> vertex_of_row = {});
 

@@ -1,4 +1,4 @@
-/// From a phase graph to phases on the device that OpenGL works on.
+/// Phase solvers on OpenGL's device.
 #pragma once
 
 #include <memory>
@@ -11,26 +11,26 @@ namespace BRINDLE_EXPORT brindle {
 /// The compute shaders of the solvers.
 struct GpuKernels;
 
-/// Compiles them in the OpenGL 4.5 context that is current; that or one that shares its objects
-/// must be current whenever they are used or destroyed. Once is enough for all that is solved in a
-/// context. Throws Error, naming shader file and line, if the driver does not take one.
+/// Compiles the shaders in the current OpenGL 4.5 context. This context, or one that shares its
+/// objects, must be current whenever they are used or destroyed. One set serves all solvers of a
+/// context. Throws Error, naming shader file and line, if the driver rejects one.
 std::shared_ptr<const GpuKernels> make_gpu_kernels();
 
-/// Whether the device has it, too.
+/// Whether the device supports the solver.
 constexpr bool is_available_on_gpu(Solver solver) {
   return solver == Solver::multilevel || solver == Solver::relaxation;
 }
 
-/// Solves in the OpenGL 4.5 context that is current when it is made. That one, or one that shares
-/// its objects, must be current whenever it is used or destroyed.
+/// Solves in the OpenGL 4.5 context that is current at construction. This context, or one that
+/// shares its objects, must be current whenever the solver is used or destroyed.
 class GpuSolver {
  public:
-  /// Throws Error, naming shader file and line, if the driver does not take the shaders.
+  /// Throws Error, naming shader file and line, if the driver rejects the shaders.
   GpuSolver();
 
-  /// As `solve_phases` on the processor: colours, aggregates and lists are made there, all else is
-  /// done on the device. Throws Error for options out of range, for other solvers than multilevel
-  /// and relaxation, and if the graph does not fit the device; Cancelled if `progress` asks for it.
+  /// As `solve_phases` on the processor, which still makes colours, aggregates and lists; the
+  /// device does all else. Throws Error for options out of range, for solvers other than multilevel
+  /// and relaxation, and if the graph does not fit the device; Cancelled if `progress` cancels.
   PhaseSolution solve(const PhaseGraph& graph, const SolverOptions& options = {},
                       const Progress& progress = {}) const;
 
