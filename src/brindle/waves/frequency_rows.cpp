@@ -11,7 +11,7 @@ namespace brindle {
 namespace {
 
 constexpr float kSmoothness = 0.03f;  ///< eta
-/// mu times the square of the radius of gyration, which is about 0.29 of the diagonal for spheres
+/// mu times the square of the radius of gyration. That is about 0.29 of the diagonal for spheres
 /// and squares and does not depend on rotations.
 constexpr double kFaithfulness = 0.25;
 

@@ -10,7 +10,7 @@
 namespace brindle {
 
 /// Integrals over triangles of the squared curl of a field of unit directions (up to sign), its
-/// squared divergence (the curl of the field turned by 90 degrees), and their product.
+/// squared divergence, and their product. Divergence is the curl of the field turned by 90 degrees.
 struct CurlSums {
   double curl = 0, divergence = 0, mixed = 0;
 
@@ -32,8 +32,8 @@ bool is_one_sided(const PhaseGraph& graph);
 bool turns_freely(const PhaseGraph& graph, int symmetry);
 
 /// The angle, from -pi/2 to pi/2 and counter-clockwise about the normals, that minimises the
-/// squared curl. With d' = cos b d + sin b (n x d) it is curl cos^2 b + divergence sin^2 b + 2
-/// mixed cos b sin b.
+/// squared curl. With d' = cos b d + sin b (n x d): curl cos^2 b + divergence sin^2 b + 2 mixed cos
+/// b sin b.
 float least_curl_angle(const CurlSums& sums);
 
 /// Whether turning by that angle more than halves a curl that stripes would show. Fields that gain

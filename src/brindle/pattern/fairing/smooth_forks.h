@@ -31,12 +31,12 @@ std::vector<TouchingEnd> touching_ends(const StripeCurves& curves, const Mesh& m
 inline constexpr double kBeforeFork = 1;
 
 /// Joins curves smoothly to the curves that they touch (forks). Going back from its end, a curve is
-/// redirected at the first place where it runs along the other one, at least 0.6 / f away. From
-/// there it approaches that curve and meets it tangentially. This needs such a place within 4 / f.
-/// The other curve must not end before, be redirected itself, or turn the fork by more than 30
-/// degrees. Otherwise another neighbour, or another part of the same curve, is tried. Next come
-/// straight paths, ahead or slightly to the side, to the first curve within 2 / f. Last come forks
-/// that turn more; without any, the end stays unchanged.
+/// redirected where it first runs along the other one, at least 0.6 / f away. From there it
+/// approaches that curve and meets it tangentially. This needs such a place within 4 / f. The other
+/// curve must not end before, be redirected itself, or turn the fork by more than 30 degrees.
+/// Otherwise another neighbour, or another part of the same curve, is tried. Next come straight
+/// paths, ahead or slightly to the side, to the first curve within 2 / f. Last come forks that turn
+/// more; without any, the end stays unchanged.
 class JunctionSmoother {
  public:
   /// All arguments but `progress` must outlive this. `touches` may be those of the curves before
