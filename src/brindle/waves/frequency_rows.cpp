@@ -11,8 +11,8 @@ namespace brindle {
 namespace {
 
 constexpr float kSmoothness = 0.03f;  ///< eta
-/// mu times the square of the radius of gyration. That is about 0.29 of the diagonal for spheres
-/// and squares and does not depend on rotations.
+/// mu times the square of the radius of gyration. The radius is about 0.29 of the diagonal for
+/// spheres and squares and does not depend on rotations.
 constexpr double kFaithfulness = 0.25;
 
 /// Area, its moments, and squares of circulations.
