@@ -9,19 +9,18 @@
 namespace brindle {
 namespace {
 
-/// Far less than an edge of the seam weighs, even if all triangles of a piece together pull.
+/// Tie-breaking anchor of a triangle: summed over a component, far below one seam edge.
 constexpr float kAsItStands = 1e-7f;
 
-/// Connected triangles that are turned round together.
+/// Sets of connected triangles that are flipped together.
 struct Blocks {
   std::vector<Index> of_triangle;
-  std::vector<std::uint8_t> turned;  ///< by triangle: 1 where it runs against its block
+  std::vector<std::uint8_t> turned;  ///< by triangle: 1 if reversed relative to its block
   Index count = 0;
 };
 
-/// Blocks of at most so many triangles, each grown breadth first over edges whose sides agree, so
-/// that its triangles run alike along the way. Those marked in `alone`, if any, are blocks by
-/// themselves.
+/// Grows blocks of at most `most` triangles breadth first. Each triangle is flipped to agree with
+/// the one it was reached from. Triangles marked in `alone` form blocks of their own.
 Blocks grow_blocks(const CompressedRows<TriangleLink>& links, std::size_t most,
                    std::span<const std::uint8_t> alone = {}) {
   constexpr Index kInNoBlock = ~Index{0};
@@ -48,7 +47,7 @@ Blocks grow_blocks(const CompressedRows<TriangleLink>& links, std::size_t most,
   return blocks;
 }
 
-/// The triangles within so many steps of an edge whose sides disagree when these are turned.
+/// Triangles within `steps` links of an edge whose sides disagree after flipping `turned`.
 std::vector<std::uint8_t> near_seams(const CompressedRows<TriangleLink>& links,
                                      std::span<const std::uint8_t> turned, int steps) {
   std::vector<std::uint8_t> near(links.size());
@@ -72,7 +71,7 @@ std::vector<std::uint8_t> near_seams(const CompressedRows<TriangleLink>& links,
   return near;
 }
 
-/// What the links between two blocks add up to, in the rows of both.
+/// Links between different blocks, in the rows of both.
 CompressedRows<TriangleLink> links_between(const Blocks& blocks,
                                            const CompressedRows<TriangleLink>& links) {
   return compressed_rows<TriangleLink>(blocks.count, [&](const auto& add) {
@@ -87,8 +86,8 @@ CompressedRows<TriangleLink> links_between(const Blocks& blocks,
   });
 }
 
-/// Blocks as nodes. Phases stay on the imaginary axis, where the solver starts: +i is "as it
-/// stands".
+/// The graph of blocks. Phases stay on the imaginary axis, where the solver starts: +i keeps a
+/// block, -i flips it.
 PhaseGraph block_graph(const Blocks& blocks, CompressedRows<TriangleLink> links) {
   PhaseGraph graph;
   auto adjacency = std::make_shared<Adjacency>();
@@ -116,7 +115,7 @@ PhaseGraph block_graph(const Blocks& blocks, CompressedRows<TriangleLink> links)
   return graph;
 }
 
-/// Which triangles to turn so that blocks agree as far as they can.
+/// Triangles to flip (1) so that blocks agree as well as possible.
 std::vector<std::uint8_t> turns_of_blocks(const Blocks& blocks,
                                           const CompressedRows<TriangleLink>& links,
                                           const Progress& progress) {

@@ -1,4 +1,4 @@
-/// Triangles turned round until neighbours run alike.
+/// Flips triangles until neighbours are oriented consistently.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace brindle {
 
-/// How much a triangle and its neighbour agree: 1 where they run alike, -1 where one of them would
-/// have to be turned round, 0 where that does not help.
+/// Agreement of two neighbouring triangles. 1: their waves point the same way; -1: one has to be
+/// flipped; 0: flipping does not help.
 struct TriangleLink {
   Index neighbor;
   float coupling;
 };
 
-/// Which triangles to turn (1) so that as many neighbours as can be run alike. `links` has each
-/// link in the rows of both its triangles. Of many triangles whole blocks are turned first, and
-/// then single ones around the seams that these leave. Throws Cancelled if `progress` asks for it.
+/// Triangles to flip (1) so that as many neighbours as possible agree. `links` stores each link in
+/// the rows of both triangles. Large meshes are solved in blocks first, then triangle by triangle
+/// around the remaining seams. Throws Cancelled if `progress` asks for it.
 std::vector<std::uint8_t> agreeing_turns(const CompressedRows<TriangleLink>& links,
                                          const Progress& progress = {});
 

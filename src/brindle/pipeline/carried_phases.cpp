@@ -15,7 +15,7 @@
 namespace brindle {
 namespace {
 
-/// Looking up a place costs about a microsecond.
+/// One nearest-point query takes about a microsecond.
 constexpr std::size_t kLookupGrain = 256;
 
 std::size_t checked_size(const WaveSet& waves) {
@@ -45,19 +45,19 @@ CornerWave wave_at(const LastPattern& last, Index vertex) {
 
 bool has_wave(const CornerWave& corner) { return corner.wave.direction != Vec3::Zero(); }
 
-/// The same wave, running with `direction` rather than against it.
+/// The same wave, reversed if it points against `direction`.
 CornerWave alike(const CornerWave& corner, const Vec3& direction) {
   return direction.dot(corner.wave.direction) < 0 ? flipped(corner) : corner;
 }
 
-/// Where a wave was found.
+/// Position and wave of a nearest-point query.
 struct Source {
-  CornerWave corner;  ///< without a wave: nothing was found
+  CornerWave corner;  ///< zero direction: nothing was found
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The triangle's wave at a place. If a corner has none, the wave of the corner with the largest
-/// share that has one.
+/// The wave interpolated at a point of a triangle. If a corner has no wave, the wave of the corner
+/// with the largest barycentric weight among those with one.
 Source source_in(const LastPattern& last, const PointOnMesh& place) {
   const Triangle& triangle = last.mesh.triangles[place.triangle];
   std::array<CornerWave, 3> corners;
@@ -82,7 +82,7 @@ Source source_in(const LastPattern& last, const PointOnMesh& place) {
   return {{{place.position.cast<float>(), wave.direction, wave.frequency}, wave.z}, place.position};
 }
 
-/// Finds the last pattern's waves.
+/// Finds waves of the last pattern: in triangles, or at vertices of a point cloud.
 class Sources {
  public:
   Sources(const LastPattern& last, const Progress& progress) : last_(last) {
@@ -108,7 +108,7 @@ class Sources {
   std::optional<NearestVertex> vertices_;
 };
 
-/// The source's phase led to `point`, for a wave along `direction`; 0 if it is too far away.
+/// The source's phase moved to `point`, for a wave along `direction`; 0 beyond `max_periods`.
 Complex led_phase(const Source& source, const Eigen::Vector3d& point, const Vec3& direction,
                   float frequency, double max_periods) {
   const Eigen::Vector3d offset = point - source.position;

@@ -13,7 +13,7 @@
 namespace brindle {
 namespace {
 
-/// Each entry for both waves of a vertex.
+/// Repeats each vertex entry for its two nodes.
 std::vector<float> by_node(const std::vector<float>& by_vertex) {
   std::vector<float> nodes;
   nodes.reserve(2 * by_vertex.size());
@@ -21,7 +21,7 @@ std::vector<float> by_node(const std::vector<float>& by_vertex) {
   return nodes;
 }
 
-/// The wave that continues both, which belong together, to a point beside them.
+/// Continues two matching waves to the point `point`, for which it averages them.
 CornerWave continued(const CornerWave& a, CornerWave b, const Vec3& point, PhaseShiftKind kind) {
   if (a.wave.direction.dot(b.wave.direction) < 0) b = flipped(b);
   CornerWave result{{point, Vec3(a.wave.direction + b.wave.direction).normalized(),
@@ -55,7 +55,7 @@ class CrossTriangles {
   CrossParts take() { return {std::move(mesh_), std::move(waves_)}; }
 
  private:
-  /// The triangles around which crosses match, with room for the parts of the others.
+  /// Triangles around which crosses match. Reserves memory for the parts of the others.
   void add_matching(const Mesh& mesh, const Progress& progress) {
     const std::size_t count = cover_.base.size();
     const std::size_t room = count + 3 * cover_.singular.size();
@@ -110,8 +110,8 @@ class CrossTriangles {
   TextureWaves waves_;
 };
 
-/// Turns V round where it runs to the right of U, seen from outside: what a tile's picture shows
-/// must not be mirrored.
+/// Reverses V where it points to the right of U, viewed from outside: otherwise the tile image
+/// would be mirrored.
 void turn_left(const Mesh& mesh, TextureWaves& waves, const Progress& progress) {
   parallel_for(mesh.triangle_count(), progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -159,7 +159,7 @@ PatternQuality cross_quality(std::span<const Triangle> triangles, const CrossPat
                              std::span<const float> calm) {
   PatternQuality quality = cross_quality(cross.cover, cross.pattern.quality, cross.pattern.corners);
   if (!quality.branches_in_calm) return quality;
-  // The triangles that the cover leaves out count twice, as in `branches`.
+  // Singular triangles count twice, as in `branches`.
   for (const Index t : cross.cover.singular) {
     const auto& [a, b, c] = triangles[t];
     *quality.branches_in_calm += calm[a] + calm[b] + calm[c] >= 1.5f ? 2 : 0;

@@ -1,4 +1,4 @@
-/// Steps that still and moving patterns of cross fields have in common.
+/// Steps shared by static and animated cross patterns.
 #pragma once
 
 #include <span>
@@ -14,25 +14,23 @@
 namespace brindle {
 
 struct CrossParts {
-  Mesh mesh;           ///< as that of CrossTexture::surface
-  TextureWaves waves;  ///< U and V at its corners, which run alike where they can, V left of U
+  Mesh mesh;           ///< as CrossTexture::surface
+  TextureWaves waves;  ///< U and V per corner, consistently oriented where possible; V is left of U
 };
 
-/// `z` has a phase for every node of the cover, which is one of `mesh`. The memory of `last` is
-/// used again.
+/// Builds the cross texture of a cover of `mesh` with one phase `z` per node. Reuses the memory of
+/// `last`.
 CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<const Complex> z,
                        PhaseShiftKind kind, CrossParts last = {}, const Progress& progress = {});
 
-/// Both waves of a vertex have the slack that the vertex has.
+/// The slack of the cover: both nodes of a vertex get the vertex's slack.
 Slack slack_on_cover(Slack slack);
 
-/// What is measured of both waves together, from what was measured on the cover and the corner
-/// phases of its triangles.
+/// Quality of both waves together, from the quality and the corner phases of the cover.
 PatternQuality cross_quality(const CrossCover& cover, PatternQuality on_cover,
                              std::span<const CornerPhases> corners);
 
-/// The same of a whole pattern. `calm` is that of a Slack, by vertices of `triangles`, the
-/// surface's.
+/// The same for a whole pattern. `triangles` are the surface's; `calm` is per vertex, as in Slack.
 PatternQuality cross_quality(std::span<const Triangle> triangles, const CrossPattern& cross,
                              std::span<const float> calm);
 

@@ -9,7 +9,7 @@
 namespace brindle {
 namespace {
 
-/// The waves (i, r) of all vertices i, and none at the others, with the figures of the whole.
+/// The waves (i, r) of all vertices i with the pattern's metrics. Added vertices have no wave.
 StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec3> positions) {
   StripePattern pattern;
   pattern.waves.positions.assign(positions.begin(), positions.end());
@@ -34,8 +34,8 @@ StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec
   return pattern;
 }
 
-/// Corner phases of both patterns, and what is measured of them. New triangles are singular,
-/// whatever their corners look like; the texture on them is measured all the same.
+/// Computes corner phases and quality. Added triangles (from `regular` on) are always marked
+/// singular, but count in the texture quality.
 void measure(const Mesh& mesh, std::size_t regular, const Progress& progress,
              TexturePattern& pattern) {
   const PhaseShiftKind kind = pattern.phase_shift;

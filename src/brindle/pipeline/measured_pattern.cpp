@@ -49,7 +49,7 @@ void set_quality(const Surface& surface, std::span<const float> calm, StripePatt
   PatternQuality quality = quality_of(surface, waves, pattern, progress.part(0, 0.5));
   quality.spacing_error_wanted_mean = quality.spacing_error_mean;
   if (!pattern.frequencies_wanted.empty()) {
-    // The waves asked for are measured as the pattern's, and put back whatever is thrown.
+    // Measures the requested frequencies in place of the pattern's; the destructor restores them.
     struct Swapped {
       StripePattern& pattern;
       explicit Swapped(StripePattern& p) : pattern(p) { swap(); }

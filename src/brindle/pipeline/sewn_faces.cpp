@@ -13,12 +13,12 @@ namespace {
 
 constexpr int kRounds = 50;
 
-/// A link from a face to another one, between waves that run as their faces' do.
+/// A link between two faces. Its phases are those of waves oriented like their faces.
 struct FaceLink {
   Index other;
   Complex own, theirs;
   float weight;     ///< 0 to 1
-  bool reflecting;  ///< the other face's waves run against this one's
+  bool reflecting;  ///< the other face's waves point against this one's
 };
 
 class FaceSewing {
@@ -32,7 +32,7 @@ class FaceSewing {
   void sew() {
     shift_.assign(oriented_.size(), Complex(1));
     std::vector<std::uint8_t> placed(oriented_.size());
-    // Every face is laid against those that lie already.
+    // First pass, breadth first: align each face with the faces already placed.
     for (Index first = 0; first < placed.size(); ++first) {
       if (placed[first] != 0) continue;
       std::vector<Index> queue = {first};
@@ -58,7 +58,7 @@ class FaceSewing {
   }
 
  private:
-  /// Walks every face, and finds which way its waves run against its first.
+  /// Finds the faces, and each wave's sign relative to the first vertex of its face.
   void find_faces() {
     const Adjacency& neighborhood = *surface_.neighborhood;
     std::vector<Index> queue;
@@ -72,7 +72,7 @@ class FaceSewing {
         const Index v = queue[next];
         face_[v] = face;
         for (const Index w : neighborhood.of(v)) {
-          // Each edge once: later ones have been looked at from there.
+          // Check each edge once.
           if (sense_[w] != 0 && w < v) continue;
           if (waves_.directions[w].isZero(0)) continue;
           const float cosine = waves_.directions[v].dot(waves_.directions[w]);
@@ -89,7 +89,7 @@ class FaceSewing {
     }
   }
 
-  /// The phase of a wave that runs as its face's first does.
+  /// The phase of the wave in the orientation of its face.
   Complex phase(Index v) const { return sense_[v] < 0 ? -std::conj(z_[v]) : z_[v]; }
 
   void find_links() {
@@ -108,7 +108,7 @@ class FaceSewing {
     });
   }
 
-  /// The best shift of a face while all others stay.
+  /// Sets the optimal shift of a face with all others fixed.
   template <class Counts>
   void move(Index face, const Counts& counts) {
     if (oriented_[face] == 0) return;

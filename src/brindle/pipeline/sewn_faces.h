@@ -1,4 +1,4 @@
-/// Where the stripes of faces lie against each other.
+/// Alignment of stripes across creases.
 #pragma once
 
 #include <span>
@@ -9,11 +9,10 @@
 
 namespace brindle {
 
-/// Shifts the stripes of every face, a part of the surface that creases part from all others, as a
-/// whole, so that phases meet over creases as well as they can: the sum over links of Re(conj(z_i)
-/// z_j), weighted by how much the waves run alike, grows with every step. Links are too weak for
-/// sweeps to move whole faces. Nothing within a face changes. Faces on which the field cannot be
-/// oriented stay. `z` has a phase for every vertex.
+/// Shifts the phases of every face as a whole, so that stripes align across creases. A face is a
+/// part of the surface bounded by creases. Each step increases the sum over links of Re(conj(z_i)
+/// z_j), weighted by the waves' alignment. Links are too weak for solver sweeps to shift whole
+/// faces. Faces on which the field is not orientable stay. `z` has one phase per vertex.
 void sew_faces(const Surface& surface, const WaveSet& waves, std::span<Complex> z);
 
 }  // namespace brindle

@@ -16,16 +16,16 @@ namespace {
 
 constexpr Index kNone = std::numeric_limits<Index>::max();
 
-/// An edge at an item, and the item at its other end.
+/// Half-edge of a graph: an edge of a node, and the node at its other end.
 struct Way {
   Index edge;
   Index to;
 };
 
-/// The ways from every item.
+/// Half-edges by node.
 using Ways = CompressedRows<Way>;
 
-/// `ends(e)` are the two items of edge e.
+/// Builds the graph; `ends(e)` are the two nodes of edge e.
 template <class Ends>
 Ways ways_between(std::size_t edge_count, std::size_t items, const Ends& ends) {
   return compressed_rows<Way>(items, [&](const auto& add) {
@@ -37,8 +37,8 @@ Ways ways_between(std::size_t edge_count, std::size_t items, const Ends& ends) {
   });
 }
 
-/// Breadth-first searches from one node after another. A node has a mark alone, so that those of
-/// a large surface stay in the cache.
+/// Repeated breadth-first searches. The only array by node is the mark, which stays in the cache on
+/// large surfaces.
 class Search {
  public:
   explicit Search(const Ways& at_node) : at_node_(at_node), found_in_(at_node.size()) {}
@@ -50,7 +50,7 @@ class Search {
     found_.assign(1, {start, kNone, kNone});
     found_in_[start] = round_;
     Index steps = 0;
-    std::size_t ring_end = 1;  // those found before are `steps` away
+    std::size_t ring_end = 1;  // end of the nodes that are `steps` away
     for (std::size_t next = 0; next < found_.size(); ++next) {
       if (next == ring_end) {
         ++steps;
@@ -86,16 +86,16 @@ class Search {
   struct Found {
     Index node;
     Index by_edge;
-    Index before;  ///< place in `found_` of the node that it was found from
+    Index before;  ///< index in `found_` of the predecessor
   };
 
   const Ways& at_node_;
-  std::vector<Index> found_in_;  ///< by node: the last round that came there
-  std::vector<Found> found_;     ///< in this round, in the order of their distance
+  std::vector<Index> found_in_;  ///< by node: last round that reached it
+  std::vector<Found> found_;     ///< in this round, by distance
   Index round_ = 0;
 };
 
-/// Nodes that an odd number of the seam's edges meet in.
+/// Nodes with an odd number of seam edges.
 std::vector<Index> ends_of(std::span<const SeamEdge> edges, std::size_t node_count) {
   std::vector<std::uint8_t> odd(node_count);
   for (const SeamEdge& edge : edges) {
@@ -110,13 +110,13 @@ std::vector<Index> ends_of(std::span<const SeamEdge> edges, std::size_t node_cou
   return ends;
 }
 
-/// An end's fellow and how far it is.
+/// Another end and its distance.
 struct Near {
   Index end;
   Index steps;
 };
 
-/// Looks for ends around ends.
+/// Finds the ends near an end.
 class EndSearch {
  public:
   EndSearch(const std::vector<Index>& ends, const Ways& at_node)
@@ -125,7 +125,7 @@ class EndSearch {
     of_thread_.resize(thread_capacity());
   }
 
-  /// Of each of these ends all fellows within its reach, in ascending order of their numbers.
+  /// For each end in `around`, finds the others within its reach, sorted by number.
   void find(std::span<const Index> around, std::span<const Index> reach,
             std::span<std::vector<Near>> near, const Progress& progress) {
     constexpr std::size_t kEndsPerReport = 16;
@@ -155,14 +155,13 @@ class EndSearch {
 
   const std::vector<Index>& ends_;
   const Ways& at_node_;
-  std::vector<Index> number_;  ///< of the end at a node
+  std::vector<Index> number_;  ///< by node: number of its end
   std::vector<std::optional<Search>> of_thread_;
 };
 
-/// Pairs of ends with small sums of distances: near ones first, then two pairs swap partners where
-/// that makes both ways together shorter. They can only do so where two of their ends are nearer to
-/// each other than both ways together, so that an end has to know the fellows within less than
-/// twice its own way, and no others.
+/// Pairs ends with a small sum of distances: greedily, nearest first, then by swapping partners
+/// while that shortens two pairs. A swap can only help if two ends are closer than both pair
+/// distances together. So each end needs the others within less than twice its own pair distance.
 class Matching {
  public:
   Matching(const std::vector<Index>& ends, const Ways& at_node, const Progress& progress)
@@ -178,7 +177,7 @@ class Matching {
     } while (swap_partners());
   }
 
-  /// Numbers of nodes. An end from which no other one is reached stays alone.
+  /// Pairs of nodes. An end that reaches no other stays unpaired.
   std::vector<std::pair<Index, Index>> pairs() const {
     std::vector<std::pair<Index, Index>> result;
     for (Index i = 0; i < partner_.size(); ++i) {
@@ -207,7 +206,7 @@ class Matching {
     way_[i] = way_[j] = steps;
   }
 
-  /// Reaches farther and farther from ends that are alone.
+  /// Pairs ends greedily, doubling the search radius of those that are left.
   void pair_near_ones_first(Index nodes, const Progress& progress) {
     constexpr Index kFirstReach = 8;
     std::vector<Index> alone(ends_.size());
@@ -243,7 +242,7 @@ class Matching {
     search_.find(shortsighted, reach_, near_, progress);
   }
 
-  /// Lets two pairs swap partners where that shortens both ways together.
+  /// Swaps the partners of two pairs where that shortens their sum.
   bool swap_partners() {
     bool swapped = false;
     for (Index i = 0; i < near_.size(); ++i) {
@@ -263,12 +262,12 @@ class Matching {
   const std::vector<Index>& ends_;
   std::vector<Index> partner_;
   std::vector<Index> way_;    ///< steps to the partner
-  std::vector<Index> reach_;  ///< steps within which all fellows are known
+  std::vector<Index> reach_;  ///< radius within which all other ends are known
   std::vector<std::vector<Near>> near_;
   EndSearch search_;
 };
 
-/// 1 for edges that are in the old seam or on the new paths, but not on both.
+/// 1 for edges in exactly one of the old seam and the new paths.
 std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges, const Ways& at_node,
                                               const Progress& progress) {
   std::vector<std::uint8_t> difference(edges.size());
@@ -278,7 +277,7 @@ std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges, c
   Search search(at_node);
   const auto pairs = Matching(ends, at_node, progress.part(0, 0.7)).pairs();
   const Progress joining = progress.part(0.7, 1);
-  constexpr std::size_t kPathsPerReport = 1;  // each may be as long as the surface is
+  constexpr std::size_t kPathsPerReport = 1;  // a path may be as long as the surface
   reported_for(
       pairs.size(), joining,
       [&](std::size_t i) {
@@ -288,8 +287,8 @@ std::vector<std::uint8_t> difference_to_paths(std::span<const SeamEdge> edges, c
   return difference;
 }
 
-/// The connected parts of a set of edges. Every part that no end of a seam is left alone in has an
-/// even number of edges at each node.
+/// Connected parts of a set of edges. A part without unpaired seam ends has an even number of edges
+/// at each node.
 std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
                                                 const Ways& at_node,
                                                 const std::vector<std::uint8_t>& chosen) {
@@ -313,15 +312,15 @@ std::vector<std::vector<Index>> connected_parts(std::span<const SeamEdge> edges,
   return parts;
 }
 
-/// Triangles that are connected without crossing an edge of any part are one region: whatever parts
-/// surround, they surround whole regions. There are few where seams are short.
+/// Triangles connected without crossing an edge of a part form one region. Any set of parts
+/// encloses whole regions. Short seams have few regions.
 struct Regions {
-  std::vector<Index> of_triangle;           ///< numbered in the order of their first triangles
-  std::vector<std::array<Index, 2>> sides;  ///< of every edge of a part, the regions beside it
+  std::vector<Index> of_triangle;           ///< numbered by first triangle
+  std::vector<std::array<Index, 2>> sides;  ///< for every edge of a part, the regions on both sides
   Index count = 0;
 };
 
-/// Numbers the edges of the parts as `Regions::sides` has them.
+/// Renumbers the edges of the parts by their index in `Regions::sides`.
 Regions regions_between(std::span<const SeamEdge> edges, std::size_t triangle_count,
                         std::vector<std::vector<Index>>& parts) {
   std::vector<std::uint8_t> in_part(edges.size());
@@ -348,7 +347,7 @@ Regions regions_between(std::span<const SeamEdge> edges, std::size_t triangle_co
   return regions;
 }
 
-/// The regions on one side of a set of edges (1), if the set is the border between two sides.
+/// The regions on one side (1), if the edges bound a set of regions.
 std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_region,
                                                   const std::vector<std::uint8_t>& border) {
   constexpr std::uint8_t kUnknown = 2;
@@ -377,8 +376,8 @@ std::optional<std::vector<std::uint8_t>> one_side(const Ways& at_region,
 
 using Parts = std::span<const std::vector<Index>>;
 
-/// Turns the regions that the parts surround: all parts at once, or else in halves down to single
-/// parts, of which some surround nothing.
+/// Flips the regions that the parts enclose: all parts at once, or by bisection down to single
+/// parts. Some parts may enclose nothing.
 void turn_inside(std::size_t edge_count, const Ways& at_region, Parts parts,
                  std::vector<std::uint8_t>& turned) {
   if (parts.empty()) return;
@@ -396,7 +395,7 @@ void turn_inside(std::size_t edge_count, const Ways& at_region, Parts parts,
   }
 }
 
-/// The triangles that the parts surround (1), as far as they surround any.
+/// The triangles that the parts enclose (1).
 std::vector<std::uint8_t> surrounded_by(std::vector<std::vector<Index>> parts,
                                         std::span<const SeamEdge> edges,
                                         std::size_t triangle_count) {

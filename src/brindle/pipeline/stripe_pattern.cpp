@@ -25,7 +25,7 @@
 namespace brindle {
 namespace {
 
-/// Vertex areas, never zero, so that no mass or mean is zero; 1 for points without triangles.
+/// Vertex areas, kept above zero so that masses and means are; 1 for points without triangles.
 std::vector<float> positive_areas(const Mesh& mesh) {
   if (mesh.triangles.empty()) return std::vector<float>(mesh.vertex_count(), 1.0f);
   std::vector<float> areas = vertex_areas(mesh);
@@ -42,7 +42,7 @@ std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights,
   return cotangent_weights(surface.mesh, *surface.coupled(), progress);
 }
 
-/// For `build_phase_graph`.
+/// Normals for `build_phase_graph`: only needed with links over creases.
 std::span<const Vec3> normals_of_links(const Surface& surface) {
   return surface.linked ? std::span<const Vec3>(surface.normals) : std::span<const Vec3>();
 }
@@ -77,7 +77,7 @@ void add_fixed_phases(PhaseGraph& graph, std::span<const Complex> fixed) {
   }
 }
 
-/// Fixed phases exactly, since solvers only approach them: curves along a boundary need them.
+/// Sets fixed phases exactly, for boundary curves; solvers only approach them.
 void set_fixed_phases(const PhaseGraph& graph, std::span<const Complex> fixed,
                       PhaseSolution& solution) {
   for (std::size_t i = 0; i < fixed.size(); ++i) {
@@ -120,8 +120,8 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
   result.solution.solve_milliseconds += watch.lap();
 }
 
-/// From waves to phases. The multilevel solver couples waves in the order of its sweeps
-/// (couple_waves), all others read a PhaseGraph.
+/// Solves for phases. The multilevel solver couples waves in its own sweep order (couple_waves);
+/// all others need a PhaseGraph.
 void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& options,
            const Progress& progress, StripePattern& result) {
   progress.report(0);
@@ -168,11 +168,11 @@ void check_sizes(const Surface& surface, const WaveSet& waves) {
               std::to_string(vertices) + " vertices");
 }
 
-/// Changes frequencies within the tolerance of spacing.
+/// Changes frequencies within the spacing tolerance.
 void relax_frequencies(const Surface& surface, WaveSet& waves, const StripeOptions& options,
                        const Progress& progress, StripePattern& result) {
   Stopwatch watch;
-  // Points need triangles first.
+  // Point clouds have to be triangulated first.
   const double begins = surface.mesh.triangles.empty() ? 0.3 : 0.02;
   YieldingFrequency yielding(surface, options.slack, progress.part(0, begins));
   const std::span<const float> frequencies = yielding.solve(
@@ -213,14 +213,14 @@ std::vector<JobStage> stages_of(const StripeOptions& options) {
   return stages;
 }
 
-/// Vertices without a wave get the phase of a peak, whatever the start of the solver.
+/// Vertices without a wave get the peak phase, independent of the solver's start.
 void clear_without_wave(const WaveSet& waves, std::span<Complex> z) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     if (waves.directions[i].isZero(0)) z[i] = kPeak;
   }
 }
 
-/// From waves with their final frequencies to a measured pattern.
+/// Solves and measures a pattern whose frequencies are final.
 void solve_and_measure(const Surface& surface, WaveSet waves, const StripeOptions& options,
                        JobStages& stages, StripePattern& result) {
   solve(surface, waves, options, stages.begin("solve"), result);

@@ -29,7 +29,7 @@ struct StripeTracer::State {
 
 namespace {
 
-/// Those of frames may have no corners.
+/// Patterns of animation frames may have no corners.
 void check_belongs(const Surface& surface, const StripePattern& pattern) {
   if (pattern.solution.z.size() == surface.mesh.vertex_count() &&
       (pattern.corners.empty() || pattern.corners.size() == surface.mesh.triangle_count())) {
@@ -94,7 +94,7 @@ std::vector<Sample> StripeTracer::crossings(const StripePattern& u, const Stripe
 
 namespace {
 
-/// Turns waves round so that they run alike over creases, too.
+/// Makes wave directions consistent across creases, too.
 void run_alike(const Surface& surface, StripePattern& pattern) {
   const std::vector<Vec3> before = pattern.waves.directions;
   orient_alike(surface, pattern.waves.directions);

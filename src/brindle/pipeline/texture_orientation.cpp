@@ -15,7 +15,7 @@
 namespace brindle {
 namespace {
 
-/// A seam is laid anew when it is longer than this many times what it was, and a few edges.
+/// A seam is recomputed when it exceeds its shortest length by this factor plus a few edges.
 constexpr double kTooLong = 1.2;
 constexpr std::size_t kFewEdges = 16;
 
@@ -31,7 +31,7 @@ CompressedRows<Index> edges_by_triangle(std::size_t triangles, std::span<const S
   });
 }
 
-/// In the rows of both triangles of every edge that both sides of agree at all.
+/// Links between triangles that have an orientation, in the rows of both.
 CompressedRows<TriangleLink> links_of(std::size_t triangle_count, std::span<const SharedEdge> edges,
                                       std::span<const EdgeAgreement> agreement) {
   return compressed_rows<TriangleLink>(triangle_count, [&](const auto& add) {
@@ -46,8 +46,8 @@ CompressedRows<TriangleLink> links_of(std::size_t triangle_count, std::span<cons
   });
 }
 
-/// For every vertex the node that stands for it. A seam costs nothing along the border and around
-/// triangles without orientation: their vertices are one node.
+/// The seam node of every vertex. A seam costs nothing along the boundary and around triangles
+/// without orientation, so their vertices share a node.
 std::vector<Index> seam_nodes(std::span<const Triangle> triangles,
                               std::span<const std::uint8_t> oriented,
                               std::span<const SharedEdge> edges) {
@@ -224,8 +224,7 @@ FrameOrientation TextureOrientation::orient(std::span<const Vec3> u, bool as_giv
   return result;
 }
 
-/// Lets all triangles that had an orientation run as they ran. Returns those that have one only
-/// now.
+/// Keeps the orientation of all triangles that had one. Returns those that have one only now.
 std::vector<Index> TextureOrientation::continue_last() {
   parallel_for(triangles_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -245,7 +244,7 @@ std::vector<Index> TextureOrientation::continue_last() {
   return undecided;
 }
 
-/// Lets triangles run as most of their neighbours do, those first that have a decided one.
+/// Orients triangles like the majority of their decided neighbours, working outwards.
 void TextureOrientation::follow_neighbors(std::vector<Index> undecided) {
   if (undecided.empty()) return;
   if (edges_of_.size() == 0) edges_of_ = edges_by_triangle(triangles_.size(), edges_);
@@ -260,7 +259,7 @@ void TextureOrientation::follow_neighbors(std::vector<Index> undecided) {
         left.push_back(t);
       }
     }
-    if (left.size() == undecided.size()) {  // a piece that had no orientation: as it stands
+    if (left.size() == undecided.size()) {  // a component without orientation so far: keep
       turned_[left[0]] = 0;
       decided[left[0]] = 1;
       left.erase(left.begin());
@@ -286,7 +285,7 @@ bool TextureOrientation::follow_neighbors_of(Index triangle,
   return asked;
 }
 
-/// Lays the seam anew if it has grown too long; tells whether it did.
+/// Recomputes the seam if it has grown too long. Returns whether it did.
 bool TextureOrientation::shorten() {
   shortest_ = std::min(shortest_, seams_.turned);
   const auto allowed = static_cast<std::size_t>(kTooLong * static_cast<double>(shortest_));
@@ -299,7 +298,7 @@ bool TextureOrientation::shorten() {
   return true;
 }
 
-/// What follows from signs and turns.
+/// Updates everything that depends on signs and flips.
 void TextureOrientation::show() {
   turn_agreements(turned_, edges_, agreement_);
   shown_ = signs_;

@@ -83,7 +83,7 @@ TexturedMesh texture_coordinates(const Surface& surface, const StripePattern& pa
   TextureOrientation orientation(triangles);
   orientation.follow(pattern.waves.directions, pattern.waves.directions, oriented, orienting);
   const WaveSet& u = pattern.waves;
-  // V has no stripes: its phase is that of a crest, the same whichever way it runs.
+  // V has no stripes: its phase is that of a crest, which is invariant under reversal.
   const FrequencyField level(u.frequencies.size());
   const std::vector<Complex> crest(pattern.solution.z.size(), Complex(0, 1));
   TextureWaves waves;

@@ -20,7 +20,7 @@ class Averaging {
     graph_ = stiffness_graph(surface, stiffness);
     graph_.anchor.resize(normals_.size());
     for (std::size_t i = 0; i < normals_.size(); ++i) {
-      if (normals_[i].isZero(0)) areas_[i] = 0;  // which pulls at nothing
+      if (normals_[i].isZero(0)) areas_[i] = 0;  // no anchor
       across_.emplace_back(normals_[i].x(), normals_[i].y());
       up_.emplace_back(normals_[i].z());
     }
@@ -28,7 +28,7 @@ class Averaging {
     averaged_up_ = up_;
   }
 
-  /// Begins with the last average, which is near.
+  /// Starts from the previous average, which is close.
   std::vector<Vec3> over(float radius, const Progress& progress) {
     average(radius, across_, averaged_across_, progress.part(0, 0.6));
     average(radius, up_, averaged_up_, progress.part(0.6, 1));
@@ -46,7 +46,7 @@ class Averaging {
  private:
   void average(float radius, std::span<const Complex> values, std::vector<Complex>& averages,
                const Progress& progress) {
-    // What decays as a screened field does over a length has twice that root mean square distance.
+    // With decay length l, a screened field has a root mean square distance of 2 l.
     std::vector<float> screening = areas_;
     for (float& s : screening) s *= 4 / (radius * radius);
     for (std::size_t i = 0; i < values.size(); ++i) graph_.anchor[i] = screening[i] * values[i];
@@ -63,7 +63,7 @@ class Averaging {
 
 constexpr double kBeforeAverages = 0.2;
 
-/// Of the radius that is asked for.
+/// Multiples of the requested radius.
 constexpr std::array<float, 3> kFarther = {1, 2, 4};
 
 }  // namespace
@@ -92,7 +92,7 @@ void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, Direc
   parallel_for(field.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (field[i].isZero(0) || from[i] == to[i]) continue;
-      // Where the surface is folded so finely that its normal is the other side's, it is mirrored.
+      // On fine folds the new normal may be that of the opposite side: mirror the direction.
       const bool folded = from[i].dot(to[i]) < kOppositeSides;
       field[i] =
           tangent_direction(transported(field[i], from[i], folded ? Vec3(-to[i]) : to[i]), to[i]);

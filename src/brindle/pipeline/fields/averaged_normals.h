@@ -1,4 +1,4 @@
-/// Normals of a surface as it is seen from farther away, and fields handed on between them.
+/// Averaged normals of a surface, and transfer of fields between sets of normals.
 #pragma once
 
 #include <span>
@@ -11,16 +11,16 @@
 
 namespace brindle {
 
-/// For each of `radii`, which ascend, in units of length and above 0, the surface's normals
-/// averaged over places whose root mean square distance it is; of unit length. Zero where the
-/// surface's are, and the surface's own where their average has no direction. A finer mesh has the
-/// same. Throws Cancelled if `progress` asks for it.
+/// Unit normals averaged over the surface, one set for each of `radii`. Radii are root mean square
+/// distances in units of length, above 0 and ascending. Zero where the surface's normals are; the
+/// surface's own where the average vanishes. Independent of the mesh resolution. Throws Cancelled
+/// if `progress` asks for it.
 std::vector<std::vector<Vec3>> averaged_normals(const Surface& surface,
                                                 std::span<const float> radii,
                                                 const Progress& progress = {});
 
-/// The distances over which the normals are averaged that a field of averaged normals goes through,
-/// from the last to the first; one that goes on from the field before begins with that.
+/// Averaging radii of a coarse-to-fine solve, ascending; it starts with the last. A field that
+/// continues (`goes_on`) from a previous one only needs the first.
 std::vector<float> averaging_radii(float normal_radius, bool goes_on);
 
 /// A field that is tangent to some normals of a surface.
@@ -29,10 +29,10 @@ struct FieldOnNormals {
   DirectionField directions;
 };
 
-/// Directions that are tangent to some normals, turned until they are to others.
+/// Rotates directions tangent to `from` until they are tangent to `to`.
 void turn_to_normals(std::span<const Vec3> from, std::span<const Vec3> to, DirectionField& field);
 
-/// A field's values in the direction graph of other normals, 0 where it has none.
+/// The field's values in the direction graph of `normals`; 0 without a direction.
 std::vector<Complex> values_at(FieldOnNormals field, std::span<const Vec3> normals, int symmetry);
 
 }  // namespace brindle

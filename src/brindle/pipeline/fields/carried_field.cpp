@@ -19,10 +19,10 @@
 namespace brindle {
 namespace {
 
-/// Looking up a place costs about a microsecond.
+/// One nearest-point query takes about a microsecond.
 constexpr std::size_t kPlaceGrain = 256;
 
-/// Neighbours that say less than this share of how a vertex has turned say nothing.
+/// Relative magnitude below which the neighbours do not determine a rotation.
 constexpr float kLeastAgreement = 1e-3f;
 
 void check_field(const LastField& last) {
@@ -42,7 +42,7 @@ Complex in_basis(const Vec3& vector, const TangentBasis& basis) {
   return {vector.dot(basis.x), vector.dot(basis.y)};
 }
 
-/// Vertices of a surface and those that they were.
+/// Maps vertices of a surface to those of the last one.
 class Counterparts {
  public:
   Counterparts(const LastField& last, const Surface& surface, std::span<const Index> numbers)
@@ -68,11 +68,11 @@ class Counterparts {
   std::span<const Index> numbers_;
 };
 
-/// How the neighbours of a vertex have turned about it, from tangent basis to tangent basis.
+/// Rotation of a vertex's neighbours about it, from the old tangent basis to the new one.
 struct Turn {
   Complex direct = 0;     ///< sum of conj(a) b over edges a that became b
-  Complex reflected = 0;  ///< sum of a b: as it would be if the normal had changed sides
-  float scale = 0;        ///< sums of |a|^2 and |b|^2, multiplied
+  Complex reflected = 0;  ///< sum of a b: the same for a flipped normal
+  float scale = 0;        ///< product of the sums of |a|^2 and |b|^2
 };
 
 Turn turn_of(const LastField& last, const Surface& surface, const Counterparts& counterparts,
@@ -97,12 +97,12 @@ Turn turn_of(const LastField& last, const Surface& surface, const Counterparts& 
   return turn;
 }
 
-/// The direction turned with the neighbours, or projected if they do not say how they turned.
+/// The direction rotated with the neighbours; projected if they determine no rotation.
 Vec3 turned_along(const Turn& turn, const Vec3& direction, const Vec3& last_normal,
                   const Vec3& normal) {
   const bool reflects = std::norm(turn.reflected) > std::norm(turn.direct);
   const Complex by = reflects ? turn.reflected : turn.direct;
-  // Also false for what is not a number.
+  // Also false for NaN.
   if (!(std::norm(by) > kLeastAgreement * kLeastAgreement * turn.scale) || last_normal.isZero(0)) {
     return tangent_direction(direction, normal);
   }
@@ -112,8 +112,8 @@ Vec3 turned_along(const Turn& turn, const Vec3& direction, const Vec3& last_norm
   return tangent_direction(is.real() * basis.x + is.imag() * basis.y, normal);
 }
 
-/// The field inside a triangle: the blend of its corners' as fields of this symmetry, near to that
-/// of the corner with the largest share that has one.
+/// The field inside a triangle, interpolated with symmetry N. Returns the direction nearest to that
+/// of the corner with the largest barycentric weight (among those with a direction).
 Vec3 direction_in(const LastField& last, const PointOnMesh& place, int symmetry) {
   const Triangle& triangle = last.mesh.triangles[place.triangle];
   std::optional<std::size_t> best;
@@ -134,7 +134,7 @@ Vec3 direction_in(const LastField& last, const PointOnMesh& place, int symmetry)
   return std::cos(radians) * reference + std::sin(radians) * normal.cross(reference);
 }
 
-/// Finds the last field's directions.
+/// Finds directions of the last field: in triangles, or at vertices of a point cloud.
 class DirectionSources {
  public:
   explicit DirectionSources(const LastField& last, int symmetry)

@@ -15,8 +15,8 @@
 namespace brindle {
 namespace {
 
-/// At every vertex the mean of its features as lines (N = 2): a crease that the triangles follow in
-/// zigzag keeps its direction, and where creases meet across each other they cancel.
+/// Mean feature direction of every vertex as a line (N = 2). A crease that zigzags along edges
+/// keeps its direction; orthogonal creases cancel.
 std::vector<Complex> feature_lines(const Mesh& mesh, const Adjacency& neighborhood,
                                    std::span<const Vec3> normals, float angle_deg) {
   const MeshEdges edges = mesh_edges(mesh, neighborhood);

@@ -17,22 +17,21 @@
 namespace brindle {
 namespace {
 
-/// How strongly the last field holds while it is smoothed, in multiples of what all neighbours
-/// pull. A field is smoothed over 1 / sqrt(screening) edges: about half of what a surface of so
-/// many vertices is across, and at least ten.
+/// Weight of the last field while it is smoothed, relative to the pull of all neighbours. The
+/// smoothing length is 1 / sqrt(screening) edges: about half the width of a surface of this size,
+/// and at least ten.
 float screening_of(std::size_t vertices) {
   return std::min(0.01f, 5 / static_cast<float>(std::max<std::size_t>(vertices, 1)));
 }
 
-/// Vertices that no triangle uses are none of the surface.
+/// Isolated vertices do not count.
 std::size_t coupled_nodes(const Adjacency& adjacency) {
   std::size_t count = 0;
   for (Index i = 0; i + 1 < adjacency.offsets.size(); ++i) count += adjacency.of(i).empty() ? 0 : 1;
   return count;
 }
 
-/// The last field holds so many times as strongly as what is measured anew, so that its noise is
-/// that of several steps.
+/// Weight of the last field relative to new measurements: averages their noise over several steps.
 constexpr float kHold = 3;
 
 float degree_of(const PhaseGraph& graph, Index node) {
@@ -44,7 +43,7 @@ Complex unit_of(const Complex& u) {
   return length > 0 ? u / length : Complex(0);
 }
 
-/// Where nothing is known, what is found from scratch.
+/// The last field, with gaps filled from `found`.
 std::vector<Complex> filled(const PhaseGraph& graph, std::span<const Complex> last,
                             std::span<const Complex> found) {
   std::vector<Complex> start(last.begin(), last.end());
@@ -54,7 +53,7 @@ std::vector<Complex> filled(const PhaseGraph& graph, std::span<const Complex> la
   return start;
 }
 
-/// How strongly the last field holds at a node.
+/// Weight of the last field at a node.
 float hold_of(const PhaseGraph& graph, const LastValues& last, Index node, float weight) {
   const float noisy = last.noisy.empty() ? 0 : last.noisy[node];
   return last.confidence[node] * (weight * degree_of(graph, node) + kHold * noisy);
@@ -85,7 +84,7 @@ std::vector<Complex> warm_start(PhaseGraph& graph, const LastValues& last,
     if (!graph.adjacency->of(i).empty()) ++(hold > 0 ? known : unknown);
   }
   std::vector<Complex> start = unknown > 0 ? filled(graph, last.u, fill()) : last.u;
-  if (known == 0) return start;  // nothing to go on from
+  if (known == 0) return start;  // no previous field
   const std::vector<Complex> smooth = smooth_screened(graph, screenings, start);
   for (Index i = 0; i < count; ++i) {
     const Complex unit = unit_of(smooth[i]);
@@ -147,7 +146,7 @@ void align_with_previous(const Adjacency& neighborhood, std::span<const Complex>
     field[i] = direction_near(before, u[i], normals[i], symmetry);
     settled[i] = 1;
   }
-  // Vectors have the sign that they have.
+  // Vectors keep their sign.
   if (symmetry % 2 == 0) orient_alike(neighborhood, settled, field);
 }
 

@@ -26,9 +26,9 @@
 namespace brindle {
 namespace {
 
-/// The residual that is left, as a share of the data: directions then are off by some hundredths of
-/// a degree, in frames that go on from the last one by a tenth. What is far from all data asks for
-/// more.
+/// Relative residuals of the solver. Directions are then off by some hundredths of a degree, in
+/// frames that start from the last one by a tenth. Vertices far from all data need a smaller
+/// residual.
 constexpr float kTolerance = 5e-3f, kToleranceInFrames = 1e-2f, kToleranceInHoles = 5e-4f;
 constexpr int kMostIterations = 2000;
 
@@ -60,13 +60,13 @@ void check_field(const MeasuredField& field, std::size_t places, const std::stri
           "confidences must be finite numbers of 0 or above");
 }
 
-/// A value for people: the angle by which a direction was turned, and the area it stands for.
+/// Rotation of a direction by smoothing, and the area that it represents.
 struct DatumTurn {
   float degrees;
   float weight;
 };
 
-/// The turn that `share` of all weight is below.
+/// The rotation below which `share` of the total weight lies.
 double quantile(std::span<const DatumTurn> sorted, double total, double share) {
   double sum = 0;
   for (const DatumTurn& turn : sorted) {
@@ -94,10 +94,9 @@ void tell_turns(std::vector<DatumTurn> turns, FieldDetailFigures& figures) {
 
 }  // namespace
 
-/// One datum that a vertex hears of: its direction there, the area it stands for, and that times
-/// its confidence.
+/// A datum at a vertex: its direction there, its area, and its area times confidence.
 struct FieldDatum {
-  Complex u;  ///< a unit number but for rounding
+  Complex u;  ///< of unit length up to rounding
   float area;
   float weight;
 };
@@ -123,7 +122,7 @@ struct FieldDetail::State {
 
   std::size_t count() const { return surface.mesh.vertex_count(); }
 
-  /// The datum of a direction as vertex `i` has it.
+  /// A direction as a datum in the tangent basis of vertex `i`.
   FieldDatum datum(const MeasuredField& field, std::size_t place, Index i, float area) const {
     const Vec3 tangent = tangent_direction(field.directions[place], surface.normals[i]);
     const float confidence = field.confidence.empty() ? 1 : field.confidence[place];
@@ -134,21 +133,20 @@ struct FieldDetail::State {
     return {power, area, area * confidence};
   }
 
-  /// Calls `body` with every datum around a vertex.
+  /// Calls `body` with every datum of a vertex.
   template <class Body>
   void for_data(const MeasuredField& field, Index i, const Body& body) const {
     if (!field.of_triangles) return body(datum(field, i, i, areas[i]));
     for (const Index t : around.of(i)) body(datum(field, t, i, triangle_areas[t] / 3));
   }
 
-  /// The sum of data around every vertex, times their weights; those weights' sum; and the area
-  /// that they stand for.
+  /// Sums of data by vertex: weighted directions, weights, and areas.
   struct Sums {
     std::vector<Complex> pull;
     std::vector<float> weight, area;
   };
 
-  /// What a frame finds from its data.
+  /// Result of a frame.
   struct Found {
     Sums data;
     std::vector<Complex> u;
@@ -170,7 +168,7 @@ struct FieldDetail::State {
     return sums;
   }
 
-  /// What the weights are divided by, so that the mean confidence of data is 1.
+  /// Mean confidence of the data, by which weights are divided.
   static double mean_confidence(const Sums& sums) {
     const auto sum = [](const std::vector<float>& values) {
       return parallel_sum<double>(values.size(), [&](std::size_t begin, std::size_t end) {
@@ -206,7 +204,7 @@ struct FieldDetail::State {
   std::vector<float> areas, triangle_areas;
   VertexTriangles around;
 
-  // Of the last frame that came to its end.
+  // The last completed frame.
   std::optional<MeasuredField> measured_;
   Found found_;
   DirectionField directions;
@@ -253,7 +251,7 @@ FieldDetail::State::Found FieldDetail::State::solve(const MeasuredField& measure
         screening[i] += square * options.memory * before.weight[i];
       }
       if (screening[i] > 0) start[i] = graph.anchor[i] / screening[i];
-      // What the last frame found is nearer, where it found anything.
+      // The last frame's solution is a closer start, where it exists.
       if (!last_u.empty() && last_u[i] != Complex(0)) start[i] = last_u[i];
     }
   });
@@ -272,8 +270,8 @@ FieldDetail::State::Found FieldDetail::State::solve(const MeasuredField& measure
   return found;
 }
 
-/// How far every vertex is from the next datum, along edges, in periods; infinitely far beyond
-/// what is filled. Nothing where there are no holes.
+/// Distance of every vertex from the nearest datum along edges, in periods; infinite beyond the
+/// fill distance. Empty without holes.
 std::vector<float> FieldDetail::State::distances(const Sums& data,
                                                  std::span<const float> frequencies) const {
   if (ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
@@ -281,8 +279,8 @@ std::vector<float> FieldDetail::State::distances(const Sums& data,
   return periods_from_data(surface, frequencies, std::not_fn(is_hole), is_hole, options.fill);
 }
 
-/// The singularities of a field, and the nearest pairs of them: as many as bring them down to what
-/// the options ask for, and `more`, or as there are. They are looked for ever farther away.
+/// The number of singularities, and the nearest opposite pairs: enough to reach the requested
+/// number, plus `more`. Doubles the search radius until there are pairs.
 FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const Complex> u,
                                                      std::span<const float> frequencies,
                                                      std::size_t more) const {
@@ -298,8 +296,8 @@ FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const Complex> u,
   return found;
 }
 
-/// Averages over more where pairs of singularities are, until there are few enough of them. Where
-/// that cannot be, the field with the fewest stays.
+/// Increases the smoothing around pairs of singularities until few enough are left. Otherwise keeps
+/// the field with the fewest.
 void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
                                             std::vector<float>& screening,
                                             const ScreenedOptions& solving,
@@ -309,13 +307,13 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
   std::vector<Complex> best;
   std::size_t fewest = std::numeric_limits<std::size_t>::max(), in_vain = 0;
   for (int round = 0; round <= kMostRounds; ++round) {
-    // Where a vertex is so sharp that every field turns round beside it, other pairs must do.
+    // Sharp cones force a singularity on every field: then try additional pairs.
     const FoundSingularities found = pairs_to_undo(u, frequencies, in_vain);
     in_vain = found.count < fewest ? 0 : in_vain + 2;
     if (found.count < fewest) best = u;
     fewest = std::min(fewest, found.count);
     if (found.pairs.empty() || round == kMostRounds) break;
-    // Pairs that stay need the field farther around them to give way.
+    // Pairs that persist need smoothing over a larger area.
     const float grown = 1 + 0.2f * static_cast<float>(round);
     std::vector<std::uint8_t> is_near(count());
     for (const OppositeSingularities& pair : found.pairs) {
@@ -330,7 +328,7 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
     constexpr float kLess = 0.25f;  // twice the scale
     constexpr float kRounding = std::numeric_limits<float>::epsilon();
     for (std::size_t i = 0; i < count(); ++i) {
-      // What holds less than rounding does holds nothing.
+      // Anchors below rounding have no effect.
       if (is_near[i] == 0 || screening[i] < kRounding * degrees[i]) continue;
       screening[i] *= kLess;
       graph.anchor[i] *= kLess;
@@ -343,7 +341,7 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
   u = std::move(best);
 }
 
-/// Like the neighbours in the first frame, then like the frame before.
+/// Chooses signs like the neighbours in the first frame, later like the last frame.
 void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& progress) const {
   if (directions.empty()) return orient_alike(surface, field, progress);
   std::vector<std::uint8_t> settled(count());

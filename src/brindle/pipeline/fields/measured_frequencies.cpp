@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// The residual that is left, as a share of how far the data are from their mean.
+/// Residual of the solver, relative to the deviation of the data from their mean.
 constexpr float kLogarithmTolerance = 1e-4f;
 constexpr int kMostLogarithmIterations = 2000;
 
@@ -37,7 +37,7 @@ void check(const Surface& surface, std::span<const float> frequencies,
       "frequencies must be finite numbers of 0 or above, or NaN where there is none");
 }
 
-/// The logarithms of frequencies on a surface. Where there is no frequency there is no wave.
+/// The logarithms of frequencies. NaN is a hole; a vertex of frequency 0 has no wave.
 class Logarithms {
  public:
   Logarithms(const Surface& surface, std::span<const float> frequencies, const Progress& progress)
@@ -70,7 +70,7 @@ class Logarithms {
   float area(std::size_t i) const { return areas_[i]; }
   std::size_t count() const { return data_.size(); }
 
-  /// Sees the data at the scale of so many periods of the frequencies that were found last.
+  /// Smooths the data over `periods` periods of the current frequencies.
   void smooth(float periods, const Progress& progress) {
     std::vector<float> screening(count());
     graph_.anchor.assign(count(), Complex(0));
@@ -90,7 +90,7 @@ class Logarithms {
                               .progress = progress});
   }
 
-  /// How far every vertex is from the next datum, in periods; infinitely far beyond `reach`.
+  /// Distance of every vertex from the nearest datum, in periods; infinite beyond `reach`.
   std::vector<float> distances(float reach) const {
     std::vector<float> all(count());
     for (Index i = 0; i < count(); ++i) all[i] = frequency(i);
@@ -104,12 +104,12 @@ class Logarithms {
   std::span<const float> data_;
   PhaseGraph graph_;
   std::vector<float> degrees_, areas_;
-  float mean_ = 0;              ///< so that the unit of length does not matter
-  std::vector<float> of_data_;  ///< logarithms less their mean; 0 where there is no datum
+  float mean_ = 0;              ///< subtracted, so that the unit of length does not matter
+  std::vector<float> of_data_;  ///< logarithms minus mean_; 0 without a datum
   std::vector<Complex> found_;  ///< real
 };
 
-/// The change that half of all area is below, as a share: 0.1 for a tenth more or less.
+/// Median change weighted by area, as a share: 0.1 is 10 percent.
 double median_change(const Logarithms& logarithms) {
   std::vector<Index> order;
   double total = 0;
@@ -134,7 +134,7 @@ DetailedFrequencies detailed_frequencies(const Surface& surface, std::span<const
                                          const Progress& progress) {
   check(surface, frequencies, options);
   Logarithms logarithms(surface, frequencies, progress.part(0, 0.2));
-  // Noise of the data is in their periods, too; in those of what was found first there is less.
+  // The first pass uses the periods of the noisy data, the second those of the first result.
   logarithms.smooth(options.periods, progress.part(0.2, 0.6));
   logarithms.smooth(options.periods, progress.part(0.6, 1));
   DetailedFrequencies result;

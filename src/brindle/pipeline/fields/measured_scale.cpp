@@ -17,7 +17,7 @@ FoundSingularities opposite_singularities(const Surface& surface, std::span<cons
       singular_triangles(surface.mesh, directions, symmetry);
   found.count = singular.size();
 
-  // Those of negative index, by their corners.
+  // Singularities of negative index, by corner.
   std::vector<std::vector<Index>> negative_at(surface.mesh.vertex_count());
   for (const SingularTriangle& at : singular) {
     if (at.index > 0) continue;

@@ -1,5 +1,5 @@
-/// The scale of measured data, in periods of the stripes: what it may be, walks along edges whose
-/// lengths are counted so, and pairs of singularities that undo each other.
+/// Smoothing scales in periods of the stripes: range checks, distances along edges in periods, and
+/// pairs of opposite singularities.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,7 @@
 
 namespace brindle {
 
-/// Throws Error, "<of>: ...", for numbers of periods that cannot be: P, and how far holes are
-/// filled.
+/// Throws Error, "<of>: ...", for a smoothing scale or fill distance out of range, in periods.
 inline void check_scale(const std::string& of, float periods, float fill) {
   if (!(periods > 0 && periods <= 100)) {
     throw Error(of + ": the detail must be a number of periods above 0, and 100 at most");
@@ -31,15 +30,15 @@ inline void check_scale(const std::string& of, float periods, float fill) {
   }
 }
 
-/// Shortest ways along edges (Dijkstra 1959), one walk after the other on one surface.
+/// Repeated shortest-path searches along edges (Dijkstra 1959) on one surface.
 class PeriodWalk {
  public:
   /// `frequencies` are stripes per unit length, one per vertex. Both must outlive the walk.
   PeriodWalk(const Surface& surface, std::span<const float> frequencies)
       : surface_(surface), frequencies_(frequencies), ways_(frequencies.size()) {}
 
-  /// Visits the vertices within so many periods of the nearest source, in the order of their
-  /// distances, until `visit(vertex, distance)` is false.
+  /// Visits the vertices within `reach` periods of the nearest source, in order of distance, until
+  /// `visit(vertex, distance)` returns false.
   template <class Visit>
   void from(std::span<const Index> sources, float reach, const Visit& visit) {
     for (const Index source : sources) ways_.offer(source, 0);
@@ -61,8 +60,8 @@ class PeriodWalk {
   ShortestWays<float> ways_;
 };
 
-/// How far every vertex is from the next datum, in periods; infinitely far beyond `reach`. A
-/// vertex may be neither datum nor hole.
+/// Distance of every vertex from the nearest datum, in periods; infinite beyond `reach`. A vertex
+/// may be neither datum nor hole.
 template <class IsDatum, class IsHole>
 std::vector<float> periods_from_data(const Surface& surface, std::span<const float> frequencies,
                                      const IsDatum& is_datum, const IsHole& is_hole, float reach) {
@@ -80,7 +79,7 @@ std::vector<float> periods_from_data(const Surface& surface, std::span<const flo
   return distance;
 }
 
-/// Two triangles that a field turns round in opposite senses.
+/// Singular triangles of opposite index.
 struct OppositeSingularities {
   Index positive;
   Index negative;
@@ -89,11 +88,11 @@ struct OppositeSingularities {
 
 struct FoundSingularities {
   std::size_t count = 0;
-  std::vector<OppositeSingularities> pairs;  ///< the nearest first, each triangle in one at most
+  std::vector<OppositeSingularities> pairs;  ///< nearest first; each triangle in at most one pair
 };
 
-/// The singularities of a field of symmetry N, and those nearer to an opposite one than so many
-/// periods of stripes with these frequencies. One direction and frequency per vertex.
+/// The number of singularities of a field of symmetry N, and the opposite pairs within `reach`
+/// periods. One direction and frequency (stripes per unit length) per vertex.
 FoundSingularities opposite_singularities(const Surface& surface, std::span<const Vec3> directions,
                                           int symmetry, std::span<const float> frequencies,
                                           float reach);

@@ -73,7 +73,7 @@ bool has_anchors(const SmoothFieldOptions& options) {
   return options.curvature_anchor > 0 || options.feature_anchor > 0 || !options.anchors.empty();
 }
 
-/// Returns how strongly curvature attracts.
+/// Returns the strength of the curvature anchors by node.
 std::vector<float> add_all_anchors(PhaseGraph& graph, const Surface& surface,
                                    const SmoothFieldOptions& options, JobStages& stages) {
   if (has_anchors(options)) graph.anchor.resize(graph.node_count());
@@ -96,7 +96,7 @@ SolverOptions solver_options(const SmoothFieldOptions& options) {
 
 std::vector<Complex> values_from(const PhaseGraph& graph, std::vector<Complex> start,
                                  const SmoothFieldOptions& options, const Progress& progress) {
-  // Nodes that nothing pulls.
+  // Zero at nodes without coupling or anchor.
   ranges::replace(start, Complex(0), kPeak);
   Hierarchy hierarchy = build_hierarchy(graph, progress.part(0, 0.3));
   Level& finest = hierarchy.levels[0];
@@ -120,7 +120,7 @@ DirectionField following_field(const Surface& surface, PhaseGraph& graph,
   return field;
 }
 
-/// `from`: the field that this one begins with, if any.
+/// `from`: initial field, if any.
 LowestPhases solved(const Surface& seen, const PhaseGraph& graph,
                     std::optional<FieldOnNormals> from, const SmoothFieldOptions& options,
                     const Progress& progress) {
@@ -132,9 +132,9 @@ LowestPhases solved(const Surface& seen, const PhaseGraph& graph,
   return {values_from(graph, std::move(start), options, progress)};
 }
 
-/// What the first of `normals`, which `seen` then has, begins with: the field of the last, handed
-/// on through those between. Normals averaged over longer distances have fewer singularities, and
-/// those that the shape does not need stay away; a field from scratch is caught in them.
+/// Returns the initial field for the first of `normals`, which `seen` then has. Solves with the
+/// last and passes the field on through those between. Normals averaged over longer distances have
+/// fewer singularities; a field solved from scratch gets trapped in unnecessary ones.
 std::optional<FieldOnNormals> coarse_to_fine_field(Surface& seen,
                                                    std::vector<std::vector<Vec3>> normals,
                                                    const SmoothFieldOptions& options,
@@ -155,8 +155,7 @@ std::optional<FieldOnNormals> coarse_to_fine_field(Surface& seen,
   return field;
 }
 
-/// The field of a surface that is seen as `seen` has it: with other normals, maybe. `from` is what
-/// it begins with, if any.
+/// The field of a surface, solved with the normals of `seen`. `from`: initial field, if any.
 DirectionField field_of(const Surface& surface, const Surface& seen,
                         std::optional<FieldOnNormals> from, const SmoothFieldOptions& options,
                         JobStages& stages) {

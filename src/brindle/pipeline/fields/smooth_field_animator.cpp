@@ -69,7 +69,7 @@ std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> an
   const bool first = s.last_u.empty();
   if (!first && ranges::equal(anchors, s.last_anchors, same)) return s.field;
   set_anchors(anchors);
-  // Nothing of the last frame is in what a solve leaves behind: the next one begins anew.
+  // Resets the hierarchy: a frame must not depend on what the last solve left in it.
   progress.report("field", 0);
   renew(s.hierarchy);
   if (first && s.starts == Starts::several) {
@@ -79,7 +79,7 @@ std::span<const Vec3> SmoothFieldAnimator::frame(std::span<const FieldAnchor> an
   }
   progress.report("field", 0.5);
 
-  // All that may fail comes before anything of the last frame is given up.
+  // Everything that may throw happens before the last frame is overwritten.
   const SlicedLayout& layout = s.finest().layout();
   const std::span<const Complex> u = std::span(s.finest().z).first(layout.slot_count());
   to_nodes(layout, u, s.u_by_vertex);

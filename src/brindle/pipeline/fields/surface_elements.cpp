@@ -10,10 +10,10 @@
 namespace brindle {
 namespace {
 
-/// Edges across obtuse angles carry this much.
+/// Lower bound, for edges opposite obtuse angles.
 constexpr float kLeastCotangent = 0.01f;
 
-/// Neighbours fill a disc evenly.
+/// Assumes that the neighbours fill a disc evenly.
 std::vector<float> point_areas(const Surface& surface) {
   std::vector<float> areas(surface.mesh.vertex_count());
   parallel_for(areas.size(), [&](std::size_t begin, std::size_t end) {

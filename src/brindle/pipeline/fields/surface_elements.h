@@ -1,5 +1,5 @@
-/// Finite elements of a surface with or without triangles: what edges and vertices count, so that
-/// what is smoothed does not depend on the mesh.
+/// Finite elements of surfaces with or without triangles: edge and vertex weights that make
+/// smoothing independent of the mesh.
 #pragma once
 
 #include <span>
@@ -12,21 +12,20 @@
 
 namespace brindle {
 
-/// One per directed edge: cotangents, small ones where angles are obtuse, so that nothing falls
-/// apart; between points such that the energy of a field with an even gradient is that of its area.
+/// One per directed edge: cotangents, bounded below so that obtuse angles do not decouple vertices.
+/// For points, weights that give a constant gradient the energy of its area.
 std::vector<float> edge_stiffness(const Surface& surface, const Progress& progress = {});
 
 /// One per vertex: the sum over its edges.
 std::vector<float> stiffness_sums(const Adjacency& adjacency, std::span<const float> stiffness);
 
-/// Numbers at vertices, coupled by the stiffness of their edges: a graph that turns nothing. Its
-/// anchors are still to be set.
+/// A graph without rotation that couples vertex values by edge stiffness. Its anchors are empty.
 PhaseGraph stiffness_graph(const Surface& surface, std::span<const float> stiffness);
 
 std::vector<float> areas_of_triangles(const Mesh& mesh);
 
-/// What every vertex stands for: a third of its triangles, or, of points, its share of the disc
-/// that its neighbours fill.
+/// Vertex areas: a third of the adjacent triangles; for points, their share of the disc that the
+/// neighbours fill.
 std::vector<float> areas_of_vertices(const Surface& surface, std::span<const float> of_triangles);
 
 }  // namespace brindle

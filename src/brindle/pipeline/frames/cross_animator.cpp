@@ -22,8 +22,8 @@
 namespace brindle {
 namespace {
 
-/// Calls the direction that is nearest to wave (i, 0) of the last frame so again: a cross may be
-/// given by any of its directions.
+/// Keeps the numbering of wave 0 and 1 from the last frame, since any direction of a cross may be
+/// given.
 void match_previous_axes(const WaveSet& last, WaveSet& crosses) {
   parallel_for(crosses.directions.size() / 2, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -37,7 +37,7 @@ void match_previous_axes(const WaveSet& last, WaveSet& crosses) {
   });
 }
 
-/// Rows of both waves of a vertex have its edges in the same order.
+/// Weights on the cover: both nodes of a vertex have its edges in the same order.
 std::vector<float> weights_on_cover(const Adjacency& neighborhood, std::span<const float> weights) {
   std::vector<float> result;
   if (weights.empty()) return result;
@@ -50,7 +50,7 @@ std::vector<float> weights_on_cover(const Adjacency& neighborhood, std::span<con
   return result;
 }
 
-/// Of waves (i, r). Vertices behind those of the surface have no wave of their own.
+/// Frequencies of waves (i, r). Vertices added behind the surface's own have no wave.
 FrequencyField frequencies_of(const CrossCover& cover, std::size_t r, std::size_t vertices) {
   const FrequencyField& nodes = cover.waves.frequencies;
   FrequencyField result(vertices, nodes.front());
@@ -62,7 +62,7 @@ FrameInput cover_input(const WaveSet& waves, std::span<const Vec3> normals) {
   return {waves.positions, waves.directions, waves.frequencies, normals};
 }
 
-/// Whether everything about a cover is as that of this mesh has it, but for which crosses match.
+/// Whether the cover fits the mesh, apart from how crosses match.
 bool is_cover_of(const CrossCover& cover, const Mesh& mesh) {
   const std::size_t nodes = 2 * mesh.vertex_count(), matched = cover.base.size();
   const WaveSet& waves = cover.waves;
@@ -81,7 +81,7 @@ bool is_cover_of(const CrossCover& cover, const Mesh& mesh) {
   return true;
 }
 
-/// What a frame has come to.
+/// Result of a frame.
 struct CrossFrameState {
   CrossCover cover = {};
   Mesh cover_mesh = {};  ///< positions and triangles of the cover
@@ -91,7 +91,7 @@ struct CrossFrameState {
   void take(const FrameResult& stripes);
 };
 
-/// The frame's phases, and the frequencies that they are for.
+/// Takes over a frame's phases and the frequencies that they belong to.
 void CrossFrameState::take(const FrameResult& stripes) {
   cover_mesh.positions = cover.waves.positions;
   if (!stripes.frequencies.empty()) {
@@ -106,8 +106,7 @@ void measure(const CrossFrameState& laid, PhaseShiftKind kind, const Progress& p
   const auto corners = corner_phases(cover.triangles, cover.waves, z, kind, progress.part(0, 0.3));
   result.quality = cross_quality(
       cover, measure_quality(cover_mesh, cover.waves, corners, progress.part(0.3, 0.6)), corners);
-  // The texture's triangles are those of the cover, whichever way their waves run, and the parts of
-  // the singular ones.
+  // Texture triangles: those of the cover, which may be reversed, then the parts of singular ones.
   const std::size_t pairs = cover.base.size();
   const auto behind = [&](std::span<const CornerPhases> first,
                           const std::vector<CornerWaves>& all) {
@@ -131,7 +130,7 @@ void measure(const CrossFrameState& laid, PhaseShiftKind kind, const Progress& p
 }  // namespace
 
 struct CrossAnimator::State {
-  Surface surface;  ///< at the place of the last frame, but for the normals, which stay
+  Surface surface;  ///< with the last frame's positions but the original normals
   AnimatorOptions options;
   AnimatorOptions on_cover = {};
   bool made_with_slack = false;
@@ -168,7 +167,7 @@ WaveSet CrossAnimator::State::checked_waves(const CrossFrameInput& input) const 
   return waves;
 }
 
-/// What an animator of the cover as a surface looks at.
+/// Normals of the cover, which only the frequency relaxation needs.
 std::vector<Vec3> CrossAnimator::State::normals_on_cover(const CrossFrameInput& input) const {
   std::vector<Vec3> result;
   if (!made_with_slack) return result;
@@ -176,7 +175,7 @@ std::vector<Vec3> CrossAnimator::State::normals_on_cover(const CrossFrameInput& 
   return result;
 }
 
-/// Goes on from the last frame's phases, if there are any.
+/// A new animator that continues from the last frame's phases, if any.
 StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
                                                  std::span<const Vec3> normals) const {
   StripeAnimator result = on_cover.slack.yields()
@@ -203,7 +202,7 @@ CrossAnimator::~CrossAnimator() = default;
 CrossAnimator::CrossAnimator(CrossAnimator&&) noexcept = default;
 CrossAnimator& CrossAnimator::operator=(CrossAnimator&&) noexcept = default;
 
-/// The triangles of a frame whose phases are known, and what is measured of them.
+/// Builds and measures the triangles of a frame with known phases.
 void CrossAnimator::State::lay(const Mesh& placed, CrossFrameState& next, const Progress& progress,
                                CrossFrameResult& result) const {
   Stopwatch watch;
@@ -214,8 +213,8 @@ void CrossAnimator::State::lay(const Mesh& placed, CrossFrameState& next, const 
   result.milliseconds.measure = watch.lap();
 }
 
-/// Crosses belong together as in the last frame, whose memory is used again: once phases are known,
-/// the frame is the last one, and nobody is asked any more.
+/// Crosses match as in the last frame, whose memory is reused. Once phases are known, the frame
+/// replaces the last one and can no longer be cancelled.
 void CrossAnimator::State::solve_again(WaveSet crosses, const CrossFrameInput& input,
                                        const Progress& progress, CrossFrameResult& result) {
   Stopwatch watch;
@@ -228,8 +227,8 @@ void CrossAnimator::State::solve_again(WaveSet crosses, const CrossFrameInput& i
   lay(surface.mesh, laid, {}, result);
 }
 
-/// Crosses belong together in another way, or there is no last frame. Everything is made beside
-/// that of the last frame.
+/// Crosses match differently, or there is no last frame. The result is built separately, so that
+/// cancelling keeps the last frame.
 void CrossAnimator::State::solve_from_scratch(WaveSet crosses, const CrossFrameInput& input,
                                               const Progress& progress, CrossFrameResult& result) {
   JobStages stages(progress, {{"match crosses", 2}, {"frame", 10}, {"texture", 4}});
@@ -304,7 +303,7 @@ void CrossAnimator::set_slack(const Slack& slack) {
   check_slack(slack, s.surface.mesh.vertex_count());
   check_made_with_slack(s.made_with_slack);
   Slack of_cover = slack_on_cover(slack);
-  // Made of a cover while there was none, an animator knows no slack: another one goes on.
+  // An animator built without slack cannot take one: create another one for the next frame.
   if (s.animator && !s.on_cover.slack.yields()) s.animator.reset();
   if (s.animator) s.animator->set_slack(of_cover);
   s.on_cover.slack = std::move(of_cover);

@@ -1,5 +1,4 @@
-/// What all animators take: input that they check, and frequencies that yield before a frame is
-/// solved.
+/// Input checks and frequency relaxation, shared by all animators.
 #pragma once
 
 #include <cstddef>
@@ -16,23 +15,23 @@
 
 namespace brindle {
 
-/// Throw Error for options out of range, and for input without one entry for each of so many
-/// vertices. Values are not looked at.
+/// Throw Error for options out of range, and for input whose arrays do not have `vertices` entries.
+/// Values are not checked.
 void check_animator_options(const AnimatorOptions& options);
 void check_frame_input(const FrameInput& input, std::size_t vertices);
 
-/// What directions must be tangent to, as long as vertices stand where they stood.
+/// Normals for the tangency check, valid while the vertices stay at `positions`.
 struct RestNormals {
-  std::vector<Vec3> positions, normals;  ///< empty: nothing is known
+  std::vector<Vec3> positions, normals;  ///< empty: no normals
 };
 
-/// The normals of vertices wherever they stand, for links over creases.
+/// Normals of moved vertices, for links across creases.
 class MovingNormals {
  public:
   MovingNormals() = default;
   explicit MovingNormals(const Mesh& mesh);
 
-  /// Valid until the next call.
+  /// The normals at these positions, valid until the next call.
   std::span<const Vec3> at(std::span<const Vec3> positions);
 
  private:
@@ -42,64 +41,64 @@ class MovingNormals {
   std::vector<Vec3> normals_;
 };
 
-/// Those that are given, or those in place, or what `moving` makes of the positions.
+/// The input's normals, else the rest normals at rest positions, else those from `moving`.
 std::span<const Vec3> normals_of(const FrameInput& input, const RestNormals& in_place,
                                  MovingNormals& moving);
 
-/// Throws Error for what `check_waves` and `check_fineness` refuse, and for what `check_tangent`
-/// does, where the input has normals or vertices stand in place.
+/// Throws Error as `check_waves` and `check_fineness` do; also as `check_tangent` does, if the
+/// input has normals or vertices are at their rest positions.
 void check_values(const FrameInput& input, const Adjacency& neighborhood,
                   const RestNormals& in_place);
 
-/// The options of an animator that frequencies have nothing to do with; and throws Error unless
-/// these are such.
+/// Options without slack, for an animator with fixed frequencies; and a check that throws Error for
+/// options with slack.
 AnimatorOptions without_slack(AnimatorOptions options);
 void refuse_slack(const AnimatorOptions& options);
 
-/// Throws Error for an animator that was made without slack and is to take another one.
+/// Throws Error for an animator that was made without slack.
 void check_made_with_slack(bool made_with_slack);
 
 class FrameFrequencies {
  public:
-  /// Frequencies stay as they are.
+  /// Keeps all frequencies fixed.
   FrameFrequencies() = default;
 
-  /// The same where there is no slack. Throws Error for slack that `check` refuses.
+  /// Fixed frequencies if there is no slack. Throws Error as `check_slack` does.
   FrameFrequencies(const Surface& surface, const Slack& slack);
 
-  /// Of a part of a surface, with input of own vertices and others'.
+  /// For a part of a surface: input has own vertices first, then those of other processes.
   explicit FrameFrequencies(YieldingSolver solver) : yielding_(std::move(solver)) {}
 
   bool yields() const { return yielding_.has_value(); }
 
-  /// Another one for the same surface and slack.
+  /// A new object for the same surface and slack.
   FrameFrequencies sibling() const;
 
-  /// As StripeAnimator's.
+  /// As StripeAnimator::set_slack.
   void set_slack(const Slack& slack);
 
-  /// As YieldingSolver's, where frequencies yield.
+  /// As YieldingSolver::set_setting; needs slack.
   void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
   const YieldingSetting& setting() const { return yielding_->setting(); }
 
-  /// Whether frequencies yield and the input is that which was kept last.
+  /// Whether there is slack and the input equals the one kept last.
   bool is_kept(const FrameInput& input) const;
 
-  /// The input with the frequencies to solve for. Throws what `YieldingFrequency::solve` does.
+  /// The input with relaxed frequencies. Throws what `YieldingFrequency::solve` does.
   FrameInput yielded(const FrameInput& input, const Progress& progress);
 
-  /// Makes the input yielded last the last frame's. Cannot fail.
+  /// Commits the last `yielded` input as the last frame. Does not throw.
   void keep(const FrameInput& input);
   void restart();
 
-  /// Of the last frame that was kept; empty where nothing yields.
+  /// Frequencies of the last kept frame; empty without slack.
   std::span<const float> frequencies() const;
   const FrequencyChange& change() const { return change_; }
 
  private:
   std::optional<YieldingSolver> yielding_;
   bool has_kept_ = false;
-  std::vector<Vec3> positions_, directions_;  ///< kept
+  std::vector<Vec3> positions_, directions_;  ///< of the kept frame
   std::vector<float> wanted_;
   FrequencyChange change_;
 };

@@ -1,5 +1,5 @@
-/// The waves and phases of one frame after another on the finest level of a solver: what animators
-/// of one process and of many share.
+/// Waves and phases of successive frames on the solver's finest level. Shared by the animators of
+/// one process and of several.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace brindle {
 
-/// Sums over slots with a wave and a last phase.
+/// Sums over slots with a wave and a last phase: `angle` of |arg(z conj(last_z))|, in radians.
 struct PhaseSteps {
   double angle = 0;  ///< of |arg(z conj(last_z))|, in radians
   double count = 0;
@@ -28,42 +28,41 @@ struct PhaseSteps {
 void set_anchors(std::span<const float> degree, std::span<const Complex> last_z, float lambda,
                  std::vector<Complex>& anchor);
 
-/// By slot, in whole slices. A slot without degree has no wave.
+/// Arrays are by slot, in whole slices. A slot with degree 0 has no wave.
 PhaseSteps phase_steps(std::span<const Complex> z, std::span<const Complex> last_z,
                        std::span<const float> degree);
 
-/// Frames are coupled, solved, and then kept or taken back: until then nothing of the last frame is
-/// given up. Phases and waves are by slot of the finest level. `waves` and `momentum` need room for
-/// its slots before the first frame.
+/// A frame is coupled, solved, then kept or rolled back; until then the last frame stays intact.
+/// Phases and waves are by slot of the finest level. Reserve `waves` and `momentum` for its slots
+/// before the first frame.
 struct FramePhases {
   explicit FramePhases(const AnimatorOptions& options = {});
 
   bool has_given() const { return !given_z.empty(); }
-  /// Whether the next frame is a descent, not the paper's iterations.
+  /// Whether the next frame is solved by descent, not by the paper's iterations.
   bool descends() const { return solver == FrameSolver::multilevel || !has_last; }
 
-  /// Takes the waves of the next frame. Last phases are turned with waves that are given the other
-  /// way round; given phases are those of the frame's directions and replace the last ones. Returns
-  /// whether anything has changed.
+  /// Loads the next waves. Last phases are flipped with reversed waves. Given phases belong to the
+  /// new directions and replace the last ones. Returns whether anything has changed.
   bool load(const Level& finest, const FrameInput& input);
 
-  /// The normals of the next waves, where there are links over creases.
+  /// Sets the normals of the next waves; only used for links across creases.
   void load_normals(std::span<const Vec3> normals_by_node);
 
-  /// Couples the next waves, and anchors them to the last phases where there are any.
+  /// Couples the next waves and anchors them to the last phases, if any.
   void couple_next(Level& finest);
 
-  /// The paper's iterations from the last phases, and from the peak where none is known.
-  /// `relax(momentum)` is one of them.
+  /// The paper's iterations, starting from the last phases, or from the peak where there are none.
+  /// `relax(momentum)` is one iteration.
   void iterate(Level& finest, const std::function<void(Momentum&)>& relax);
 
-  /// How far the phases that were found are from the last ones.
+  /// Phase distances between the solution and the last frame.
   PhaseSteps steps(const Level& finest) const;
 
-  /// Makes the frame that was just solved the last one. Cannot fail.
+  /// Commits the frame that was solved last. Does not throw.
   void keep(const Level& finest);
 
-  /// Makes everything as it was before the frame that was just solved, if there was one before.
+  /// Rolls back the frame that was solved last, if there was a frame before it.
   void take_back(Level& finest);
 
   void restart();
@@ -73,24 +72,23 @@ struct FramePhases {
   int iterations;
   PhaseShiftKind phase_shift;
 
-  /// Whether a frame may be taken back. A frame without a listener need not be, if nothing comes
-  /// after it, and its waves replace the last ones at once: that saves memory.
+  /// Whether a frame may be rolled back. Frames without a listener need not be, if no step follows:
+  /// their waves then overwrite the last ones, which saves memory.
   bool may_be_taken_back = false;
-  bool has_frame = false;                     ///< whether a frame has come to its end
-  bool has_last = false;                      ///< whether the next frame follows one
+  bool has_frame = false;                     ///< whether a frame has been completed
+  bool has_last = false;                      ///< whether the next frame has last phases
   std::vector<SlicedWave> waves;              ///< of the last frame
-  std::vector<SlicedWave> cancellable_waves;  ///< of the frame that is solved, if it may be taken
-                                              ///< back
-  std::vector<float> weights;                 ///< of edges by entry; empty: 1
-  std::vector<LinkedEntry> linked;            ///< over creases
-  std::vector<Vec3> normals, next_normals;  ///< by node, of the last and the next waves, for these
-  std::vector<float> degree;                ///< sum of weights by slot
+  std::vector<SlicedWave> cancellable_waves;  ///< of the next frame, if reversible
+  std::vector<float> weights;                 ///< of edges, by entry; empty: 1
+  std::vector<LinkedEntry> linked;            ///< links across creases
+  std::vector<Vec3> normals, next_normals;    ///< by node, for `linked`
+  std::vector<float> degree;                  ///< by slot: sum of weights
   std::vector<Complex> last_z;
-  std::vector<Complex> given_z;  ///< by node: what the next frame follows instead; empty: none
+  std::vector<Complex> given_z;  ///< by node: replaces last_z in the next frame; empty: none
   std::vector<Complex> z_by_node;
   Momentum momentum;
-  std::vector<Complex> last_momentum;  ///< before the frame that is solved, if it has changed
-  bool has_iterated = false;           ///< whether it has
+  std::vector<Complex> last_momentum;  ///< for rolling back; valid if has_iterated
+  bool has_iterated = false;           ///< whether the frame has changed `momentum`
 
  private:
   void couple_to(Level& finest, std::span<const SlicedWave> of, std::span<const Vec3> normals_of);

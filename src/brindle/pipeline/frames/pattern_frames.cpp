@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// With slack, phases are of the frequencies that were chosen.
+/// The frequencies that the phases belong to: with slack, the relaxed ones.
 std::span<const float> frequencies_of(const FrameInput& input, const FrameResult& frame) {
   return frame.frequencies.empty() ? input.frequencies : frame.frequencies;
 }
@@ -36,12 +36,12 @@ struct PatternFrames::State {
     mesh.positions.reserve(vertices);
   }
 
-  Mesh mesh;  ///< at the place of the last normals; without positions before the first
+  Mesh mesh;  ///< with the positions of the last normals; none before the first call
   std::size_t vertices;
   VertexTriangles around;
   std::vector<TriangleAngles> angles;
   std::vector<Vec3> normals;
-  WaveSet waves;  ///< of the last corners
+  WaveSet waves;  ///< of the last corner phases
   std::vector<CornerPhases> corners;
 };
 

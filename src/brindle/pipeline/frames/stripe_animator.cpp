@@ -17,17 +17,17 @@ namespace brindle {
 
 struct StripeAnimator::State {
   std::shared_ptr<const Adjacency> neighborhood;
-  std::shared_ptr<const Adjacency> coupled;  ///< with links over creases; else the same
+  std::shared_ptr<const Adjacency> coupled;  ///< with links across creases, if any
   AnimatorOptions options;
   double topology_milliseconds = 0;
 
   Hierarchy hierarchy = {};  ///< empty before the first frame
-  bool is_sibling = false;   ///< whether the hierarchy was there before
+  bool is_sibling = false;   ///< whether the hierarchy came from another animator
   FramePhases phases = FramePhases(options);
-  bool has_yielded = false;  ///< whether frequencies of the frame that is solved are new
+  bool has_yielded = false;  ///< whether the frame being solved has relaxed frequencies
   FrameFrequencies yielding = {};
   RestNormals in_place = {};
-  MovingNormals moving = {};  ///< of a surface with links over creases
+  MovingNormals moving = {};  ///< with links across creases only
 
   Level& finest() { return hierarchy.levels[0]; }
 };
@@ -40,7 +40,7 @@ FrameResult unchanged_result() {
   return result;
 }
 
-/// A frame that nobody listens to allocates nothing.
+/// Without a listener, a frame allocates nothing.
 Progress progress_of_frame(const Progress& progress) {
   return progress.is_heard() ? JobStages(progress, {{"frame", 1}}).begin("frame") : Progress();
 }
@@ -91,11 +91,11 @@ FrameResult StripeAnimator::frame(const FrameInput& input, const Progress& progr
   return result;
 }
 
-/// Lets frames be taken back that have been solved, from the next one on.
+/// Makes frames reversible, starting with the next one.
 void StripeAnimator::allow_take_back() { state_->phases.may_be_taken_back = true; }
 
-/// The next frame, which `keep` or `take_back` must follow: until then, its phases are not the
-/// animator's, and not in the result. The input has been checked.
+/// Solves the next frame for checked input. `keep` or `take_back` must follow; until then neither
+/// the animator nor the result has its phases.
 FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard) {
   State& s = *state_;
   // A listener may cancel the frame.
@@ -127,7 +127,7 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   return result;
 }
 
-/// Lays faces against each other; later frames follow this one.
+/// Aligns stripes across creases in the first frame; later frames follow it.
 void StripeAnimator::sew(const FrameInput& input) {
   State& s = *state_;
   const Surface surface{{}, s.neighborhood, s.phases.next_normals, {}, s.coupled};
@@ -139,7 +139,7 @@ void StripeAnimator::sew(const FrameInput& input) {
   to_slots(s.finest().layout(), z, s.finest().z);
 }
 
-/// Makes the frame that was just solved the last one. Cannot fail.
+/// Commits the frame that was solved last. Does not throw.
 void StripeAnimator::keep(const FrameInput& input, FrameResult& solved) {
   State& s = *state_;
   Stopwatch watch;
@@ -151,12 +151,12 @@ void StripeAnimator::keep(const FrameInput& input, FrameResult& solved) {
   if (!solved.unchanged) solved.milliseconds.solve += watch.lap();
 }
 
-/// Makes everything as it was before the frame that was just solved. Cannot fail.
+/// Rolls back the frame that was solved last. Does not throw.
 void StripeAnimator::take_back(const FrameResult& solved) {
   if (!solved.unchanged) take_phases_back();
 }
 
-/// The finest level, and everything that frames write to, so that they allocate nothing.
+/// Builds the finest level and all buffers, so that frames allocate nothing.
 void StripeAnimator::start(const Progress& progress) {
   State& s = *state_;
   FramePhases& phases = s.phases;
@@ -167,7 +167,7 @@ void StripeAnimator::start(const Progress& progress) {
   const SlicedLayout& layout = s.finest().layout();
   phases.waves.reserve(layout.slot_count());
   if (phases.may_be_taken_back) phases.cancellable_waves.reserve(layout.slot_count());
-  phases.last_z.resize(layout.slot_count());  // so that no page is new when phases are kept
+  phases.last_z.resize(layout.slot_count());  // touches its pages now, not in the first `keep`
   phases.last_z.clear();
   phases.has_last = false;
   phases.z_by_node.resize(layout.slot_of.size());
@@ -182,7 +182,7 @@ void StripeAnimator::start(const Progress& progress) {
   if (builds) s.topology_milliseconds = watch.lap();
 }
 
-/// From the next waves to phases of the finest level.
+/// Solves for phases of the finest level from the next waves.
 FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& progress) {
   State& s = *state_;
   FrameMilliseconds milliseconds;
@@ -220,12 +220,12 @@ FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& p
   return milliseconds;
 }
 
-/// Makes everything as it was before a frame that has not come to its end.
+/// Rolls back a frame that was not completed.
 void StripeAnimator::take_phases_back() {
   State& s = *state_;
   s.phases.take_back(s.finest());
   if (s.phases.has_frame || s.is_sibling) return;
-  // Aggregates follow the couplings of the first frame that comes to its end.
+  // Aggregates depend on the couplings of the first completed frame.
   s.hierarchy = {};
   s.phases.degree.clear();
 }

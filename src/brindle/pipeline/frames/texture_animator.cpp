@@ -45,14 +45,14 @@ struct TextureAnimator::State {
     u.allow_take_back();
   }
 
-  Surface surface;  ///< at the place of the last frame, but for the normals, which stay
+  Surface surface;  ///< with the last frame's positions but the original normals
   TextureAnimatorOptions options;
   TextureOrientation orientation;
   StripeAnimator u;
-  std::optional<StripeAnimator> v;         ///< after the first frame of U, whose topology it shares
-  std::vector<Complex> given_v;            ///< last phases of V for its first frame
-  TexturePattern pattern;                  ///< the last frame
-  std::optional<BrokenTileFinder> finder;  ///< once somebody has asked
+  std::optional<StripeAnimator> v;  ///< created with the first frame; shares the topology of U
+  std::vector<Complex> given_v;     ///< last phases of V for its first frame
+  TexturePattern pattern;           ///< the last frame
+  std::optional<BrokenTileFinder> finder;  ///< created on first use
   BrokenTiles broken;
 
   NextWaves checked_waves(const TextureFrameInput& input) const;
@@ -61,7 +61,7 @@ struct TextureAnimator::State {
   void measure(TextureFrameResult& result);
 };
 
-/// The waves of a frame, if everything about them is right.
+/// Checks a frame's input and returns its waves.
 NextWaves TextureAnimator::State::checked_waves(const TextureFrameInput& input) const {
   const std::size_t vertices = surface.mesh.vertex_count();
   check_frame_input(input.u, vertices);
@@ -86,7 +86,7 @@ NextWaves TextureAnimator::State::checked_waves(const TextureFrameInput& input) 
   return next;
 }
 
-/// Both patterns and the orientation of the next frame, or none of them.
+/// Solves both patterns and the orientation of the next frame; rolls all back on errors.
 TextureFrameResult TextureAnimator::State::solve(const NextWaves& next, const Progress& progress) {
   TextureFrameResult result{pattern, {}, {}, {}, {}};
   JobStages stages(progress, {{"frame", 10}, {"texture", 2}});
@@ -119,7 +119,7 @@ TextureFrameResult TextureAnimator::State::solve(const NextWaves& next, const Pr
   return result;
 }
 
-/// From the corner phases of the vertices' own waves, if those are what textures are drawn by.
+/// Uses the corner phases of vertex waves if textures are drawn by these waves.
 void TextureAnimator::State::find_broken() {
   if (!finder) finder.emplace(surface.mesh.triangles);
   broken = pattern.phase_shift == PhaseShiftKind::aligned
@@ -128,8 +128,7 @@ void TextureAnimator::State::find_broken() {
                : finder->find(pattern.waves, *options.whole_tiles);
 }
 
-/// Figures that are broken are found while the patterns are measured: they are passed on from
-/// triangle to triangle by one thread.
+/// Finds broken tiles in parallel with the metrics, since it is a serial flood fill.
 void TextureAnimator::State::measure(TextureFrameResult& result) {
   Stopwatch watch;
   const auto measure_patterns = [&] {

@@ -31,19 +31,19 @@
 namespace brindle {
 namespace {
 
-/// What is solved for around the way of a pair, as a share of the longest way; and how many periods
-/// of it are tried where other branches are in the way of more.
+/// Radius solved around a pair's path, as a share of the largest pair distance; and the smaller
+/// radius, in periods, tried if other branches block that one.
 constexpr double kAround = 0.4;
 constexpr double kNear = 4;
 constexpr double kMostDistance = 1000;  // periods
 constexpr int kPolishSweeps = 4;
 constexpr int kMostMergeRounds = 12;
-/// What is looked at between two reports: where periods are many edges long, a pair has as many
-/// vertices around as take a second.
+/// Steps between two progress reports. With many edges per period, a pair's neighbourhood takes
+/// about a second.
 constexpr std::size_t kStepsPerReport = 1 << 13;
 constexpr Index kNoNumber = std::numeric_limits<Index>::max();
 
-/// Lets conjugate gradients be cancelled: every iteration calls its preconditioner once.
+/// Makes conjugate gradients cancellable: every iteration calls its preconditioner once.
 struct TickingPreconditioner : Eigen::DiagonalPreconditioner<double> {
   Progress progress;
 
@@ -55,16 +55,16 @@ struct TickingPreconditioner : Eigen::DiagonalPreconditioner<double> {
   }
 };
 
-/// An edge that a change of phase crosses, and its number of whole turns.
+/// An edge crossed by a phase jump of `turns` full turns.
 struct Crossed {
   Index edge;
   int turns;
 };
 
-/// What is tried for a pair: new phases of some vertices.
+/// Candidate phases of the vertices around a pair.
 struct Trial {
-  double raise = 0;              ///< of the energy's sum
-  std::vector<Index> triangles;  ///< around, with their branch indices then:
+  double raise = 0;              ///< of the total energy
+  std::vector<Index> triangles;  ///< around the vertices; new branch indices in `indices`
   std::vector<int> indices;
   std::vector<Index> vertices;
   std::vector<Complex> z;
@@ -104,7 +104,7 @@ class PairMerger {
     each(edges_.count(), [&](std::size_t e) { energy_ += term(static_cast<Index>(e)); });
   }
 
-  /// Removes what it can within the energy, and returns how many pairs that were.
+  /// Cancels pairs while the energy allows it. Returns the number of pairs.
   std::size_t merge(double share, Progress progress) {
     progress_ = std::move(progress);
     const double most = (1 + share) * energy_;
@@ -137,7 +137,7 @@ class PairMerger {
  private:
   Progress tick_alone() const { return progress_.part(1, 1); }
 
-  /// Calls `body(i)` for every i below `count`, one after the other.
+  /// Calls `body(i)` sequentially for every i below `count`, with progress.
   template <class Body>
   void each(std::size_t count, const Body& body) const {
     for (std::size_t i = 0; i < count; ++i) {
@@ -158,7 +158,7 @@ class PairMerger {
     });
   }
 
-  /// Shifts from the lower end in its sense; and of every directed edge the edge.
+  /// Phase shifts in the lower vertex's orientation, and the edge of each directed edge.
   void shift_edges() {
     shift_.resize(edges_.count());
     each(edges_.count(), [&](std::size_t number) {
@@ -177,13 +177,13 @@ class PairMerger {
     });
   }
 
-  /// The phase of an edge's higher end, in the sense of its lower one.
+  /// The phase at the edge's higher vertex, in the orientation of the lower one.
   Complex seen_from_lower(Index e, Complex z) const {
     return forms_.sign(e) < 0 ? -std::conj(z) : z;
   }
 
-  /// What the waves of the edge's ends leave of the difference of their phases, from the lower end
-  /// in its sense, between -pi and pi.
+  /// Phase difference along an edge minus the shift of its waves, in (-pi, pi). From the lower
+  /// vertex in its orientation.
   double remainder(Index e) const {
     const auto [a, b] = edges_.vertices[e];
     const Complex difference = seen_from_lower(e, z_[b]) * std::conj(z_[a]);
@@ -208,7 +208,7 @@ class PairMerger {
     return 1 / static_cast<double>(waves_.frequencies[mesh_.triangles[t][0]]);
   }
 
-  /// Of every branch, the way to the nearest that is its opposite.
+  /// The path from every branch to the nearest opposite one.
   std::vector<BranchPair> find_pairs() {
     std::vector<BranchPair> pairs;
     for (Index t = 0; t < index_.size(); ++t) {
@@ -231,9 +231,9 @@ class PairMerger {
   struct Step {
     double length;
     Index triangle;
-    Index edge;  ///< entered through
+    Index edge;  ///< through which the triangle was entered
     int turns;
-    int before;  ///< step
+    int before;  ///< index of the previous step
     bool operator>(const Step& other) const {
       return std::pair(length, triangle) > std::pair(other.length, other.triangle);
     }
@@ -303,7 +303,7 @@ class PairMerger {
     return !waves_.directions[v].isZero(0) && (fixed_.empty() || fixed_[v] == Complex(0));
   }
 
-  /// Free vertices within so many periods of the way, nearest first.
+  /// Free vertices within `periods` of the path, nearest first.
   std::vector<Index> vertices_around(const BranchPair& pair, double periods) const {
     const double reach = periods * period_at(pair.triangles[0]);
     std::vector<Index> found;
@@ -324,7 +324,7 @@ class PairMerger {
     return found;
   }
 
-  /// Edges with an end among vertices that have a number.
+  /// Edges with at least one end among the numbered vertices.
   std::vector<Index> edges_around(const std::vector<Index>& vertices) const {
     std::vector<Index> found;
     for (const Index v : vertices) {
@@ -342,12 +342,12 @@ class PairMerger {
     return trial || around <= kNear ? std::move(trial) : try_within(pair, kNear);
   }
 
-  /// The phases that are best with so many turns across the way, so many periods around it, if both
-  /// branches go and no other comes.
+  /// Optimal phases around the path with its full turns imposed, if both branches disappear and no
+  /// other appears.
   std::optional<Trial> try_within(const BranchPair& pair, double periods) {
     Trial trial;
     trial.vertices = vertices_around(pair, periods);
-    if (!is_changed(trial.vertices)) return std::nullopt;  // the same as before
+    if (!is_changed(trial.vertices)) return std::nullopt;  // unchanged since the last attempt
     for (std::size_t i = 0; i < trial.vertices.size(); ++i) {
       number_[trial.vertices[i]] = static_cast<Index>(i);
     }
@@ -377,7 +377,7 @@ class PairMerger {
     return z;
   }
 
-  /// Least squares of all remainders, with whole turns added on the way; phases outside stay.
+  /// Least squares of all remainders with full turns imposed on the path; phases outside are fixed.
   void turn_phases(const std::vector<Index>& vertices, const std::vector<Index>& edges,
                    const std::vector<Crossed>& way) {
     const auto count = static_cast<Eigen::Index>(vertices.size());
@@ -421,7 +421,7 @@ class PairMerger {
     }
   }
 
-  /// Every vertex goes where its neighbours want it: down to the nearest minimum of the energy.
+  /// Gauss-Seidel: moves each vertex to its optimum given its neighbours.
   void polish(const std::vector<Index>& vertices) {
     each(vertices.size(), [&](std::size_t number) {
       const Index v = vertices[number];
@@ -433,7 +433,7 @@ class PairMerger {
         const std::complex<double> turn =
             elementary::polar(weight_[e], v == a ? -shift_[e] : shift_[e]);
         const Complex other = z_[v == a ? b : a];
-        // What the lower end makes of the higher one, or the reverse of that.
+        // The neighbour's phase as predicted at v, in the orientation of v.
         sum += v == a ? std::complex<double>(seen_from_lower(e, other)) * turn
                       : std::complex<double>(
                             seen_from_lower(e, Complex(std::complex<double>(other) * turn)));
@@ -454,7 +454,7 @@ class PairMerger {
     return found;
   }
 
-  /// Whether there are two branches fewer; others may have moved to a neighbouring triangle.
+  /// Whether two branches have gone; others may have moved to a neighbouring triangle.
   bool is_merged(const BranchPair& pair, Trial& trial) const {
     int fewer = 0;
     each(trial.triangles.size(), [&](std::size_t number) {
@@ -470,7 +470,7 @@ class PairMerger {
     return std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return changed_[v]; });
   }
 
-  /// Tries the pair once more, if others have gone nearby.
+  /// Applies a trial; recomputes it first if phases nearby have changed.
   bool apply(BranchPair& pair, double most) {
     if (is_changed(pair.trial.vertices)) {
       if (index_[pair.triangles[0]] == 0 || index_[pair.triangles[1]] == 0) return false;
@@ -504,14 +504,14 @@ class PairMerger {
   MeshEdges edges_;
   TwistedForms forms_;
   std::vector<int> index_;
-  mutable std::vector<Index> number_;  ///< of the vertices that are solved for
+  mutable std::vector<Index> number_;  ///< index among the vertices solved for
   mutable ShortestWays<double> ways_;
   std::vector<double> best_;
   std::vector<Step> steps_;
   std::vector<double> weight_, shift_;
   std::vector<Index> edge_at_;
-  std::vector<int> turns_;     ///< of every edge: those of the way that is tried
-  std::vector<bool> changed_;  ///< since all pairs were tried
+  std::vector<int> turns_;     ///< by edge: full turns on the path under trial
+  std::vector<bool> changed_;  ///< since all pairs were last tried
   double energy_ = 0;
 };
 

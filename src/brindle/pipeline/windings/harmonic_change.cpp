@@ -21,7 +21,7 @@
 namespace brindle {
 namespace {
 
-/// Finds ways across triangles on which a closed form may have its values.
+/// Finds dual paths that carry a closed form: strips of triangles.
 class CutFinder {
  public:
   CutFinder(const MeshEdges& edges, const TwistedForms& forms,
@@ -41,8 +41,8 @@ class CutFinder {
     }
   }
 
-  /// Adds to `form` one that gains one period times `scale` round the loop and nothing round
-  /// others, but for a boundary that is not `taken`.
+  /// Adds a closed form to `form` whose period is `scale` round the loop and 0 round all others,
+  /// except for one boundary that is not `taken`.
   void add(std::size_t loop, const LoopWalk& walk, const std::vector<bool>& taken, double scale,
            std::vector<double>& form) {
     states_.clear();
@@ -86,8 +86,8 @@ class CutFinder {
     states_.push_back({edge, value, next, before});
   }
 
-  /// The number of the state before the one that reaches the end; the end itself is added, unless
-  /// it is where the search began.
+  /// Breadth-first search. Returns the last state of the path; appends the end edge unless it is
+  /// the start edge.
   std::optional<int> search(std::size_t loop, const std::vector<bool>& taken) {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const State state = states_[i];
@@ -124,7 +124,7 @@ class CutFinder {
   std::vector<bool> seen_;
 };
 
-/// Cotangents, kept above zero: of obtuse triangles they would not be.
+/// Cotangent weights, clamped above zero, since obtuse triangles make them negative.
 std::vector<double> form_weights(const Surface& surface, const MeshEdges& edges) {
   const Adjacency& adjacency = *surface.neighborhood;
   const std::vector<float> directed = cotangent_weights(surface.mesh, adjacency);
@@ -136,7 +136,7 @@ std::vector<double> form_weights(const Surface& surface, const MeshEdges& edges)
   return weights;
 }
 
-/// Takes from `form` what is the change of a function: what is left has the least norm.
+/// Subtracts the exact part of `form`: the remainder has the least norm.
 void make_harmonic(const TwistedForms& forms, const MeshEdges& edges,
                    const std::vector<double>& weights, std::size_t vertices,
                    std::vector<double>& form) {
@@ -155,7 +155,7 @@ void make_harmonic(const TwistedForms& forms, const MeshEdges& edges,
     right[b] -= sign * weights[e] * form[e];
   }
   for (std::size_t v = 0; v < vertices; ++v) {
-    // Functions are known up to a constant where the field is oriented all over.
+    // Functions are unique up to a constant where the field is orientable.
     const double own = diagonal[v] > 0 ? (1 + 1e-9) * diagonal[v] : 1;
     entries.emplace_back(static_cast<int>(v), static_cast<int>(v), own);
   }
@@ -173,8 +173,8 @@ void make_harmonic(const TwistedForms& forms, const MeshEdges& edges,
   }
 }
 
-/// Vertices whose edges nearly lie on a line, as in slivers, and their gradients: across it they
-/// are rounding errors over next to nothing.
+/// Vertices whose edges are nearly collinear, as in slivers. Across that line their gradients are
+/// rounding errors divided by almost zero.
 class Slivers {
  public:
   explicit Slivers(const std::vector<Eigen::Matrix2d>& products) {
@@ -184,7 +184,7 @@ class Slivers {
     }
   }
 
-  /// Gives those that stand out from all their neighbours the mean of these.
+  /// Replaces outliers among their gradients by the mean of the neighbours'.
   void smooth(const Surface& surface, const std::vector<Vec3>& directions,
               std::vector<Eigen::Vector3d>& gradients) const {
     std::vector<Eigen::Vector3d> smoothed;
@@ -216,7 +216,7 @@ class Slivers {
   std::vector<Index> vertices_;  ///< in ascending order
 };
 
-/// The tangent vector whose products with the edges at a vertex come closest to the form.
+/// Per vertex, the tangent vector whose products with its edges best fit the form (least squares).
 std::vector<Eigen::Vector3d> gradients(const TwistedForms& forms, const Surface& surface,
                                        const MeshEdges& edges, const std::vector<double>& weights,
                                        const std::vector<double>& form,

@@ -1,4 +1,4 @@
-/// Closed changes of phase with given periods, of least norm.
+/// Closed one-forms of least norm with prescribed periods.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,17 @@
 
 namespace brindle {
 
-/// How much a loop is to gain, in periods, in the sense of its first vertex's wave.
+/// Periods to add round a loop, in the orientation of its first vertex's wave.
 struct MissingPeriods {
   std::size_t loop;
   int periods;
 };
 
-/// Finds the one-form beta with d beta = 0 and these periods whose norm, weighted by cotangents, is
-/// least: the harmonic one. Wherever waves of neighbours run against each other it changes its sign
-/// with them (it lives on the field's orientation covering). Returns its gradient in every vertex's
-/// own sense, a tangent vector in radians per unit length. `walks` has an entry per loop. Round a
-/// boundary, the change runs to the nearest boundary that is not among `missing`. Throws Error
-/// where there is no way for it.
+/// Returns the harmonic one-form beta: d beta = 0, the given periods, least cotangent-weighted
+/// norm. Its sign changes with the waves, since it lives on the field's orientation covering.
+/// Result: its gradient at each vertex in that vertex's orientation, a tangent vector in radians
+/// per unit length. `walks` has one entry per loop. A change round a boundary is balanced at the
+/// nearest boundary that is not in `missing`. Throws Error if no path exists.
 std::vector<Eigen::Vector3d> harmonic_change(const Surface& surface, const MeshEdges& edges,
                                              const std::vector<SurfaceLoop>& loops,
                                              const std::vector<LoopWalk>& walks,

@@ -39,7 +39,7 @@ LoopWalk walk_round(const SurfaceLoop& loop, std::span<const Vec3> normals, cons
   if (sense < 0) return walk;
   walk.oriented = true;
   walk.periods = static_cast<int>(std::lround(radians / static_cast<double>(kTwoPi)));
-  // Where the phase grows on the way and waves run to the left, stripes fall off to the right.
+  // If the phase grows along the path and waves point left of it, stripes drift to the right.
   walk.sign =
       std::abs(along) > std::abs(across) ? (walk.periods < 0 ? -1 : 1) : (across > 0 ? -1 : 1);
   return walk;

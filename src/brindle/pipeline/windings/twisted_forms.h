@@ -1,5 +1,4 @@
-/// Changes of phase along edges and round loops, whose signs change with the waves that they belong
-/// to.
+/// Phase changes along edges and round loops, with signs relative to the waves' orientation.
 #pragma once
 
 #include <array>
@@ -14,14 +13,14 @@
 
 namespace brindle {
 
-/// The value of a directed edge, of one value for each.
+/// The value of a directed edge, from an array with one value per directed edge.
 double value_at(const Adjacency& adjacency, std::span<const float> directed, Index from, Index to);
 
-/// One-forms whose values belong to edges, each from its lower vertex to its higher one and in the
-/// lower one's sense.
+/// One-forms on a line field. An edge's value belongs to the direction from its lower to its higher
+/// vertex, and to the lower vertex's orientation.
 class TwistedForms {
  public:
-  /// `directions` has one entry per vertex. What is handed in must outlive this.
+  /// `directions` has one entry per vertex. The arguments must outlive this object.
   TwistedForms(const Mesh& mesh, const MeshEdges& edges, const std::vector<Vec3>& directions)
       : mesh_(mesh), edges_(edges), signs_(edges.count()) {
     for (Index e = 0; e < edges.count(); ++e) {
@@ -31,16 +30,16 @@ class TwistedForms {
     }
   }
 
-  /// 1 or -1: how its ends' waves run to each other; 0 without both waves.
+  /// 1 or -1: relative orientation of the waves at its ends; 0 if one has no wave.
   int sign(Index edge) const { return signs_[edge]; }
 
-  /// The edge's own number for a value from `start` in that vertex's sense, and back.
+  /// Converts a value from `start`, in its orientation, to the edge's own value, or back.
   template <class Value>
   Value from(Index edge, Index start, Value value) const {
     return edges_.vertices[edge][0] == start ? value : -signs_[edge] * value;
   }
 
-  /// How the corners' waves run to the first one's, 1 or -1; nothing if they have no orientation.
+  /// Wave signs of the corners relative to the first, 1 or -1; nullopt if not orientable.
   std::optional<std::array<int, 3>> senses(Index triangle) const {
     const auto& own = edges_.of_triangle[triangle];
     const std::array<int, 3> senses = {1, signs_[own[0]], signs_[own[2]]};
@@ -48,20 +47,20 @@ class TwistedForms {
     return senses;
   }
 
-  /// What a number of edge m of a triangle adds on the way round it, in the first corner's sense.
+  /// Contribution of edge m's value on the way round a triangle, in the first corner's orientation.
   int round(Index triangle, const std::array<int, 3>& senses, int m, int value) const {
     return senses[m] * from(edges_.of_triangle[triangle][m], mesh_.triangles[triangle][m], value);
   }
 
-  /// The number that edge `out` of a triangle must have for a form that has `value` on its edge
-  /// `in` and nothing on the third; nothing if the triangle has no orientation.
+  /// The value of edge `out` in a form with `value` on edge `in` and 0 on the third edge; nullopt
+  /// if the triangle is not orientable.
   std::optional<int> passed_on(Index triangle, int in, int out, int value) const {
     const auto own = senses(triangle);
     if (!own) return std::nullopt;
     return number(triangle, *own, out, -round(triangle, *own, in, value));
   }
 
-  /// The number of edge m that adds `round` on the way round a triangle.
+  /// Inverse of `round`: the value of edge m that contributes `round`.
   int number(Index triangle, const std::array<int, 3>& senses, int m, int round) const {
     return from(edges_.of_triangle[triangle][m], mesh_.triangles[triangle][m], round * senses[m]);
   }
@@ -73,10 +72,10 @@ class TwistedForms {
 };
 
 struct LoopWalk {
-  bool oriented = false;    ///< the field can be oriented along the loop, and has waves there
-  std::vector<int> senses;  ///< 1 or -1 of every vertex: whether its wave runs like the first one's
-  int periods = 0;          ///< gained in the first one's sense
-  int sign = 1;             ///< what makes of them the number of `Winding`
+  bool oriented = false;    ///< the field is orientable along the loop and has waves there
+  std::vector<int> senses;  ///< 1 or -1 by vertex: wave sign relative to the first
+  int periods = 0;          ///< gained, in the first wave's orientation
+  int sign = 1;             ///< from `periods` to the sign of `Winding`
   int winding() const { return sign * periods; }
 };
 

@@ -17,7 +17,7 @@ namespace brindle {
 namespace {
 
 constexpr int kMostRounds = 5;
-constexpr double kLargestShare = 0.95;  // of a wave
+constexpr double kLargestShare = 0.95;  // of the wave that a change may reach
 
 std::vector<LoopWalk> walks_of(const Surface& surface, std::span<const SurfaceLoop> loops,
                                const StripePattern& pattern) {
@@ -37,7 +37,7 @@ std::vector<LoopWalk> walks_of(const Surface& surface, std::span<const SurfaceLo
   return walks;
 }
 
-/// Whether phases need not meet somewhere on the way.
+/// Whether the loop passes a crease, across which phases may jump.
 bool passes_crease(const SurfaceLoop& loop, const Creases& creases) {
   const auto is_split = [&](Index v) {
     return std::find(creases.copied.begin(), creases.copied.end(), v) != creases.copied.end();
@@ -68,7 +68,7 @@ std::string names_of(const std::vector<SurfaceLoop>& loops) {
   return names;
 }
 
-/// One boundary of every piece follows from its others.
+/// Loops to prescribe: one boundary per connected component follows from the others.
 std::vector<std::size_t> independent(const std::vector<SurfaceLoop>& loops) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -104,8 +104,8 @@ struct Wanted {
   int periods;
 };
 
-/// Which way each vertex's wave runs, 1 or -1, in an orientation of every piece's field, which is
-/// unique where the field has one; 0 without a wave.
+/// Wave sign per vertex, 1 or -1, in an orientation of each component's field; 0 without a wave.
+/// Unique up to sign if the field is orientable.
 std::vector<int> senses_of(const Surface& surface, const std::vector<Vec3>& directions) {
   std::vector<int> senses(directions.size(), 0);
   std::vector<Index> queue;
@@ -125,7 +125,7 @@ std::vector<int> senses_of(const Surface& surface, const std::vector<Vec3>& dire
   return senses;
 }
 
-/// The boundaries of every piece that has two or more.
+/// The boundaries of every connected component that has at least two.
 std::vector<std::vector<std::size_t>> boundaries_of_pieces(std::span<const SurfaceLoop> loops) {
   std::map<std::size_t, std::vector<std::size_t>> of_piece;
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -154,7 +154,7 @@ std::vector<Wanted> wanted_of(const std::vector<SurfaceLoop>& loops,
   return result;
 }
 
-/// And the numbers of handles that are not named, which stay as they are.
+/// Adds the other handles with their present numbers, so that these stay.
 void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Winding>& before,
                  std::vector<Wanted>& wanted) {
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -174,7 +174,7 @@ void keep_others(const std::vector<SurfaceLoop>& loops, const std::vector<Windin
               "; ask for that, or leave it out");
 }
 
-/// Of pieces all of whose boundaries are named, the last of these: it follows from the others.
+/// Components whose boundaries are all prescribed: the last one, which follows from the others.
 std::vector<std::size_t> followers(const Surface& surface, const std::vector<SurfaceLoop>& loops,
                                    const std::vector<LoopWalk>& walks, const WaveSet& waves,
                                    const std::vector<MissingPeriods>& missing) {
@@ -206,7 +206,7 @@ void check_oriented(const SurfaceLoop& loop, const LoopWalk& walk) {
               ", or has no waves there: there is no number to choose");
 }
 
-/// What is missing, in each loop's own sense; empty if nothing is.
+/// The missing periods in each loop's own orientation; empty if none.
 std::vector<MissingPeriods> missing_of(const std::vector<SurfaceLoop>& loops,
                                        const std::vector<LoopWalk>& walks,
                                        const std::vector<Wanted>& wanted) {
@@ -221,7 +221,7 @@ std::vector<MissingPeriods> missing_of(const std::vector<SurfaceLoop>& loops,
   return any ? missing : std::vector<MissingPeriods>();
 }
 
-/// Waves whose phase changes by what it did and `change` (radians per unit length).
+/// Waves whose phase gradient is changed by `change` (radians per unit length).
 WaveSet turned_waves(const WaveSet& waves, const std::vector<Eigen::Vector3d>& change) {
   WaveSet result = waves;
   for (std::size_t v = 0; v < change.size(); ++v) {
