@@ -15,7 +15,7 @@ BoundingBox around(const BoundingBox& a, const BoundingBox& b) {
   return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
 }
 
-/// Twice the centre of a box: halving it would change no order.
+/// Twice the centre of a box, which has the same order.
 double doubled_center(const BoundingBox& box, Eigen::Index axis) {
   return static_cast<double>(box.lower[axis]) + static_cast<double>(box.upper[axis]);
 }
@@ -36,8 +36,8 @@ void BoxTree::build(const std::vector<BoundingBox>& boxes, const Progress& progr
   add_node(boxes, 0, static_cast<Index>(boxes.size()), progress);
 }
 
-/// Halves are of equal size, so that the tree is as flat as can be, whatever lies where. Ties go by
-/// number: the tree is the same on every machine.
+/// Splits at the median, which bounds the depth for any input. Ties are broken by number, so that
+/// the tree is the same on every machine.
 void BoxTree::add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end,
                        const Progress& progress) {
   if (end - begin >= kReportSlice) {

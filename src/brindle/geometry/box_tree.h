@@ -18,11 +18,11 @@ namespace brindle {
 /// The squared distance of a point from a box; 0 inside.
 double squared_distance(const BoundingBox& box, const Eigen::Vector3d& point);
 
-/// A binary tree over the boxes of numbered things. Every node stands for a range of `order`, and
-/// its halves are its children.
+/// A binary tree over the boxes of numbered items. A node covers a range of `order_`, its children
+/// the two halves.
 class BoxTree {
  public:
-  /// `box_of(number)` is the box around a thing, with finite corners. Throws Cancelled if
+  /// `box_of(number)` is the bounding box of an item, with finite corners. Throws Cancelled if
   /// `progress` asks for it.
   template <class BoxOf>
   BoxTree(std::size_t count, const BoxOf& box_of, const Progress& progress = {}) {
@@ -36,13 +36,13 @@ class BoxTree {
     double square;  ///< of the distance
   };
 
-  /// The thing for which `square_of(number)`, its squared distance from `point`, is least; of equal
-  /// ones the smallest number; nothing if all are beyond `limit`. No thing may be nearer than its
-  /// box.
+  /// The item with the smallest `square_of(number)`, its squared distance from `point`; ties go to
+  /// the smallest number. Nullopt if all exceed `limit`, also a squared distance. No item may be
+  /// nearer than its box.
   template <class SquareOf>
   std::optional<Found> nearest(const Eigen::Vector3d& point, double limit,
                                const SquareOf& square_of) const {
-    // What is as near as the best counts, too: rounding must not hide it.
+    // Boxes as near as the best count too, despite rounding.
     constexpr double kJustAsNear = 1 + 8 * std::numeric_limits<double>::epsilon();
     std::optional<Found> best;
     Pending pending;
@@ -63,9 +63,9 @@ class BoxTree {
     return best;
   }
 
-  /// Calls `take(number)` for all things in boxes for which `may_count(box, square)` holds,
-  /// `square` the squared distance of the box; nearer ones rather first, so that what was taken may
-  /// rule out others.
+  /// Calls `take(number)` for all items in boxes for which `may_count(box, square)` holds; `square`
+  /// is the box's squared distance. Visits the nearer child first, so that items found may exclude
+  /// others.
   template <class MayCount, class Take>
   void visit(const Eigen::Vector3d& point, const MayCount& may_count, const Take& take) const {
     Pending pending;
@@ -85,8 +85,8 @@ class BoxTree {
  private:
   struct Node {
     BoundingBox box;
-    Index begin = 0, end = 0;  ///< of `order_`
-    Index right = 0;           ///< the second child; the first follows its parent; 0 for a leaf
+    Index begin = 0, end = 0;  ///< range of `order_`
+    Index right = 0;           ///< second child; the first one follows its parent; 0: leaf
   };
 
   struct Waiting {
@@ -94,8 +94,8 @@ class BoxTree {
     double square;  ///< of the distance of its box
   };
 
-  /// Nodes yet to be searched. Ranges are halved until they are short, so there are fewer levels
-  /// than an Index has bits, and of each no more than one node waits, and one more of the last.
+  /// Stack of nodes to search. Ranges are halved, so there are fewer levels than bits in an Index.
+  /// Each level leaves at most one waiting node, the last one two.
   struct Pending {
     std::array<Waiting, 8 * sizeof(Index) + 1> nodes;
     std::size_t count = 0;
@@ -107,7 +107,7 @@ class BoxTree {
   static bool is_before(const Found& a, const Found& b) {
     return a.square != b.square ? a.square < b.square : a.number < b.number;
   }
-  /// The nearer one last, to be taken first.
+  /// Adds the nearer child last, so that it is taken first.
   void add_children(Index node, const Eigen::Vector3d& point, Pending& pending) const;
   void build(const std::vector<BoundingBox>& boxes, const Progress& progress);
   void add_node(const std::vector<BoundingBox>& boxes, Index begin, Index end,

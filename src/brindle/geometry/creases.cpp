@@ -23,14 +23,14 @@
 namespace brindle {
 namespace {
 
-/// A side is averaged over so many triangles at most, which bounds the work at hubs.
+/// Most triangles in the mean normal of a side; bounds the work at vertices of high valence.
 constexpr std::size_t kMostOfSide = 24;
 
 float cosine_of(float angle_deg) {
   return elementary::cos(angle_deg * std::numbers::pi_v<float> / 180);
 }
 
-/// Twice the area of every triangle along its normal.
+/// Area vectors: normals times twice the area.
 std::vector<Vec3> area_vectors(const Mesh& mesh) {
   std::vector<Vec3> vectors(mesh.triangle_count());
   parallel_for(vectors.size(), [&](std::size_t begin, std::size_t end) {
@@ -43,23 +43,23 @@ std::vector<Vec3> area_vectors(const Mesh& mesh) {
   return vectors;
 }
 
-/// Whether a and b, of any length, bend by less than the angle of this cosine; so does no area. In
-/// doubles: squares of areas leave the range of float where units are very small or large.
+/// Whether a and b, of any length, enclose less than the angle of this cosine; true for zero
+/// vectors. In doubles: squared areas leave the range of float in very small or large units.
 bool bends_less(const Vec3& a, const Vec3& b, double cosine) {
   const Eigen::Vector3d x = a.cast<double>(), y = b.cast<double>();
   const double lengths = std::sqrt(x.squaredNorm() * y.squaredNorm());
   return !(lengths > 0) || x.dot(y) >= cosine * lengths;
 }
 
-/// An edge at a vertex, as one of its triangles has it.
+/// An edge at a vertex, in one of its triangles.
 struct Spoke {
   Index other;  ///< the vertex at its other end
   Index half_edge;
-  Index number;  ///< of the triangle among those around the vertex
+  Index number;  ///< index of the triangle among those around the vertex
 };
 
-/// Calls `visit` with the spokes of each edge at the vertex, in ascending order of their other
-/// vertex, then of half-edges.
+/// Calls `visit` with the spokes of each edge at the vertex, sorted by other end, then by
+/// half-edge.
 template <class Visit>
 void for_each_edge(const Mesh& mesh, Index v, std::span<const Index> around, const Visit& visit) {
   thread_local std::vector<Spoke> spokes;
@@ -80,8 +80,8 @@ void for_each_edge(const Mesh& mesh, Index v, std::span<const Index> around, con
   }
 }
 
-/// Finds creases with no more than the triangles around vertices: on most surfaces few edges are
-/// sharp, and nearly all vertices are passed at a glance.
+/// Finds creases from the triangles around vertices. Most surfaces have few sharp edges, so that a
+/// quick test rejects nearly all vertices.
 class CreaseFinder {
  public:
   CreaseFinder(const Mesh& mesh, float angle_deg, const Progress& progress)
@@ -98,14 +98,13 @@ class CreaseFinder {
 
   std::span<const Index> around(Index v) const { return around_.of(v); }
 
-  /// Whether the surface goes on without a crease from one half-edge to another of the same edge,
-  /// which has so many triangles.
+  /// Whether the surface is smooth between two half-edges of an edge with `triangles` triangles.
   bool goes_on(Index a, Index b, std::size_t triangles) const {
     if (is_crease_[a] == 0) return true;
     return triangles > 2 && bends_less(areas_[a / 3], turned_area(a, b), cosine_);
   }
 
-  /// Calls `visit` with the ends, the lower number first, and the half-edges of all creases.
+  /// Calls `visit` with the ends (lower number first) and the half-edges of all creases.
   template <class Visit>
   void for_each_crease(const Visit& visit) const {
     for (std::size_t e = 0; e < ends_.size(); ++e) {
@@ -119,13 +118,13 @@ class CreaseFinder {
     for (const Index h : half_edges_.of(edge)) is_crease_[h] = 0;
   }
 
-  /// Whether the triangles of two half-edges of one edge are wound against each other: those that
-  /// are wound alike run along it in opposite ways.
+  /// Whether the triangles of two half-edges of an edge have opposite winding. With equal winding
+  /// they traverse the edge in opposite directions.
   bool run_against(Index a, Index b) const {
     return vertex_at(mesh_.triangles, a) == vertex_at(mesh_.triangles, b);
   }
 
-  /// A vector of b's triangle as seen from a's.
+  /// A vector of b's triangle in the orientation of a's.
   Vec3 turned(Index a, Index b, const Vec3& vector) const {
     return run_against(a, b) ? Vec3(-vector) : vector;
   }
@@ -139,8 +138,8 @@ class CreaseFinder {
     return false;
   }
 
-  /// Whether it is plain that no edge at the vertex is sharp: all triangles bend from one of them
-  /// by less than half the angle, and none are wound against each other.
+  /// Quick test that no edge at the vertex is sharp: winding is consistent, and all triangles bend
+  /// from the first by less than half the angle.
   bool is_smooth(Index v) const {
     constexpr std::size_t kFew = 12;
     const std::span<const Index> around = around_.of(v);
@@ -160,7 +159,7 @@ class CreaseFinder {
     return true;
   }
 
-  /// In the order of their higher ends, then of their lower ones.
+  /// Sorted by higher end, then by lower end.
   void find_sharp_edges(const Progress& progress) {
     const auto for_sharp_below = [&](Index v, const auto& visit) {
       for_each_edge(mesh_, v, around_.of(v), [&](std::span<const Spoke> edge) {
@@ -186,8 +185,7 @@ class CreaseFinder {
     }
   }
 
-  /// The half-edge of the one other triangle at an edge; nothing at a boundary, and where several
-  /// meet.
+  /// The half-edge of the adjacent triangle; nullopt at boundaries and non-manifold edges.
   std::optional<Index> across(Index half_edge) const {
     const Index a = vertex_at(mesh_.triangles, half_edge);
     const Index b = vertex_at(mesh_.triangles, next_in_triangle(half_edge));
@@ -203,14 +201,14 @@ class CreaseFinder {
     return found;
   }
 
-  /// A triangle of a side, and whether it is wound as the first.
+  /// A triangle of a side, and whether its winding equals that of the first.
   struct SideTriangle {
     Index triangle;
     bool alike;
   };
 
-  /// The mean normal, of any length, of the triangles nearest to this one that are reached from it
-  /// over edges that are not sharp.
+  /// Mean normal, of any length, of the triangles nearest to this one that are connected to it
+  /// without sharp edges.
   Vec3 side(Index triangle) const {
     std::array<SideTriangle, kMostOfSide> reached;
     reached[0] = {triangle, true};
@@ -254,8 +252,8 @@ class CreaseFinder {
     return found;
   }
 
-  /// Creases of a part go round its faces: they close, or run from boundary to boundary. Chains
-  /// that do neither are folds of something round, or noise.
+  /// Creases bound the faces of a part: their chains are closed or run from boundary to boundary.
+  /// Other chains are folds of rounded shapes, or noise.
   void drop_open_chains() {
     const CompressedRows<Index> at_vertex =
         compressed_rows<Index>(mesh_.vertex_count(), [&](const auto& add) {
@@ -363,7 +361,7 @@ class Splitter {
     }
   }
 
-  /// The edges whose sides have vertices of their own now, with the lower end first.
+  /// Records edges whose sides now have separate vertices, the lower end first.
   void add_edges(Index low, std::span<const Index> along) {
     const auto side = [&](Index half_edge) -> std::array<Index, 2> {
       const Index from = vertex_at(mesh_.triangles, half_edge);
@@ -377,7 +375,7 @@ class Splitter {
     }
   }
 
-  /// A corner that gets a copy of its vertex.
+  /// A corner that is moved to a copy of its vertex.
   struct MovedCorner {
     Index corner;
     Index copy;
@@ -386,8 +384,8 @@ class Splitter {
   Mesh& mesh_;
   const CreaseFinder& found_;
   Creases result_;
-  std::vector<MovedCorner> moved_;  ///< once all is found, by the triangles as they are
-  std::vector<Index> sector_;  ///< of each triangle around: one before it in its sector, or itself
+  std::vector<MovedCorner> moved_;  ///< applied last: the search needs the triangles unchanged
+  std::vector<Index> sector_;       ///< by triangle around: an earlier one of its sector, or itself
   std::vector<Index> copy_;
 };
 

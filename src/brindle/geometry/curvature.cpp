@@ -35,7 +35,7 @@ struct ShapeOperatorFit {
   }
 
   Eigen::Vector3d solve() const {
-    // Where all edges run along one line the curvature across it is unknown: 0.
+    // If all edges are collinear, the curvature across them is unknown: 0.
     return (matrix + 1e-9 * weight * Eigen::Matrix3d::Identity()).ldlt().solve(right);
   }
 };
@@ -71,7 +71,7 @@ PrincipalCurvature curvature_at(std::size_t v, std::span<const Vec3> positions,
     const Eigen::Vector2d e =
         flat(positions[neighbor].cast<double>() - positions[v].cast<double>());
     if (other.isZero() || e.isZero(0)) continue;
-    // Neighbours may be wound against each other.
+    // Neighbours may have opposite winding.
     fit.add(e, flat(normal.dot(other) < 0 ? -other : other));
   }
   if (fit.weight == 0) return {};

@@ -1,4 +1,4 @@
-/// The edges of a surface as they were before creases split it.
+/// The edges of a surface before it was split at creases.
 #pragma once
 
 #include "brindle/geometry/topology.h"
@@ -6,8 +6,8 @@
 
 namespace brindle {
 
-/// The edges of a surface whose vertices were not split at creases, in the numbers of that time:
-/// an edge on a crease has two triangles, whose corners there may be copies of its ends.
+/// The edges of a surface before its vertices were split at creases, with the original numbers. An
+/// edge on a crease has two triangles, whose corners may be copies of its ends.
 MeshEdges joined_edges(const Surface& surface, const Progress& progress = {});
 
 }  // namespace brindle

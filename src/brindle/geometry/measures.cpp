@@ -26,7 +26,7 @@ float cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return sine > 0 ? u.dot(v) / sine : 0;
 }
 
-/// Half the cotangents of a mesh's angles: three a triangle.
+/// Half the cotangents of all angles, three per triangle.
 std::vector<float> half_cotangents(const Mesh& mesh, const Progress& progress) {
   std::vector<float> halves(3 * mesh.triangle_count());
   parallel_for(mesh.triangle_count(), progress, [&](std::size_t begin, std::size_t end) {
@@ -145,7 +145,7 @@ std::vector<std::array<Index, 2>> feature_edges(const Mesh& mesh, const MeshEdge
       } else if (edges.half_edges.of(edge)[0] == 3 * t + m) {
         first[edge] = {normal, forward};
       } else {
-        // Two triangles that are wound alike run along their edge in opposite ways.
+        // With equal winding, two triangles traverse their edge in opposite directions.
         const float cosine = first[edge].normal.dot(normal);
         sharp[edge] = (forward == first[edge].forward ? -cosine : cosine) < flattest;
       }

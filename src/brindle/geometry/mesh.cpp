@@ -25,7 +25,7 @@ BoundingBox box_around(const std::vector<Vec3>& positions) {
   return box;
 }
 
-/// With `checked`, throws for what no mesh may have; otherwise a later repair sees to it.
+/// With `checked`, throws for invalid coordinates; otherwise a later repair handles them.
 std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions, bool checked) {
   check_columns(positions, 3, "positions");
   if (positions.rows() >= std::numeric_limits<Index>::max()) {
@@ -50,7 +50,7 @@ std::vector<Eigen::Vector3d> coordinates(const ArrayView& positions, bool checke
               ", but there are " + std::to_string(vertices) + " vertices, numbered from 0");
 }
 
-/// Without `checked`, a corner that is no vertex becomes one that no mesh has.
+/// Without `checked`, an invalid corner becomes the largest Index, which no mesh has.
 std::vector<Triangle> corners(const ArrayView& triangles, std::size_t vertices, bool checked) {
   check_columns(triangles, 3, "triangles");
   std::vector<Triangle> result(triangles.rows());

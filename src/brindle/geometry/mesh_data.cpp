@@ -24,8 +24,8 @@ std::vector<double> rows_of_none(std::size_t numbers) {
   return std::vector<double>(numbers, std::numeric_limits<double>::quiet_NaN());
 }
 
-/// The area of every triangle whose row counts, and zero for the others. In double precision: the
-/// square of a small length is no float.
+/// The area of every triangle with a finite row, zero for the others. In doubles: squares of small
+/// lengths underflow in float.
 std::vector<double> weights_of_cells(const Mesh& mesh, std::span<const double> numbers,
                                      std::size_t columns) {
   std::vector<double> weights(mesh.triangle_count());
@@ -43,7 +43,7 @@ std::vector<double> weights_of_cells(const Mesh& mesh, std::span<const double> n
   return weights;
 }
 
-/// Replaces `mean`, a row of NaN, unless no cell counts.
+/// Sets `mean`, initially NaN, if any cell has a weight.
 void mean_of_cells(std::span<const Index> cells, std::span<const double> weights,
                    std::span<const double> numbers, std::span<double> mean) {
   const std::size_t columns = mean.size();
@@ -55,7 +55,7 @@ void mean_of_cells(std::span<const Index> cells, std::span<const double> weights
     if (first == nullptr) first = &numbers[cell * columns];
   }
   if (first == nullptr) return;
-  // Relative to the first row, so that rows that are all alike have exactly themselves as mean.
+  // Relative to the first row, so that the mean of identical rows is exact.
   for (std::size_t c = 0; c < columns; ++c) {
     double difference = 0;
     for (const Index cell : cells) {
@@ -67,7 +67,7 @@ void mean_of_cells(std::span<const Index> cells, std::span<const double> weights
   }
 }
 
-/// The same of axes.
+/// The same for axes.
 void axis_of_cells(std::span<const Index> cells, std::span<const double> weights,
                    std::span<const double> numbers, std::span<double> mean) {
   mean_of_cells(cells, weights, numbers, mean);
@@ -81,7 +81,7 @@ void axis_of_cells(std::span<const Index> cells, std::span<const double> weights
   if (const auto axis = mean_of_turned(axes)) std::copy_n(axis->data(), columns, mean.data());
 }
 
-constexpr std::size_t kSearchGrain = 256;  // a search takes longer than what others do per vertex
+constexpr std::size_t kSearchGrain = 256;  // a search takes longer than other work per vertex
 
 /// Calls `take(v, point)` for all vertices of `to`, in coordinates of `from`.
 template <class Take>
@@ -98,7 +98,7 @@ void for_each_vertex_near(const Mesh& from, const Mesh& to, const Progress& prog
       kSearchGrain);
 }
 
-/// `rows` has a row per point that was found.
+/// Expands `rows`, one per point found, to all points; NaN for the others.
 DataArray spread(const DataArray& rows, const NearbyRows& nearby) {
   const auto at_all = [&](const ArrayView& view) {
     const std::vector<double> numbers = doubles_of(view);

@@ -17,8 +17,8 @@ namespace brindle {
 namespace {
 
 constexpr auto kLargestFloat = static_cast<float>(kLargestCoordinate);
-/// Twice the area over the square of the longest edge below which a triangle has no area. Rounding
-/// of float coordinates leaves far more.
+/// Relative area of a degenerate triangle: twice the area over the square of the longest edge.
+/// Rounding of float coordinates leaves far more.
 constexpr double kSmallestArea = 1e-12;
 
 bool usable(const Vec3& position) {
@@ -131,14 +131,14 @@ MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept) {
 
 std::vector<Index> first_at_each_place(std::span<const Vec3> positions, const Progress& progress) {
   constexpr Index kFree = ~Index{0};
-  constexpr std::size_t kPlacesPerReport = 1 << 12;  // each is somewhere else in memory
+  constexpr std::size_t kPlacesPerReport = 1 << 12;  // each is a random memory access
   // Open addressing: at most half of the places are taken.
   std::vector<Index> table(std::bit_ceil(2 * positions.size() + 1), kFree);
   std::vector<Index> first(positions.size());
   const auto find = [&](std::size_t number) {
     const auto v = static_cast<Index>(number);
     std::size_t place = hash(positions[v]) & (table.size() - 1);
-    // A NaN equals nothing: it keeps its own number, and needs no place in the table.
+    // NaN equals nothing: it keeps its own number and needs no table entry.
     if (!usable(positions[v])) {
       first[v] = v;
       return;

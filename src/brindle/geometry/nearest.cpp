@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// A place on a triangle with its squared distance from a point.
+/// A point on a triangle with its squared distance from the query.
 struct Candidate {
   std::array<double, 3> barycentric{};
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -23,7 +23,7 @@ void take_if_nearer(Candidate& best, const Candidate& other) {
   if (other.square < best.square) best = other;
 }
 
-/// With its distance, after rounding errors outside its box are clamped.
+/// Clamps the point to its bounding box, against rounding, and sets its distance.
 Candidate measured(Candidate candidate, const Eigen::Vector3d& lower, const Eigen::Vector3d& upper,
                    const Eigen::Vector3d& point) {
   candidate.position = candidate.position.cwiseMax(lower).cwiseMin(upper);
@@ -33,7 +33,7 @@ Candidate measured(Candidate candidate, const Eigen::Vector3d& lower, const Eige
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// The nearest place of the edge from corner a to corner b.
+/// The nearest point on the edge from corner a to corner b.
 Candidate nearest_on_edge(const Corners& corners, std::size_t a, std::size_t b,
                           const Eigen::Vector3d& point) {
   const Eigen::Vector3d along = corners[b] - corners[a];
@@ -79,8 +79,8 @@ BoundingBox box_of(const Mesh& mesh, const Triangle& triangle) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-/// Edges come first and run from the smaller number to the larger: on what triangles share they
-/// then find the same place, bit for bit.
+/// Edges come first, from the smaller to the larger number: triangles that share an edge then find
+/// the same point, bit for bit.
 Candidate nearest_on_triangle(const Mesh& mesh, const Triangle& triangle,
                               const Eigen::Vector3d& point) {
   Corners corners;
@@ -95,10 +95,10 @@ Candidate nearest_on_triangle(const Mesh& mesh, const Triangle& triangle,
   return best;
 }
 
-/// Squares of greater coordinates might be infinite.
+/// Squares of larger coordinates may overflow.
 constexpr double kFarthest = 1e150;
 
-/// The square of a distance within which to search; below zero if there is nothing to find.
+/// Squared search radius; negative if nothing can be found.
 double squared_limit(const Eigen::Vector3d& point, double max_distance) {
   const bool usable = (point.array().abs() <= kFarthest).all();
   return usable && max_distance >= 0 ? max_distance * max_distance : -1;

@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// The part of one adjacent triangle in a vertex's normal.
+/// Contribution of an adjacent triangle to a vertex normal.
 struct Corner {
   Vec3 normal;
   float angle;  ///< radians, at the vertex
@@ -20,19 +20,19 @@ struct Corner {
   Index previous;
 };
 
-/// Zero for the zero vector, where Eigen's `normalized` may lose tiny ones too.
+/// Zero only for the zero vector; Eigen's `normalized` may lose tiny vectors.
 Vec3 unit(const Vec3& v) {
   const double length = v.cast<double>().norm();
   return length > 0 ? (v.cast<double>() / length).cast<float>().eval() : Vec3::Zero();
 }
 
-/// Twice the area of a triangle along its normal.
+/// Area vector: the normal times twice the area.
 Eigen::Vector3d doubled_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c) {
   return (b - a).cross(c - a);
 }
 
-/// atan2(y, x) for y >= 0, but not both zero, to the last digit or two: Cephes' atan, inlined.
+/// atan2(y, x) for y >= 0 and not both zero, exact to the last digit or two: Cephes' atan, inlined.
 double angle_of(double y, double x) {
   using std::numbers::pi;
   const double width = std::abs(x);
@@ -91,7 +91,7 @@ bool has_repetition(std::vector<Index>& numbers) {
   return repeated;
 }
 
-/// Whether two triangles run the same way along a common edge: they are wound against each other,
+/// Whether two triangles traverse a common edge in the same direction: they have opposite winding,
 /// or the edge has more than two triangles.
 bool winding_conflicts(const std::vector<Corner>& corners) {
   thread_local std::vector<Index> ends;
@@ -108,7 +108,7 @@ bool winding_conflicts(const std::vector<Corner>& corners) {
 Vec3 unsigned_average(const std::vector<Corner>& corners) {
   Vec3 best = Vec3::Zero();
   float best_agreement = 0;
-  // A bound on the work at vertices with thousands of triangles.
+  // Bounds the work at vertices with thousands of triangles.
   const std::size_t references = std::min<std::size_t>(corners.size(), 64);
   for (std::size_t r = 0; r < references; ++r) {
     const Corner& reference = corners[r];
@@ -122,7 +122,7 @@ Vec3 unsigned_average(const std::vector<Corner>& corners) {
     for (const Corner& corner : corners) {
       agreement += corner.angle * std::abs(corner.normal.dot(candidate));
     }
-    // Equal up to rounding: the first reference stays, whatever the order of the additions.
+    // Ties within rounding keep the first reference, for any order of additions.
     if (agreement > best_agreement * 1.0001f) {
       best = candidate;
       best_agreement = agreement;

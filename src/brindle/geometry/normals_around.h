@@ -1,4 +1,4 @@
-/// Normals of vertices whose triangles are known.
+/// Vertex normals from known adjacent triangles.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace brindle {
 
-/// Where a surface bends by more than 40 degrees between triangles, it has a crease: it is not
-/// rounded there, and outlines run along it.
+/// Edges that bend by more than 40 degrees are creases: they are not rounded, and outlines run
+/// along them.
 inline constexpr float kCosineOfCrease = 0.766f;
 
-/// Which corner of a triangle a vertex is.
+/// The corner of a triangle at a vertex.
 inline int corner_of(const Triangle& triangle, Index vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
 }
@@ -29,8 +29,8 @@ struct TriangleAngles {
   std::array<float, 3> angle;  ///< radians; zero without an area
 };
 
-/// The same into `normals`, by `angles` of the triangles, both as large as they must be afterwards:
-/// allocates nothing if they have been that large before.
+/// The same into `normals`, with the scratch array `angles`. Resizes both; allocates nothing if
+/// their capacity suffices.
 void fill_vertex_normals(const Mesh& mesh, const VertexTriangles& around,
                          std::vector<TriangleAngles>& angles, std::vector<Vec3>& normals,
                          const Progress& progress = {});

@@ -17,19 +17,19 @@ namespace brindle {
 namespace {
 
 constexpr std::size_t kMostClippedPlainly = 1000;
-/// Beyond so many corners a tree finds those inside an ear.
+/// Number of corners from which a tree finds those inside an ear.
 constexpr std::size_t kLeastInTree = 64;
-/// Polygons that cross themselves everywhere would need the cube of the corners.
+/// Bounds the cubic time of polygons that cross themselves everywhere.
 constexpr std::ptrdiff_t kMostLooksPerCorner = 10000;
 
 using Point = Eigen::Vector3d;
 
-/// A polygon's corners seen along its mean normal (Newell's method).
+/// A polygon's corners, projected along its mean normal (Newell's method).
 struct Outline {
   std::vector<Point> points;
   Point normal = Point::Zero();
-  double length = 0;  ///< of the normal: twice the area that the polygon encloses
-  double noise = 0;   ///< by which rounding to floats may have moved a corner
+  double length = 0;  ///< of the normal: twice the enclosed area
+  double noise = 0;   ///< largest shift of a corner by rounding to floats
   double border = 0;  ///< length of all edges
 
   Outline(std::span<const Vec3> positions, std::span<const Index> corners) {
@@ -45,7 +45,7 @@ struct Outline {
     noise = 2 * std::numeric_limits<float>::epsilon() * largest;
   }
 
-  /// Twice the signed area of a triangle of corners, times the normal's length.
+  /// Twice the signed area of a triangle, times the normal's length.
   double area(const Point& a, const Point& b, const Point& c) const {
     return (b - a).cross(c - a).dot(normal);
   }
@@ -53,8 +53,8 @@ struct Outline {
     return area(points[a], points[b], points[c]);
   }
 
-  /// Whether the triangles are all and cover nothing twice: the sum of their signed areas is right
-  /// in any case.
+  /// Whether the triangles are complete and do not overlap. Compares absolute areas, since signed
+  /// ones add up in any case.
   bool is_covered_by(std::span<const Triangle> triangles) const {
     double covered = 0;
     for (const auto& [a, b, c] : triangles) {
@@ -67,24 +67,24 @@ struct Outline {
   }
 };
 
-/// Where other parts of the polygon may touch an ear: nowhere, at its corners, or anywhere.
+/// Points at which other parts of the polygon may touch an ear.
 enum class Contact { none, corners, anywhere };
 
 struct EarRules {
-  std::span<const Contact> contacts;  ///< the later ones where there are no ears otherwise
-  double tolerance = 0;               ///< corners that are so near to an edge are on it
-  bool only_flat = true;              ///< without ears, cut off only triangles without area
+  std::span<const Contact> contacts;  ///< later ones apply if there are no ears otherwise
+  double tolerance = 0;               ///< corners within this distance of an edge lie on it
+  bool only_flat = true;              ///< without ears, cut only triangles without area
 };
 
-/// Cuts ears off a polygon, which may touch itself: a polygon with a hole often runs twice along a
-/// bridge to it.
+/// Ear clipping for polygons that may touch themselves: a polygon with a hole often traverses a
+/// bridge to it twice.
 ///
-/// An ear is a convex corner whose triangle lies inside the polygon, and no edge enters it. What is
-/// left of the polygon then winds round all other places as often as before, so that triangles
-/// never overlap as long as there are ears.
+/// An ear is a convex corner whose triangle lies inside the polygon and is not entered by an edge.
+/// Cutting it keeps the winding number of the rest everywhere else. So triangles never overlap
+/// while there are ears.
 class EarClipper {
  public:
-  /// `outline` must live on.
+  /// `outline` must outlive this object.
   EarClipper(const Outline& outline, EarRules rules)
       : outline_(outline),
         rules_(rules),
@@ -101,8 +101,8 @@ class EarClipper {
     if (left_ >= kLeastInTree) plant_tree();
   }
 
-  /// All triangles. None if the polygon is seen to cross itself, or there is neither an ear nor a
-  /// triangle without area while only these may be cut off.
+  /// Returns all triangles; none if the polygon is found to cross itself, or if no ear is left and
+  /// `only_flat` forbids all other cuts.
   std::vector<Triangle> clip() {
     std::vector<Triangle> cut;
     Index at = 1;
@@ -115,9 +115,9 @@ class EarClipper {
       const Index before = previous_[*corner], after = next_[*corner];
       cut.push_back({before, *corner, after});
       remove(*corner);
-      // A proper cut can make ears of the corners beside it alone.
+      // A proper cut only affects whether its two neighbours are ears.
       proper ? update_ears({before, after}) : forget_ears();
-      // Not the neighbour of the cut at once: that would make a fan of slivers.
+      // Skips the neighbour, since cutting it next would make a fan of slivers.
       at = next_[after];
     }
     const auto first = static_cast<Index>(ranges::find(is_left_, 1) - is_left_.begin());
@@ -175,7 +175,7 @@ class EarClipper {
     }
   }
 
-  /// Tells most polygons that cross themselves everywhere, which take long, by a few ears.
+  /// Detects most polygons that cross themselves everywhere, which are slow, from a sample of ears.
   bool crosses_itself() {
     constexpr std::size_t kSamples = 64;
     std::size_t count = 0;
@@ -191,7 +191,7 @@ class EarClipper {
     return at;
   }
 
-  /// A corner to cut off where no corner is an ear.
+  /// The corner to cut if there are no ears.
   std::optional<Index> forced_cut(Index at) {
     if (!rules_.only_flat) return at;
     if (looks_ <= 0) return std::nullopt;
@@ -200,7 +200,7 @@ class EarClipper {
     std::optional<Index> best;
     for (std::size_t i = 0; i < left_; ++i, at = next_[at]) {
       const Index before = previous_[at], after = next_[at];
-      // The tip of a spike comes before a corner amid an edge, which neighbours may have too.
+      // Prefers the tip of a spike to a collinear corner, which neighbouring polygons may share.
       const double harm =
           at_one_place(before, after) ? -1 : std::abs(outline_.area(before, at, after));
       if (harm > least || (best && harm == least)) continue;
@@ -214,7 +214,7 @@ class EarClipper {
 
   bool at_one_place(Index a, Index b) const { return outline_.points[a] == outline_.points[b]; }
 
-  /// Whether the corner lies left of the edge (1), right of it (-1), or on its line.
+  /// Side of the edge on which the corner lies: 1 left, -1 right, 0 on its line.
   int side(Index from, Index to, Index corner) const {
     const double area = outline_.area(from, to, corner);
     if (rules_.tolerance > 0) {
@@ -248,7 +248,7 @@ class EarClipper {
     return (contact_ != Contact::anywhere && !is_doubled) || turns_round(ear) == 1;
   }
 
-  /// Whether another corner, or an edge at it, is in the ear's triangle.
+  /// Whether another corner, or an edge at it, enters the ear's triangle.
   bool blocks(const Ear& ear, Index other) const {
     const std::array<int, 3> here = sides(ear, other);
     if (ranges::find(here, -1) != here.end()) return false;
@@ -264,14 +264,14 @@ class EarClipper {
     return false;
   }
 
-  /// Whether the polygon comes back along both edges of the ear. Then these do not tell on which
-  /// side of them the polygon's inside is.
+  /// Whether the polygon returns along both edges of the ear, which then do not determine the
+  /// inside.
   bool runs_back(const Ear& ear, Index other) const {
     return at_one_place(ear[1], other) && at_one_place(ear[0], next_[other]) &&
            at_one_place(ear[2], previous_[other]);
   }
 
-  /// How often what is left of the polygon winds round the ear's middle, counter-clockwise.
+  /// Winding number of the remaining polygon around the ear's centroid, counter-clockwise.
   int turns_round(const Ear& ear) {
     looks_ -= static_cast<std::ptrdiff_t>(left_);
     const std::vector<Point>& points = outline_.points;
@@ -292,11 +292,11 @@ class EarClipper {
     return turns;
   }
 
-  /// Calls `look` for corners near the ear, as long as it returns true.
+  /// Calls `look` for corners near the ear until it returns false.
   template <class Look>
   void look_in_tree(const Ear& ear, const Look& look) {
     const std::array<Point, 3> corners = {flat(ear[0]), flat(ear[1]), flat(ear[2])};
-    // Boxes have been rounded to floats.
+    // Boxes are rounded to floats.
     const Point slack = Point::Constant(outline_.noise + rules_.tolerance);
     bool goes_on = true;
     const auto may_meet = [&](const BoundingBox& box, double /*square*/) {
@@ -320,11 +320,11 @@ class EarClipper {
 
   const Outline& outline_;
   EarRules rules_;
-  std::size_t left_;      ///< corners that have not been cut off
-  std::ptrdiff_t looks_;  ///< that may still be taken
+  std::size_t left_;      ///< corners not yet cut
+  std::ptrdiff_t looks_;  ///< remaining budget
   std::vector<Index> next_, previous_;
   std::vector<char> is_left_, is_ear_;
-  std::size_t ears_ = 0;  ///< that are known
+  std::size_t ears_ = 0;  ///< known ears
   Contact contact_ = Contact::none;
   std::optional<BoxTree> tree_;
   std::array<Point, 2> axes_;
@@ -348,7 +348,7 @@ std::vector<Triangle> cut_fan(std::size_t corners) {
   return fan;
 }
 
-/// Triangles that are right for most polygons.
+/// Fast triangulation that suits most polygons.
 std::vector<Triangle> plain_cut(const Outline& outline) {
   const std::size_t corners = outline.points.size();
   if (corners == 4) return cut_quadrangle(outline);
@@ -357,7 +357,7 @@ std::vector<Triangle> plain_cut(const Outline& outline) {
   return EarClipper(outline, {kContacts, 0, false}).clip();
 }
 
-/// Triangles for polygons that touch themselves, and for large ones.
+/// Triangulation of polygons that touch themselves, and of large ones.
 std::vector<Triangle> careful_cut(const Outline& outline, double tolerance) {
   constexpr std::array kContacts = {Contact::corners, Contact::anywhere};
   return EarClipper(outline, {kContacts, tolerance}).clip();

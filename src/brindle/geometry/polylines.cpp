@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// Numbers of points are Indices.
+/// Points are numbered by Index.
 constexpr double kMostPoints = 0xfffffff0;
 
 std::string shortest_text(float number) {
@@ -30,8 +30,8 @@ void end_line(Polylines& lines, bool closed) {
   lines.closed.push_back(closed);
 }
 
-/// Marks the points to keep between `first` and `last`, which are kept. `last` may be the number of
-/// points, for the first one of a closed line.
+/// Marks the points to keep between `first` and `last` (Douglas-Peucker). `last` may be the number
+/// of points, for the first point of a closed line.
 void keep_farthest(std::span<const Vec3> points, std::size_t first, std::size_t last,
                    float tolerance, std::vector<std::uint8_t>& keep) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
@@ -59,7 +59,7 @@ std::size_t farthest_from_first(std::span<const Vec3> points) {
                                   points.begin());
 }
 
-/// The place at the share `t` of the way along the segment that starts at a point.
+/// The point at parameter `t` of the segment that starts at `point`.
 TrianglePoint place_on(const Polylines& lines, std::size_t point, double t) {
   TrianglePoint place = lines.places[point];
   for (std::size_t m = 0; m < 3; ++m) {
@@ -68,12 +68,12 @@ TrianglePoint place_on(const Polylines& lines, std::size_t point, double t) {
   return place;
 }
 
-/// Whole steps along a line of some length: one at least, of a closed line three.
+/// Number of steps along a line: at least one, on closed lines three.
 double steps_along(double length, double spacing, bool closed) {
   return std::max(std::round(length / spacing), closed ? 3.0 : 1.0);
 }
 
-/// The points that lines would have at a spacing.
+/// The number of points at a spacing.
 double points_at(const Polylines& lines, std::span<const double> lengths, double spacing) {
   double points = 0;
   for (std::size_t line = 0; line < lengths.size(); ++line) {
@@ -83,23 +83,23 @@ double points_at(const Polylines& lines, std::span<const double> lengths, double
   return points;
 }
 
-/// The smallest spacing, to two digits, at which lines have no more points than `most`.
+/// The smallest spacing, to two digits, at which lines have at most `most` points.
 std::string smallest_spacing(const Polylines& lines, std::span<const double> lengths, double most) {
   double length = 0;
   for (const double l : lengths) length += l;
   double spacing = length / most;
-  // Every line has some points at least, and steps are whole.
+  // Every line has a minimum number of points, and steps are whole.
   while (spacing < length && points_at(lines, lengths, spacing) > most) spacing *= 1.05;
   if (points_at(lines, lengths, spacing) > most) return "no spacing would do for so many lines";
   return "the smallest spacing that would do is " + rounded_up(spacing);
 }
 
-/// The lengths of all lines, if memory holds their points at this spacing.
+/// The lengths of all lines. Throws TooLarge if memory cannot hold their points at this spacing.
 std::vector<double> checked_lengths(const Polylines& lines, float spacing) {
   if (!(spacing > 0)) throw Error("the spacing of points along curves must be above zero");
   std::vector<double> lengths(lines.count());
   for (std::size_t line = 0; line < lengths.size(); ++line) lengths[line] = length_of(lines, line);
-  // With what files are made of.
+  // Includes the memory for writing files.
   constexpr double kBytes = 2 * (sizeof(Vec3) + sizeof(Vec3) + sizeof(TrianglePoint));
   const double points = points_at(lines, lengths, spacing);
   const auto remedy = [&](double most) {
@@ -177,7 +177,7 @@ Polylines resampled(const Polylines& lines, float spacing, const Progress& progr
     const bool closed = lines.closed[line];
     const auto steps = static_cast<std::size_t>(steps_along(length, spacing, closed));
     std::size_t segment = 0;
-    double passed = 0;  // up to the segment's start
+    double passed = 0;  // length up to the segment's start
     for (std::size_t step = 0; step < steps; ++step) {
       reporter.done(1);
       const double goal = length * static_cast<double>(step) / static_cast<double>(steps);

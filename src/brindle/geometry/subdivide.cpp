@@ -20,18 +20,17 @@
 namespace brindle {
 namespace {
 
-/// Midpoints of edges on a surface that bends between its triangles.
+/// Midpoints of edges on a rounded surface.
 ///
-/// Edges become cubic curves at right angles to the normals at their ends (Vlachos et al. 2001).
-/// Normals are those of an edge: averages over the triangles round its end whose normals are within
-/// 40 degrees of the edge's own. An edge where the surface bends by more, or that has more than two
-/// triangles, stays straight.
+/// Edges become cubic curves orthogonal to the normals at their ends (Vlachos et al. 2001). Each
+/// edge has its own normals: averages over the triangles around its end within 40 degrees of the
+/// edge's normal. Edges that bend by more, or have more than two triangles, stay straight.
 class RoundedMidpoints {
  public:
   /// Keeps a reference to the mesh. Throws Cancelled if `progress` asks for it.
   explicit RoundedMidpoints(const Mesh& mesh, const Progress& progress = {});
 
-  /// From the middle between two neighbours to that of the curve. `a` and `b` may be swapped.
+  /// Offset from an edge's midpoint to that of its curve; symmetric in `a` and `b`.
   Vec3 shift(Index a, Index b) const;
 
  private:
@@ -51,7 +50,7 @@ RoundedMidpoints::RoundedMidpoints(const Mesh& mesh, const Progress& progress)
   fill_vertex_normals(mesh, around_, angles_, normals, progress.part(0.4, 1));
 }
 
-/// Zero where the surface has an edge or none to speak of.
+/// Zero at creases, at edges of more than two triangles, and without area.
 Vec3 RoundedMidpoints::normal_of_edge(Index a, Index b) const {
   Vec3 sum = Vec3::Zero(), first = Vec3::Zero();
   bool first_runs_on = false;
@@ -61,7 +60,7 @@ Vec3 RoundedMidpoints::normal_of_edge(Index a, Index b) const {
     const int c = corner_of(triangle, a);
     const bool runs_on = triangle[(c + 1) % 3] == b;
     if (!runs_on && triangle[(c + 2) % 3] != b) continue;
-    // Triangles that are wound alike run along their edge in opposite ways.
+    // With equal winding, two triangles traverse their edge in opposite directions.
     const bool against = count == 1 && runs_on == first_runs_on;
     const Vec3 normal = against ? Vec3(-angles_[t].normal) : angles_[t].normal;
     if (++count == 1) {
@@ -97,7 +96,7 @@ Vec3 RoundedMidpoints::shift(Index a, Index b) const {
   return shift.allFinite() ? shift : Vec3(Vec3::Zero());
 }
 
-/// Numbers edges in the order of their smaller, then of their larger end.
+/// Numbers edges by smaller end, then by larger end.
 class EdgeNumbers {
  public:
   EdgeNumbers(const Mesh& mesh, const Progress& progress)
@@ -111,7 +110,7 @@ class EdgeNumbers {
   Index count() const { return first_.back(); }
   Index first(Index v) const { return first_[v]; }
 
-  /// The neighbours of v with larger numbers, each at the end of one edge of v.
+  /// The neighbours of v with larger numbers: the other ends of the edges numbered at v.
   std::span<const Index> larger(Index v) const {
     const auto row = neighborhood_.of(v);
     return {std::upper_bound(row.begin(), row.end(), v), row.end()};
@@ -140,7 +139,7 @@ Mesh subdivide_once(Mesh mesh, Midpoints midpoints, const Progress& progress) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       Index midpoint = old_vertices + edges.first(v);
       for (const Index other : edges.larger(v)) {
-        // Halved before the sum, which could overflow.
+        // Halved first, since the sum could overflow.
         Vec3& middle = mesh.positions[midpoint++];
         middle = 0.5f * mesh.positions[v] + 0.5f * mesh.positions[other];
         if (rounded) middle += rounded->shift(v, other);
@@ -164,7 +163,7 @@ Mesh subdivide_once(Mesh mesh, Midpoints midpoints, const Progress& progress) {
   return mesh;
 }
 
-/// A stage for each time that a mesh is subdivided, four times as long as the one before.
+/// One progress stage per subdivision, each four times as long as the one before.
 std::vector<JobStage> subdivision_rounds(int times) {
   std::vector<JobStage> rounds;
   for (int i = 0; i < times; ++i) {
@@ -173,7 +172,7 @@ std::vector<JobStage> subdivision_rounds(int times) {
   return rounds;
 }
 
-/// Where the vertices and the triangles of a mesh that was subdivided once come from.
+/// Sources of the vertices and triangles after one subdivision.
 struct Parents {
   std::vector<RowBlend> of_vertices;
   std::vector<Index> of_triangles;
@@ -213,8 +212,8 @@ void check_subdivisions(std::size_t triangles, int times) {
                   std::to_string(i) + " times is possible");
     }
   }
-  // Half a vertex a triangle; twice, since the mesh is copied; and its neighborhood and normals,
-  // which whatever follows needs.
+  // Half a vertex per triangle; twice, since the mesh is copied; plus neighbourhood and normals,
+  // which later steps need.
   constexpr double kBytes = 2 * (sizeof(Triangle) + sizeof(Vec3) / 2) + 78;
   check_fits(
       static_cast<double>(finer), kBytes,

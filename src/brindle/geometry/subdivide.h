@@ -1,4 +1,4 @@
-/// How often a mesh can be subdivided. Pieces of several processes are checked alike.
+/// Limits on the subdivision of meshes, also of distributed ones.
 #pragma once
 
 #include <cstddef>

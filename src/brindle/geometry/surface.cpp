@@ -28,9 +28,9 @@ void check_triangles(const Mesh& mesh) {
               " vertices, numbered from 0; correct or drop it, as repair_mesh does");
 }
 
-/// How many boundary edges are at exactly the place of another.
+/// Number of boundary edges that coincide with another one.
 std::size_t coinciding_boundary_edges(const Surface& surface) {
-  // Copies at creases are none of it.
+  // Ignores copies at creases.
   const std::vector<Index> first =
       first_at_each_place(std::span(surface.mesh.positions).first(surface.own_vertex_count()));
   bool any = false;
@@ -73,7 +73,7 @@ void check_mesh(const Mesh& mesh) {
 
 namespace {
 
-/// Vertices at one place on the two sides of a crease, each pair in both orders.
+/// Pairs of vertices at the same position on both sides of a crease, in both orders.
 std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
   std::vector<std::array<Index, 2>> links;
   for (const CreaseEdge& edge : creases.edges) {
@@ -87,7 +87,7 @@ std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
   return links;
 }
 
-/// The neighbourhood with links over creases.
+/// The neighbourhood with links across creases.
 Adjacency with_links(const Adjacency& neighborhood, const Creases& creases) {
   const std::vector<std::array<Index, 2>> links = links_of(creases);
   Adjacency linked;

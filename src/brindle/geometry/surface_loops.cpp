@@ -13,7 +13,7 @@ namespace {
 
 constexpr Index kNowhere = std::numeric_limits<Index>::max();
 
-/// A mesh as it was before creases split it.
+/// Finds the loops of a mesh that is not split at creases.
 class LoopFinder {
  public:
   LoopFinder(const Mesh& mesh, const Adjacency& neighborhood)
@@ -55,7 +55,7 @@ class LoopFinder {
 
   bool is_usable(Index edge) const { return manifold_[component_[edges_.vertices[edge][0]]]; }
 
-  /// The other edge of the triangle at one of the edge's ends.
+  /// The other edge of the triangle at `vertex`, an end of `edge`.
   Index edge_beside(Index triangle, Index edge, Index vertex) const {
     for (const Index other : edges_.of_triangle[triangle]) {
       const auto& ends = edges_.vertices[other];
@@ -94,7 +94,7 @@ class LoopFinder {
       boundary_of_[edge] = number;
       loop.vertices.push_back(at);
       at = other_end(edge, at);
-      // Round the vertex through its triangles to the next edge that has one alone.
+      // Rotates around the vertex to the next boundary edge.
       Index triangle = edges_.triangles(edge)[0];
       for (edge = edge_beside(triangle, edge, at); edges_.triangle_count(edge) == 2;) {
         const auto sides = edges_.triangles(edge);
@@ -105,7 +105,7 @@ class LoopFinder {
     add(std::move(loop));
   }
 
-  /// The end at which a boundary edge starts in its triangle's sense.
+  /// The end at which a boundary edge starts in its triangle's winding.
   Index starts_at(Index edge) const {
     const Index t = edges_.triangles(edge)[0];
     for (int m = 0; m < 3; ++m) {
@@ -130,7 +130,7 @@ class LoopFinder {
     loops_.push_back(std::move(loop));
   }
 
-  /// Shortest ways along edges from the first vertex of each component.
+  /// Shortest-path trees along edges from the first vertex of each component.
   void find_tree() {
     parent_.assign(mesh_.vertex_count(), kNowhere);
     std::vector<bool> begun(manifold_.size());
@@ -147,8 +147,8 @@ class LoopFinder {
     }
   }
 
-  /// Edges that neither the tree has nor a tree of triangles (and of what fills boundaries) that
-  /// takes the edges of the longest loops first.
+  /// Edges outside the tree and outside a spanning tree of triangles and filled boundaries. The
+  /// latter takes the edges of the longest loops first.
   void find_handles() {
     struct LoopEdge {
       double length;
@@ -193,7 +193,7 @@ class LoopFinder {
     }
     SurfaceLoop loop;
     loop.name = "loop-" + std::to_string(loops_.size() - boundary_count_ + 1);
-    // The loop's own edge is that between its last vertex and its first.
+    // The loop's own edge closes it, from its last vertex to its first.
     loop.vertices = std::move(back);
     loop.vertices.push_back(meeting);
     loop.vertices.insert(loop.vertices.end(), there.rbegin(), there.rend());
@@ -217,7 +217,7 @@ class LoopFinder {
 std::vector<SurfaceLoop> surface_loops(const Surface& surface) {
   if (surface.mesh.triangles.empty()) return {};
   if (surface.creases.empty()) return LoopFinder(surface.mesh, *surface.neighborhood).find();
-  // Faces belong together across their creases.
+  // Loops cross creases.
   const Mesh joined = joined_mesh(surface.mesh, surface.creases);
   return LoopFinder(joined, vertex_neighborhood(joined)).find();
 }

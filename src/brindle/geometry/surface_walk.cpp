@@ -13,12 +13,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kMostPassed = 4096;  // triangles on one way
+constexpr int kMostPassed = 4096;  // triangles on one path
 
 Vector3d vector_of(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 std::array<double, 3> array_of(const Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// Without what rounding leaves beyond the edges.
+/// Clamps rounding errors beyond the edges.
 TrianglePoint inside(Index triangle, Vector3d place) {
   place = place.cwiseMax(0.0);
   return {triangle, array_of(place / place.sum())};
@@ -30,20 +30,20 @@ std::array<double, 2> weights_on(const SurfaceWalker& walker, const Triangle& tr
   return between;
 }
 
-/// The plane that a way is cut by, and how far its points are on the way.
+/// The plane that contains a path, and the progress of points along it.
 struct CuttingPlane {
   Vector3d start, along, normal;
 
-  /// On either side; nothing lies on it.
+  /// Its sign is the side; 0 counts as positive.
   double side(const Vector3d& p) const { return normal.dot(p - start); }
   /// 0 at the start, 1 at the goal.
   double share(const Vector3d& p) const { return along.dot(p - start) / along.squaredNorm(); }
 };
 
-/// Where a plane leaves a triangle.
+/// The edge by which a plane leaves a triangle.
 struct Leaving {
   int edge;
-  double share;  ///< of the edge, from its corner
+  double share;  ///< position on the edge, from its first corner
   double passed;
 };
 
@@ -155,7 +155,7 @@ bool SurfaceWays::connect(const TrianglePoint& from, const TrianglePoint& to,
   for (int passed = 0; passed < kMostPassed && walker.triangle != to.triangle; ++passed) {
     const auto corners = corners_of(mesh_, walker.triangle);
     const auto out = leaving(plane, corners, walker.entered);
-    // Points on an edge may be taken for points of the triangle beyond it.
+    // A point on an edge may belong to the triangle on either side.
     if (!out || !(std::abs(out->passed - 0.5) < 1)) break;
     const Vector3d entered = walker.place;
     walker.place.setZero();

@@ -12,8 +12,8 @@
 namespace brindle {
 namespace {
 
-/// Fills row v of `rows`, whose rows have two entries per adjacent triangle, with the neighbours of
-/// v in ascending order, and returns their number.
+/// Fills row v of `rows` with the sorted neighbours of v and returns their number. Rows have two
+/// entries per adjacent triangle.
 Index gather_row(const Mesh& mesh, const VertexTriangles& around, std::size_t v,
                  std::vector<Index>& rows) {
   const auto begin = rows.begin() + 2 * static_cast<std::ptrdiff_t>(around.offsets[v]);
@@ -27,7 +27,7 @@ Index gather_row(const Mesh& mesh, const VertexTriangles& around, std::size_t v,
   return static_cast<Index>(std::unique(begin, end) - begin);
 }
 
-/// For every vertex the number of its first edge to a lower vertex; one entry more at the end.
+/// For every vertex the number of its first edge to a lower vertex, plus an end entry.
 std::vector<Index> first_edges(const Adjacency& neighborhood) {
   std::vector<Index> first(neighborhood.node_count() + 1, 0);
   for (Index v = 0; v < neighborhood.node_count(); ++v) {
@@ -38,13 +38,13 @@ std::vector<Index> first_edges(const Adjacency& neighborhood) {
   return first;
 }
 
-/// A side of a triangle, filed under its vertex of lower number.
+/// A side of a triangle, stored at its vertex of lower number.
 struct FiledSide {
   Index high;  ///< its other vertex
   Index corner_of_low, corner_of_high;
 };
 
-/// All sides in the rows of their lower vertices, in ascending order of triangles.
+/// All sides in the rows of their lower vertices, sorted by triangle.
 CompressedRows<FiledSide> sides_by_vertex(std::span<const Triangle> triangles,
                                           const Progress& progress) {
   Index count = 0;
@@ -65,7 +65,7 @@ CompressedRows<FiledSide> sides_by_vertex(std::span<const Triangle> triangles,
   });
 }
 
-/// Calls `visit` for each pair of sides with the same ends, one after the other.
+/// Calls `visit` for each pair of consecutive sides with the same ends.
 template <class Visit>
 void for_all_pairs(std::span<const FiledSide> sides, const Visit& visit) {
   for (std::size_t i = 1; i < sides.size(); ++i) {
@@ -75,7 +75,7 @@ void for_all_pairs(std::span<const FiledSide> sides, const Visit& visit) {
 
 Index half_edge_between(Index a, Index b) { return next_in_triangle(a) == b ? a : b; }
 
-/// Whether each vertex is reached by one walk around it.
+/// Whether the triangles of every vertex form a single fan.
 bool fans_are_single(const Mesh& mesh, const std::vector<Index>& twins) {
   std::vector<Index> valence(mesh.vertex_count(), 0);
   std::vector<Index> start(mesh.vertex_count(), 0);
@@ -155,7 +155,7 @@ MeshEdges mesh_edges(const Mesh& mesh, const Adjacency& neighborhood, const Prog
                  }
                });
   edges.of_triangle.resize(mesh.triangle_count());
-  // A triangle with two corners alike has no edge between them: some other one stands for it.
+  // A triangle with two equal corners has no edge between them: any other edge will do.
   const Index last = std::max(first.back(), Index{1}) - 1;
   parallel_for(
       mesh.triangle_count(), progress.part(0.3, 0.7), [&](std::size_t begin, std::size_t end) {

@@ -1,4 +1,4 @@
-/// Which vertices, edges and triangles of a mesh are next to which, whatever its topology.
+/// Adjacency of vertices, edges and triangles, for meshes of any topology.
 ///
 /// Edge m of triangle t runs from corner m to the next one. It is also called half-edge 3 t + m,
 /// which starts at corner 3 t + m.
@@ -18,7 +18,7 @@
 
 namespace brindle {
 
-/// In place of a triangle that is not there.
+/// Marks a missing triangle.
 inline constexpr Index kNoTriangle = std::numeric_limits<Index>::max();
 
 /// The next half-edge, or corner, of the same triangle, and the one before.
@@ -50,12 +50,11 @@ Adjacency vertex_neighborhood(const Mesh& mesh, const Progress& progress = {});
 Adjacency vertex_neighborhood(const Mesh& mesh, const VertexTriangles& around,
                               const Progress& progress = {});
 
-/// The edges of a mesh, each once, however many triangles share it, in ascending order of their
-/// higher vertex, then of their lower one.
+/// The edges of a mesh, each once, sorted by higher vertex, then by lower one.
 struct MeshEdges {
   std::vector<std::array<Index, 2>> vertices;     ///< the two ends, the lower number first
-  std::vector<std::array<Index, 3>> of_triangle;  ///< the numbers of every triangle's edges
-  CompressedRows<Index> half_edges;               ///< those along every edge, in ascending order
+  std::vector<std::array<Index, 3>> of_triangle;  ///< edge numbers of every triangle
+  CompressedRows<Index> half_edges;               ///< of every edge, in ascending order
 
   std::size_t count() const { return vertices.size(); }
 
@@ -84,8 +83,8 @@ struct MeshEdges {
 MeshEdges mesh_edges(const Mesh& mesh, const Adjacency& neighborhood,
                      const Progress& progress = {});
 
-/// An edge seen from two of its triangles. The corners `from[0]` and `from[1]` are at one vertex,
-/// `to[0]` and `to[1]` at the other; [0] is of the triangle with the lower number.
+/// An edge in two of its triangles. The corners `from[0]` and `from[1]` are at one vertex, `to[0]`
+/// and `to[1]` at the other; [0] is of the triangle with the lower number.
 struct SharedEdge {
   std::array<Index, 2> from;
   std::array<Index, 2> to;
@@ -97,19 +96,18 @@ struct SharedEdge {
 std::vector<SharedEdge> shared_edges(std::span<const Triangle> triangles,
                                      const Progress& progress = {});
 
-/// Instead of a twin: there is none, or more than one.
+/// Marks a missing twin: there is none, or more than one.
 inline constexpr Index kNoTwin = 0xffffffff;
 inline constexpr Index kManyTwins = 0xfffffffe;
 
 /// For every half-edge the one along the same edge in another triangle, whichever way it runs.
 std::vector<Index> twins_of(std::span<const Triangle> triangles, const Progress& progress = {});
 
-/// The twins of a closed, consistently wound manifold: every edge has two triangles, which run
-/// along it in opposite ways, and the triangles of every vertex form one fan. Nothing for others.
+/// The twins of a closed, consistently wound manifold, else nullopt. Every edge has two triangles
+/// that traverse it in opposite directions, every vertex one fan.
 std::optional<std::vector<Index>> manifold_twins(const Mesh& mesh, const Progress& progress = {});
 
-/// For every triangle the first that has the same corners, in whatever order: itself for all but
-/// repeated ones.
+/// For every triangle the first one with the same corners in any order: itself unless repeated.
 std::vector<Index> first_with_same_corners(const Mesh& mesh);
 
 }  // namespace brindle

@@ -19,7 +19,7 @@ struct TubePoint {
   Vec3 normal;
 };
 
-/// The points of a line, without those that nearly repeat the one before.
+/// The points of a line without near duplicates.
 std::vector<TubePoint> distinct_points(const Polylines& lines, std::size_t line, float gap) {
   std::vector<TubePoint> result;
   const auto points = lines.points_of(line);
@@ -27,7 +27,7 @@ std::vector<TubePoint> distinct_points(const Polylines& lines, std::size_t line,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool last = i + 1 == points.size() && !lines.closed[line];
     const bool near = !result.empty() && (points[i] - result.back().position).norm() < gap;
-    // The last point of an open line stays: the one before it is dropped.
+    // Keeps the last point of an open line and drops the one before it instead.
     if (near && last && result.size() > 1) result.pop_back();
     if (!near || last) result.push_back({points[i], normals[i]});
   }
@@ -45,8 +45,8 @@ struct Frame {
   Frame turned_over() const { return {along, -up, -aside}; }
 };
 
-/// Whether a tube from one ring to the next would be twisted by more than a quarter turn, as where
-/// the normals of a surface with one side change theirs.
+/// Whether a tube would twist by more than a quarter turn between two rings, as where the normals
+/// of a one-sided surface flip.
 bool is_twisted(const Frame& before, const Frame& behind) {
   return before.along.dot(behind.along) > 0 && before.aside.dot(behind.aside) < 0;
 }
@@ -110,7 +110,7 @@ class TubeMaker {
     }
   }
 
-  /// Vertex k of ring a with vertex k + `turn` of ring b.
+  /// Joins vertex k of ring a to vertex k + `turn` of ring b.
   void join(Index a, Index b, int turn) {
     const auto sides = static_cast<Index>(options_.sides);
     const auto shift = static_cast<Index>(turn);

@@ -12,8 +12,8 @@
 namespace brindle {
 namespace {
 
-/// The first of the points in use at each place, in ascending order. `first` receives its number
-/// for every point.
+/// The used points that come first at their position, in ascending order. Sets `first` to that
+/// point for every point.
 std::vector<Index> first_at_their_place(const std::vector<Vec3>& positions,
                                         const std::vector<Index>& used, std::vector<Index>& first,
                                         const Progress& progress) {
@@ -31,7 +31,7 @@ std::vector<Index> first_at_their_place(const std::vector<Vec3>& positions,
   return kept;
 }
 
-/// Makes all normals unit vectors; none are left if one of a point in use has no direction.
+/// Normalises all normals; drops them if a used point has none.
 void repair_normals(PointCloud& cloud, PointRepair& repair) {
   if (cloud.normals.empty()) return;
   for (Vec3& normal : cloud.normals) {

@@ -15,7 +15,7 @@
 namespace brindle {
 namespace {
 
-/// For each used point the numbers of its nearest others, `count` each.
+/// The `count` nearest other points of each used point.
 std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<const Index> used,
                                   std::size_t count, const Progress& progress) {
   std::vector<Vec3> points;
@@ -26,7 +26,7 @@ std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<con
   const auto find = [&](std::size_t begin, std::size_t end) {
     std::vector<Index> found;
     for (std::size_t i = begin; i < end; ++i) {
-      // The point itself comes along.
+      // The result includes the point itself.
       tree.nearest(points[i], count + 1, found);
       std::size_t taken = 0;
       for (const Index other : found) {
@@ -39,7 +39,7 @@ std::vector<Index> nearest_others(std::span<const Vec3> positions, std::span<con
   return nearest;
 }
 
-/// Rows of i with both i's nearest and those whose nearest i is, not yet sorted and with doubles.
+/// Symmetric rows: i's nearest points and those that i is nearest to. Unsorted, with duplicates.
 CompressedRows<Index> joined_both_ways(std::span<const Index> used, std::span<const Index> nearest,
                                        std::size_t count, std::size_t points,
                                        const Progress& progress) {
@@ -53,7 +53,7 @@ CompressedRows<Index> joined_both_ways(std::span<const Index> used, std::span<co
   return compressed_rows<Index>(points, progress, add_all);
 }
 
-/// Sorts every row and takes doubles out.
+/// Sorts every row and removes duplicates.
 Adjacency tidied(CompressedRows<Index> rows, const Progress& progress) {
   Adjacency result;
   result.offsets.assign(rows.size() + 1, 0);
@@ -68,8 +68,8 @@ Adjacency tidied(CompressedRows<Index> rows, const Progress& progress) {
   return result;
 }
 
-/// Refuses neighbours that memory does not hold: those found, and both ways before and after
-/// doubles are taken out.
+/// Throws TooLarge if memory cannot hold the neighbours found and the symmetric rows with and
+/// without duplicates.
 void check_room(std::size_t points, std::size_t others) {
   constexpr double kBytes = 5 * sizeof(Index);
   const auto count = static_cast<double>(points);

@@ -13,20 +13,20 @@
 namespace brindle {
 namespace {
 
-/// Squares of the width over the length: below the first points lie on a line, below the second few
-/// of them determine their plane.
+/// Squared width-to-length ratios: below kThinnest points are collinear, below kThin the plane
+/// depends on few of them.
 constexpr double kThinnest = 1e-8;
 constexpr double kThin = 0.1;
 
 struct PlaneFit {
   Eigen::Vector3d normal;
-  double width;      ///< square of the width over the length
-  double thickness;  ///< square of the thickness over the width
+  double width;      ///< squared width-to-length ratio
+  double thickness;  ///< squared thickness-to-width ratio
 };
 
-/// The plane through the point and `others`.
+/// The best-fitting plane of the point and `others`.
 PlaneFit fitted_plane(Index point, std::span<const Vec3> positions, std::span<const Index> others) {
-  // Relative to the point: far from the origin nothing else has digits to lose.
+  // Relative to the point, which keeps digits far from the origin.
   const auto from_point = [&](Index j) -> Eigen::Vector3d {
     return positions[j].cast<double>() - positions[point].cast<double>();
   };
@@ -64,8 +64,8 @@ Vec3 fitted_normal(Index point, std::span<const Vec3> positions, const Adjacency
   return fit.width > kThinnest ? Vec3(fit.normal.cast<float>().normalized()) : Vec3(Vec3::Zero());
 }
 
-/// The axis that agrees best with the point's normal and those of its neighbours, whatever their
-/// signs: a single point whose plane is badly fitted would stand across the surface.
+/// The axis closest to the normals of the point and its neighbours, up to sign. Otherwise a single
+/// badly fitted plane could stand across the surface.
 Vec3 mean_axis(Index point, std::span<const Vec3> normals, const Adjacency& neighborhood) {
   if (normals[point].isZero(0)) return Vec3::Zero();
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -79,8 +79,8 @@ Vec3 mean_axis(Index point, std::span<const Vec3> normals, const Adjacency& neig
   return solver.eigenvectors().col(2).cast<float>().normalized();
 }
 
-/// Around a closed surface the mean of <n, p> is three volumes over the area (divergence theorem),
-/// wherever the origin is. Where nothing is enclosed, normals shall point up.
+/// On a closed surface the mean of <n, p> is three volumes over area (divergence theorem), for any
+/// origin. Components that enclose nothing get normals that point up.
 bool points_inwards(std::span<const Index> component, std::span<const Vec3> positions,
                     std::span<const Vec3> normals) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero(), up = Eigen::Vector3d::Zero();
@@ -97,12 +97,12 @@ bool points_inwards(std::span<const Index> component, std::span<const Vec3> posi
   return std::abs(outwards) > kFlat * size ? outwards < 0 : up.z() < 0;
 }
 
-/// An edge that leads out of the tree.
+/// An edge that may extend the spanning tree.
 struct Candidate {
   float cost;
   Index from, to;
 
-  bool operator<(const Candidate& other) const {  // the last in the queue's order is the first out
+  bool operator<(const Candidate& other) const {  // reversed: the queue pops the largest
     return std::tie(cost, to, from) > std::tie(other.cost, other.to, other.from);
   }
 };
@@ -129,8 +129,8 @@ std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacenc
 bool fill_volume(std::span<const Vec3> positions, std::span<const Index> used,
                  const Adjacency& neighborhood) {
   constexpr std::size_t kFewest = 50, kSamples = 1000;
-  // In volumes the medians are 0.45 and 0.55, of points at random and on lattices. A few neighbours
-  // are as thick on noisy surfaces, and many on thin tubes, but not both.
+  // In volumes the medians are 0.45 and 0.55, for random points and lattices. Noisy surfaces reach
+  // kNear with few neighbours, thin tubes kWide with many, but not both.
   constexpr double kNear = 0.3, kWide = 0.4;
   if (used.size() < kFewest) return false;
   std::vector<double> near, wide;

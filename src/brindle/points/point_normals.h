@@ -9,22 +9,21 @@
 
 namespace brindle {
 
-/// One unit normal per point, of the plane that fits it and its neighbours best (principal
-/// component analysis), up to sign. Zero where these lie on one line or are fewer than two.
+/// One unit normal per point, up to sign: that of the plane that best fits it and its neighbours
+/// (principal component analysis). Zero if these are collinear or fewer than two.
 std::vector<Vec3> fitted_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,
                                  const Progress& progress = {});
 
-/// Whether the points fill a volume rather than lie on a surface, however noisy: at half of some of
-/// them, neighbours spread as far across the plane that fits them best as along it. Of fewer than
-/// 50 points there is no telling.
+/// Whether the points fill a volume rather than a surface, even a noisy one. Compares, at sample
+/// points, how far neighbours spread across and along their best-fitting plane. False below 50
+/// points, which are too few to decide.
 bool fill_volume(std::span<const Vec3> positions, std::span<const Index> used,
                  const Adjacency& neighborhood);
 
-/// Turns normals round so that neighbours agree, spreading along the edges where normals differ
-/// least (Hoppe et al. 1992: minimum spanning tree). Those of every component then point outwards,
-/// or up (z) where it encloses nothing. Normals that are zero stay, and orientation does not spread
-/// across them. Where the surface cannot be oriented, or sheets are closer than points, some
-/// neighbours keep disagreeing.
+/// Flips normals so that neighbours agree, along a minimum spanning tree of normal differences
+/// (Hoppe et al. 1992). Each component then points outwards, or up (z) if it encloses nothing. Zero
+/// normals stay, and orientation does not propagate across them. Some neighbours still disagree on
+/// surfaces that are not orientable, and where sheets are closer than points.
 void orient_normals(std::span<const Vec3> positions, const Adjacency& neighborhood,
                     std::span<Vec3> normals, const Progress& progress = {});
 

@@ -11,7 +11,7 @@
 namespace brindle {
 namespace {
 
-/// The normals of all points, zero for those that are not used.
+/// The normals of all points; zero for unused ones.
 std::vector<Vec3> normals_of(PointCloud& cloud, const Adjacency& neighborhood,
                              const Progress& progress) {
   if (cloud.normals.empty()) {
@@ -30,7 +30,7 @@ std::vector<Vec3> normals_of(PointCloud& cloud, const Adjacency& neighborhood,
   return normals;
 }
 
-/// As `make_point_cloud` makes them.
+/// Checks what `make_point_cloud` guarantees.
 void check(const PointCloud& cloud) {
   const std::size_t points = cloud.positions.size();
   if (!cloud.normals.empty() && cloud.normals.size() != points) {

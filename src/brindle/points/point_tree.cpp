@@ -15,11 +15,11 @@ namespace brindle {
 
 namespace {
 
-/// Some twenty reads for every point on each of the tree's levels.
+/// The tree reads each point about twenty times per level.
 constexpr std::size_t kReadsPerTick = 1 << 20;
 
-/// The points for nanoflann. It has no progress of its own: its construction can be cancelled
-/// only where it reads a point.
+/// Adapter for nanoflann, which has no progress callback: building a tree can only be cancelled
+/// where it reads a point.
 struct Points {
   std::span<const Vec3> positions;
   const Progress* progress = nullptr;  ///< while the tree is built

@@ -1,4 +1,4 @@
-/// Points near a point.
+/// Nearest-neighbour queries on points.
 #pragma once
 
 #include <cstddef>
