@@ -1,4 +1,4 @@
-/// The numbers of an ArrayView, whatever their type.
+/// Access to the numbers of an ArrayView of any type.
 #pragma once
 
 #include <cstring>
@@ -10,7 +10,7 @@
 
 namespace brindle {
 
-/// Throws Error if the array has not so many columns.
+/// Throws Error unless the array is empty or has this number of columns.
 inline void check_columns(const ArrayView& array, std::size_t columns, std::string_view what) {
   if (array.rows() == 0 || array.columns() == columns) return;
   throw Error(std::string(what) + ": an array of " + std::to_string(array.rows()) + " x " +
@@ -49,7 +49,7 @@ void with_number_type(NumberType type, const Use& use) {
   }
 }
 
-/// Calls `use(row, column, number)` for all numbers, row by row; they may stand at any address.
+/// Calls `use(row, column, number)` for all numbers, row by row; addresses may be unaligned.
 template <class Use>
 void for_each_number(const ArrayView& array, const Use& use) {
   with_number_type(array.type(), [&]<class Number>(Number) {

@@ -19,7 +19,7 @@ Vector3d common_side(std::span<const WeightedAxis> axes) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor).eigenvectors().col(2);
 }
 
-/// Whether no two can be on two sides of anything.
+/// Whether no product of two axes is negative, so that no axis has to be turned.
 bool are_near(std::span<const WeightedAxis> axes) {
   return ranges::all_of(axes, [&](const WeightedAxis& a) {
     return ranges::all_of(axes, [&](const WeightedAxis& b) { return a.axis.dot(b.axis) >= 0; });
@@ -39,7 +39,7 @@ std::optional<Vector3d> mean_of_turned(std::span<const WeightedAxis> axes) {
     any_turned = any_turned || sign_of(axis) != sign_of(first);
   }
   if (!any_turned) return std::nullopt;
-  // Relative to the first, which is exactly the mean of those that are like it.
+  // Relative to the first axis, so that the mean of equal axes is exact.
   Vector3d difference = Vector3d::Zero();
   for (const auto& [axis, weight] : axes) {
     difference += weight / weights * (sign_of(axis) * sign_of(first) * axis - first);

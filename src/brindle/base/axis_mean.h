@@ -1,4 +1,4 @@
-/// The mean of directions whose signs mean nothing.
+/// The mean of axes: directions without sign.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@ struct WeightedAxis {
   double weight;  ///< above 0
 };
 
-/// The weighted mean of vectors as axes, v and -v being the same: that of vectors once all are on
-/// the side of the eigenvector with the largest eigenvalue of sum w d d^T / |d| that the first one
-/// is on. Nothing where they are so already: it is the mean of the vectors as they are. Not finite
-/// if a vector is not.
+/// The weighted mean of vectors as axes (v equals -v): the vector mean after turning all to the
+/// side of the first one. The eigenvector with the largest eigenvalue of sum w d d^T / |d|
+/// separates the sides. Nullopt if no vector has to be turned: the vector mean is the result. Not
+/// finite if a vector is not.
 std::optional<Eigen::Vector3d> mean_of_turned(std::span<const WeightedAxis> axes);
 
 }  // namespace brindle

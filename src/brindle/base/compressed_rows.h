@@ -27,13 +27,13 @@ struct CompressedRows {
   }
 };
 
-/// Builds rows. `add_all(progress, add)` calls `add(row, entry)` for all entries, those of a row in
-/// order; it is called twice, to count and to fill, and must add the same both times.
+/// Builds rows. `add_all(progress, add)` calls `add(row, entry)` for all entries, in order within a
+/// row. It is called twice, to count and to fill, and must add the same both times.
 template <class Entry, class AddAll>
 CompressedRows<Entry> compressed_rows(std::size_t count, const Progress& progress,
                                       const AddAll& add_all) {
   CompressedRows<Entry> rows;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  // Counts one place to the right, so that filling moves each offset to its final value.
   std::vector<Index>& offsets = rows.offsets;
   offsets.assign(count + 2, 0);
   add_all(progress.part(0, 0.4), [&](std::size_t row, const Entry&) { ++offsets[row + 2]; });
@@ -51,9 +51,9 @@ CompressedRows<Entry> compressed_rows(std::size_t count, const AddAll& add_all) 
   return compressed_rows<Entry>(count, {}, [&](const Progress&, const auto& add) { add_all(add); });
 }
 
-// ---- Lists of parts, one after the other -------------------------------------------------------
+// ---- Concatenated lists -------------------------------------------------------------------------
 
-/// Makes room for a list of all parts.
+/// Reserves memory for a list of all parts.
 template <class Part>
 void reserve_for_lists(std::vector<Index>& all, const std::vector<Part>& parts,
                        std::vector<Index> Part::*list) {
@@ -66,7 +66,7 @@ inline void append_list(std::vector<Index>& all, const std::vector<Index>& part)
   all.insert(all.end(), part.begin(), part.end());
 }
 
-/// Offsets, the first of which is 0, continue those before.
+/// Appends offsets, the first of which is 0, shifted to continue `all`.
 inline void append_offsets(std::vector<Index>& all, const std::vector<Index>& part) {
   const Index first = all.back();
   for (std::size_t n = 1; n < part.size(); ++n) all.push_back(first + part[n]);

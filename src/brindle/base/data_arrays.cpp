@@ -27,7 +27,7 @@ Number number_at(const DataArray& array, std::size_t place) {
   return number;
 }
 
-/// The row that stands for all where numbers cannot be mixed.
+/// The row of largest weight, for numbers that cannot be averaged.
 Index heaviest_row(const RowBlend& blend) {
   const auto heaviest = std::max_element(blend.weights.begin(), blend.weights.end());
   return blend.rows[static_cast<std::size_t>(heaviest - blend.weights.begin())];
@@ -36,7 +36,7 @@ Index heaviest_row(const RowBlend& blend) {
 template <class Number>
 Number mean(const DataArray& array, const RowBlend& blend, std::size_t component) {
   const auto components = static_cast<std::size_t>(array.components);
-  double sum = -0.0;  // to which -0 may be added and stay what it is
+  double sum = -0.0;  // so that a sum of -0 stays -0
   for (std::size_t i = 0; i < 3; ++i) {
     if (blend.weights[i] == 0) continue;
     if (blend.weights[i] == 1)
@@ -72,7 +72,7 @@ Eigen::Vector3d vector_at(const ArrayView& axes, Index row) {
   return vector;
 }
 
-/// Rows of `means` where axes have to be turned to one side first.
+/// Replaces rows of `means` whose axes have to be turned to one side first.
 template <class Number>
 void mend_means(const DataArray& array, std::span<const RowBlend> blends,
                 std::vector<std::byte>& means) {

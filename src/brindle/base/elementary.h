@@ -1,8 +1,8 @@
-/// Sines, angles, exponentials and logarithms of which every bit follows from IEEE 754 alone: sums,
-/// products, quotients and roots, rounded one by one. Those of the C library choose among several
-/// implementations by processor (glibc: with and without fused multiply-adds), and each library has
-/// its own. Doubles are within 2.5 units in the last place, powers within as many as their
-/// logarithm has before the point. Floats are rounded from doubles, hence nearly always exactly.
+/// Sines, angles, exponentials and logarithms that are bit-identical on every IEEE 754 machine.
+/// They only use sums, products, quotients and roots, rounded one by one. C libraries select
+/// implementations by processor (glibc: with or without fused multiply-adds), and differ. Doubles
+/// are within 2.5 units in the last place, powers within as many as the integer part of their
+/// logarithm. Floats are rounded from doubles, so they are nearly always exact.
 #pragma once
 
 #include <array>
@@ -32,15 +32,15 @@ struct SineCosine {
 
 namespace detail {
 
-/// pi / 2 in parts of 33 bits, so that products with numbers of up to 20 bits are exact, and the
-/// rest.
+/// pi / 2 in parts of 33 bits, so that products with numbers of up to 20 bits are exact, plus the
+/// remainder.
 inline constexpr double kQuarter[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e0p-69,
                                       0x1.b839a252049c1p-104};
 inline constexpr double kPi = 0x1.921fb54442d18p+1, kPiRest = 0x1.1a62633145c07p-53;
 /// log 2, of which the first part has 32 bits.
 inline constexpr double kLog2 = 0x1.62e42feep-1, kLog2Rest = 0x1.a39ef35793c76p-33;
 
-/// The nearest whole number, up to 2^51: what lies below a one is rounded off.
+/// The nearest whole number, up to 2^51: the addition rounds off bits below 1.
 constexpr double nearest_whole(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
 /// The series c[0] + c[1] x + c[2] x^2 + ...
@@ -66,7 +66,7 @@ constexpr std::array<double, N> alternating_factorials(int first) {
   return c;
 }
 
-/// Sine and cosine of a + rest, |a| below pi / 4 and a little.
+/// Sine and cosine of a + rest, |a| at most slightly above pi / 4.
 inline SineCosine of_small(double a, double rest) {
   constexpr auto kSine = alternating_factorials<8>(3), kCosine = alternating_factorials<8>(4);
   const double square = a * a, half = 0.5 * square;
@@ -101,7 +101,7 @@ inline double angle_below_diagonal(double small, double large) {
 
 }  // namespace detail
 
-/// Beyond 10^6 radians as exact as the argument's own rounding lets them be.
+/// Beyond 10^6 radians, exact up to the rounding of the argument itself.
 inline SineCosine sine_cosine(double radians) {
   using detail::kQuarter;
   if (std::abs(radians) > 1e6) radians = std::remainder(radians, 2 * detail::kPi);
@@ -141,7 +141,7 @@ inline double atan2(double y, double x) {
   if (steep) std::swap(width, height);
   double angle = 0;
   if (height > 0 && !std::isinf(width)) {
-    // Neither products nor sums overflow or vanish.
+    // Scaled so that products and sums neither overflow nor vanish.
     const double scale = width > 1e200 ? 0x1p-200 : width < 1e-200 ? 0x1p500 : 1.0;
     angle = detail::angle_below_diagonal(scale * height, scale * width);
   }
@@ -182,7 +182,7 @@ inline double log(double x) {
   return doublings * detail::kLog2 - (left - f);
 }
 
-/// NaN for negative bases with exponents that are no whole numbers.
+/// NaN for negative bases with fractional exponents.
 inline double pow(double base, double exponent) {
   if (exponent == 0) return 1;
   if (!(base < 0)) return exp(exponent * log(base));
@@ -194,7 +194,7 @@ inline double pow(double base, double exponent) {
 inline double cbrt(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double root = std::copysign(exp(log(std::abs(x)) / 3), x);
-  return root - (root - x / (root * root)) / 3;  // a step of Newton's
+  return root - (root - x / (root * root)) / 3;  // one Newton step
 }
 
 inline float sin(float radians) { return static_cast<float>(sin(double{radians})); }
@@ -203,13 +203,13 @@ inline float tan(float radians) { return static_cast<float>(tan(double{radians})
 inline float atan2(float y, float x) { return static_cast<float>(atan2(double{y}, double{x})); }
 inline float exp(float x) { return static_cast<float>(exp(double{x})); }
 
-/// The same for exponents from -80 to 80, to two units in the last place, without a branch:
-/// compilers work out several side by side.
+/// The same for exponents from -80 to 80, to two units in the last place. Without a branch, so that
+/// compilers vectorise it.
 inline float fast_exp(float x) {
   constexpr std::array<float, 6> kSeries = {1.0f / 2,   1.0f / 6,   1.0f / 24,
                                             1.0f / 120, 1.0f / 720, 1.0f / 5040};
   constexpr float kLog2 = 0x1.62ep-1f, kLog2Rest = 0x1.0bfbe8p-15f;  // the first has 12 bits
-  constexpr float kWhole = 0x1.8p23f;  // what lies below a one is rounded off
+  constexpr float kWhole = 0x1.8p23f;                                // rounds off bits below 1
   const float doublings = (x * 1.44269504f + kWhole) - kWhole;
   const float r = (x - doublings * kLog2) - doublings * kLog2Rest;
   const float power = 1 + (r + r * r * detail::series(kSeries, r));

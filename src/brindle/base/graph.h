@@ -1,4 +1,4 @@
-/// Searches in graphs: sets that grow together, and shortest ways.
+/// Graph searches: union-find and shortest paths.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 
 namespace brindle {
 
-/// Disjoint sets (union-find). At first every number from 0 is a set of its own. A set's least
-/// member stands for it.
+/// Disjoint sets (union-find). Initially every number is a set of its own. The least member
+/// represents a set.
 class MergedSets {
  public:
   explicit MergedSets(std::size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  /// The least member of the set that an item belongs to.
+  /// The least member of an item's set.
   Index of(Index item) {
     while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
     return item;
   }
 
-  /// Whether they were in two sets before.
+  /// Merges two sets. Returns whether they were different.
   bool merge(Index a, Index b) {
     const Index first = of(a), second = of(b);
     parent_[std::max(first, second)] = std::min(first, second);
@@ -40,14 +40,14 @@ class MergedSets {
   std::vector<Index> parent_;
 };
 
-/// Shortest ways from some nodes of a graph (Dijkstra 1959), step by step: `offer` the nodes to
-/// start from, then take the `next` node and offer its neighbours, until there is none.
+/// Shortest paths in a graph (Dijkstra 1959), step by step: `offer` the start nodes, then take the
+/// `next` node and offer its neighbours, until none is left.
 template <class Distance>
 class ShortestWays {
  public:
   explicit ShortestWays(std::size_t nodes) : distance_(nodes, kNever) {}
 
-  /// Whether this way to the node is shorter than those known so far.
+  /// Offers a path to the node. Returns whether it is the shortest so far.
   bool offer(Index node, Distance distance) {
     if (distance >= distance_[node]) return false;
     if (distance_[node] == kNever) reached_.push_back(node);
@@ -56,7 +56,7 @@ class ShortestWays {
     return true;
   }
 
-  /// The nearest node that was not taken yet; of equally near ones the one of lowest number.
+  /// The nearest node not taken yet; ties go to the lowest number.
   std::optional<std::pair<Distance, Index>> next() {
     while (!waiting_.empty()) {
       const auto nearest = waiting_.top();
@@ -66,10 +66,10 @@ class ShortestWays {
     return std::nullopt;
   }
 
-  /// Infinite where no way has led so far.
+  /// Infinite for nodes not reached so far.
   Distance distance(Index node) const { return distance_[node]; }
 
-  /// For another search in the same graph; takes as long as the last one reached nodes.
+  /// Resets for another search; the time is proportional to the nodes reached.
   void clear() {
     waiting_ = {};
     for (const Index node : reached_) distance_[node] = kNever;

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Small, so that reading a header alone reads little more.
+/// Small, so that reading only a header reads little more.
 constexpr std::size_t kFirstSize = std::size_t{1} << 14;
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
 constexpr std::size_t kReportedSize = std::size_t{1} << 24;
@@ -34,7 +34,7 @@ std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
-/// Whether the value is as far from one float as from the next.
+/// Whether the value is exactly halfway between two floats.
 bool halfway_between_floats(double value) {
   if (!(std::abs(value) <= std::numeric_limits<float>::max())) return false;
   const double nearest = static_cast<float>(value);
@@ -42,8 +42,8 @@ bool halfway_between_floats(double value) {
   return other != nearest && static_cast<double>(static_cast<float>(other)) == other;
 }
 
-/// A word that was rounded to a double and then to a float could be rounded the wrong way; one step
-/// from the middle it is not.
+/// Rounding a word to double and then to float may go the wrong way at a midpoint. Moves the value
+/// off the midpoint, towards the float nearest to the word.
 double towards_nearest_float(double value, std::string_view word) {
   float nearest = 0;
   const auto read = read_number(word.data(), word.data() + word.size(), nearest);
@@ -166,7 +166,7 @@ bool InputFile::fill() {
 
 void InputFile::report(std::uint64_t count) {
   read_ += count;
-  // What is read twice does not count twice.
+  // Clamped, since bytes may be read twice.
   progress_.report(stage_, std::min(1.0, static_cast<double>(read_) / static_cast<double>(size_)));
 }
 
@@ -273,7 +273,7 @@ std::optional<double> parse_double(std::string_view word) {
   double value = 0;
   const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
-  // Too large or too small: strtod says which.
+  // Out of range: strtod returns infinity or zero.
   if (error == std::errc::result_out_of_range)
     return std::strtod(std::string(word).c_str(), nullptr);
   return value;

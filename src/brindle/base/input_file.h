@@ -1,4 +1,4 @@
-/// Files read as bytes from anywhere, whole, or in one pass, line by line or byte by byte.
+/// Files read as bytes: at any position, whole, or in one pass by lines or blocks.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace brindle {
 
-/// A file's bytes, from anywhere. After an error of the system it gives none.
+/// Reads a file's bytes at any position. After a system error it returns none.
 class InputStream {
  public:
   explicit InputStream(system::Descriptor descriptor) : descriptor_(descriptor) {}
@@ -25,14 +25,14 @@ class InputStream {
   InputStream(InputStream&& other) noexcept;
   InputStream& operator=(InputStream&&) = delete;
 
-  /// Reads up to `count` bytes and returns how many: fewer at the file's end, and if it is `bad`.
+  /// Reads up to `count` bytes and returns their number: fewer at the file's end, or if `bad`.
   std::size_t read(void* bytes, std::size_t count);
 
-  /// Where the next byte is read.
+  /// Position of the next byte.
   std::uint64_t place() const { return place_; }
   void seek(std::uint64_t place);
 
-  /// Whether the system could not read.
+  /// Whether the system reported an error.
   bool bad() const { return bad_; }
 
  private:
@@ -41,7 +41,7 @@ class InputStream {
   bool bad_ = false;
 };
 
-/// The lines of a file, from the stream's place on.
+/// The lines of a file, from the stream's position on.
 class InputLines {
  public:
   explicit InputLines(InputStream stream) : stream_(std::move(stream)) {}
@@ -54,49 +54,48 @@ class InputLines {
  private:
   InputStream stream_;
   std::string buffer_;
-  std::size_t begin_ = 0;  ///< what of the buffer has not been handed out
+  std::size_t begin_ = 0;  ///< start of the unread part of the buffer
 };
 
-/// Opens a regular file, as bytes. Throws Error, naming the file and the remedy, for a file that
-/// does not exist or may not be read, for a folder, and for devices and pipes: these have no size,
-/// and some never end. `kind` is what the file should be: "a mesh file".
+/// Opens a regular file for reading bytes. Throws Error, naming the file and the remedy, if it does
+/// not exist, may not be read, or is a folder, device or pipe: these have no size, and some never
+/// end. `kind` describes the expected file: "a mesh file".
 InputStream open_input(const std::filesystem::path& path, const std::string& kind);
 
 /// The whole content of the file. Throws Error as `open_input` does, and where reading fails.
 std::string whole_input(const std::filesystem::path& path, const std::string& kind);
 
-/// An optional mark before the first line of a text in UTF-8.
+/// An optional mark at the start of UTF-8 text.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 class InputFile {
  public:
-  /// Throws Error, with the remedy, if there is no such file, it is a folder or no regular file,
-  /// cannot be read, or is empty. `progress` reports "loading PATH" with the fraction of the file
-  /// that was read.
+  /// Throws Error, with the remedy, if the file does not exist, is a folder or not a regular file,
+  /// cannot be read, or is empty. `progress` reports "loading PATH" with the fraction read.
   explicit InputFile(const std::filesystem::path& path, Progress progress = {});
 
-  /// Throws Error if the file begins with what no text in UTF-8 or ASCII has. `kind` is what the
-  /// text should be: "an OBJ file".
+  /// Throws Error if the file does not begin as UTF-8 or ASCII text. `kind` describes the expected
+  /// text: "an OBJ file".
   void check_text(const std::string& kind);
 
-  /// The next line without its end and, of the first, a byte-order mark; nothing after the last.
-  /// Valid until the next call.
+  /// The next line, without its end and, for the first, without a byte-order mark; nullopt after
+  /// the last. Valid until the next call.
   std::optional<std::string_view> next_line();
 
   /// The next `count` bytes; valid until the next call. Throws Error if the file ends before.
   const char* take(std::size_t count);
 
-  /// Fills `bytes` from that place in the file on, apart from the lines read in order. Throws Error
-  /// if the file ends before.
+  /// Fills `bytes` from `place` in the file on, independently of the lines read in order. Throws
+  /// Error if the file ends before.
   void read_at(std::uint64_t place, std::span<std::byte> bytes);
 
   /// Bytes of the whole file.
   std::uint64_t size() const { return size_; }
 
-  /// How many lines have been read.
+  /// Number of lines read.
   std::size_t line() const { return line_; }
 
-  /// Bytes that have not been handed out yet.
+  /// Bytes not returned yet.
   std::uint64_t remaining() const { return remaining_; }
 
   /// Throws Error("path:line: message") or, where no line has been read, Error("path: message").
@@ -105,14 +104,14 @@ class InputFile {
   /// The same for an earlier line.
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const;
 
-  /// As `fail`, but never names a line: for what is wrong with the whole file.
+  /// As `fail`, but without a line: for errors of the whole file.
   [[noreturn]] void fail_whole(const std::string& message) const;
 
  private:
-  /// Moves what is left to the front of the buffer and reads more behind it.
+  /// Moves the unread bytes to the front of the buffer and reads more behind them.
   bool fill();
 
-  /// `count` more bytes have been read.
+  /// Adds `count` bytes to the progress.
   void report(std::uint64_t count);
 
   std::filesystem::path path_;
@@ -121,21 +120,21 @@ class InputFile {
   std::uint64_t read_ = 0;  ///< bytes
   InputStream stream_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0, end_ = 0;  ///< what of the buffer has not been handed out
+  std::size_t begin_ = 0, end_ = 0;  ///< unread part of the buffer
   std::uint64_t size_ = 0;
   std::uint64_t remaining_ = 0;
   std::size_t line_ = 0;
 };
 
-/// Takes the first word, between spaces or tabs, off a line; empty if there is none left.
+/// Removes the first word, between spaces or tabs, from a line; empty if none is left.
 std::string_view take_word(std::string_view& line);
 
-/// The number that `word` is, and nothing else; a leading + is allowed, and nan and inf are read.
-/// Rounded to float it is the float nearest to what `word` says. Numbers beyond the range of double
-/// become infinite or zero.
+/// Parses a whole word as a number; a leading +, nan and inf are allowed. Rounding the result to
+/// float gives the float nearest to the word. Numbers beyond the range of double become infinite or
+/// zero.
 std::optional<double> parse_number(std::string_view word);
 
-/// The same as the nearest double, which rounded to float once more may be one step off.
+/// The nearest double instead, which rounded to float may be one step off.
 std::optional<double> parse_double(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);
 

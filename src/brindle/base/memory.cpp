@@ -41,7 +41,7 @@ std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std
   return static_cast<std::size_t>(count) * bytes_each;
 }
 
-/// What fits now may not fit in another attempt.
+/// Share of what fits now that should also fit at the next attempt.
 constexpr double kSure = 0.6;
 
 void check_fits(double count, double bytes_each, const std::string& what, const std::string& things,

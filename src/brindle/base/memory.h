@@ -27,15 +27,15 @@ class TooLarge : public Error {
 /// process and of its control group. Infinite where none of these is known.
 double available_memory();
 
-/// How many items of so many bytes fit. Half of the memory is left for later steps.
+/// Number of items of this size that fit. Half of the memory is left for later steps.
 double count_that_fits(double bytes_each);
 
-/// The size of `count` items of so many bytes each. Throws Error naming `what` if it overflows:
-/// where sizes have 32 bits, counts in files may have more.
+/// The size of `count` items of `bytes_each` bytes. Throws Error naming `what` on overflow, since
+/// counts in files may exceed sizes of 32 bits.
 std::size_t size_in_bytes(std::uint64_t count, std::size_t bytes_each, const std::string& what);
 
-/// Throws TooLarge if that is less than `count`: "WHAT would be 2.3e+12 THINGS, and memory has room
-/// for 1.5e+08; " and what `remedy(count_that_fits)` says.
+/// Throws TooLarge if fewer fit: "WHAT would be 2.3e+12 THINGS, and memory has room for 1.5e+08; ",
+/// then `remedy(n)`. n is 60 % of what fits.
 void check_fits(double count, double bytes_each, const std::string& what, const std::string& things,
                 const std::function<std::string(double)>& remedy);
 
@@ -43,7 +43,7 @@ void check_fits(double count, double bytes_each, const std::string& what, const 
 std::string rounded_up(double number);
 std::string rounded_down(double number);
 
-/// Overrides the available memory while it lives, for tests.
+/// Overrides the available memory during its lifetime, for tests.
 class AssumedMemory {
  public:
   explicit AssumedMemory(double bytes);

@@ -1,6 +1,6 @@
 #include "brindle/base/number_text.h"
 
-// Libraries of Windows know both.
+// Windows' libraries have both from_chars and to_chars.
 #if !defined(_WIN32)
 
 #include <cmath>
@@ -19,7 +19,7 @@
 namespace brindle {
 namespace {
 
-/// Numbers have points, whatever language the process speaks.
+/// Reads a decimal point, whatever the locale of the process.
 double to_number(const char* text, char** end, double) {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
   return strtod_l(text, end, plain);
@@ -32,8 +32,8 @@ float to_number(const char* text, char** end, float) {
 
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
-/// How many of the letters are a number as std::from_chars reads them: without plus, white space or
-/// base 16. 0 if there is none.
+/// Length of the number at the start of the text, as std::from_chars reads it: without plus, white
+/// space or base 16. 0 if there is none.
 std::size_t length_of_number(std::string_view text) {
   std::size_t at = text.starts_with('-') ? 1 : 0;
   const auto begins = [&](std::string_view word) {
@@ -69,7 +69,7 @@ template <class Number>
 std::from_chars_result read_text(const char* first, const char* last, Number& value) {
   const std::size_t length = length_of_number({first, static_cast<std::size_t>(last - first)});
   if (length == 0) return {first, std::errc::invalid_argument};
-  // A number ends where its text does, which a null tells.
+  // The functions of C need a null at the end of the number.
   char near[64];
   std::string far;
   const char* text = near;
@@ -91,14 +91,14 @@ std::from_chars_result read_text(const char* first, const char* last, Number& va
   return {first + length, std::errc()};
 }
 
-/// The fewest digits that read back the same, as `d.ddde-05`.
+/// The fewest digits that read back the same value, as `d.ddde-05`.
 template <class Number>
 int write_digits(char* text, std::size_t size, Number value) {
   int length = 0;
   for (int digits = 0; digits < std::numeric_limits<Number>::max_digits10; ++digits) {
     length = std::snprintf(text, size, "%.*e", digits, static_cast<double>(value));
     for (char* c = text; *c != '\0'; ++c) {
-      if (*c == ',') *c = '.';  // the process may speak a language that has commas
+      if (*c == ',') *c = '.';  // the locale of the process may use commas
     }
     if (to_number(text, nullptr, Number()) == value) break;
   }
@@ -122,7 +122,7 @@ std::string without_exponent(std::string_view scientific, double value) {
     text = digits;
     text.insert(static_cast<std::size_t>(exponent) + 1, ".");
   } else {
-    // All digits of a whole number are known.
+    // Whole numbers are printed with all digits.
     char whole[400];
     std::snprintf(whole, sizeof whole, "%.0f", std::abs(value));
     text = whole;

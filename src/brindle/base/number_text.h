@@ -1,5 +1,5 @@
-/// Numbers from and to text whatever language the process speaks, also where the library knows
-/// `from_chars` and `to_chars` of whole numbers alone (libc++).
+/// Locale-independent numbers from and to text, also where the library's `from_chars` and
+/// `to_chars` only support integers (libc++).
 #pragma once
 
 #include <charconv>
@@ -8,7 +8,7 @@
 
 namespace brindle {
 
-/// As std::from_chars and std::to_chars, with the same digits, by what every library has; slower.
+/// As std::from_chars and std::to_chars, with the same digits, for all libraries; slower.
 std::from_chars_result read_portably(const char* first, const char* last, float& value);
 std::from_chars_result read_portably(const char* first, const char* last, double& value);
 std::to_chars_result write_portably(char* first, char* last, float value);

@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kGathered = std::size_t{1} << 16;
-/// Written at once, and between two reports.
+/// Bytes per write, and between two reports.
 constexpr std::size_t kPart = std::size_t{4} << 20;
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// Where links lead, whether or not a file is there; no further than the system would follow them.
+/// Follows links, also to missing files, but no further than the system would.
 fs::path followed(fs::path path) {
   constexpr int kMostLinks = 40;
   std::error_code error;
@@ -36,7 +36,7 @@ fs::path followed(fs::path path) {
   return path;
 }
 
-/// Of what `followed` has given: links that lead in a circle.
+/// Whether `followed` stopped at a cycle of links.
 bool is_link(const fs::path& followed) {
   std::error_code ignored;
   return fs::is_symlink(followed, ignored);
@@ -83,14 +83,14 @@ void write_to(system::Descriptor descriptor, const fs::path& path,
   try {
     write(out);
   } catch (const OutputStopped&) {
-    // The stream is bad, as below.
+    // The stream is bad, which is handled below.
   }
   out.flush();
   if (out.is_cancelled()) throw Cancelled("cancelled");
   if (out.bad()) fail(path, out.reason());
 }
 
-/// Waits until somebody reads a pipe, as long as nobody cancels.
+/// Waits until a pipe has a reader; can be cancelled.
 system::Descriptor open_device(const fs::path& path, const Progress& progress) {
   std::error_code ignored;
   const bool is_pipe = fs::is_fifo(path, ignored);
@@ -115,7 +115,7 @@ void write_device(const fs::path& path, const std::function<void(OutputStream&)>
   if (!system::close_file(descriptor)) fail(path, errno);
 }
 
-/// Short, whatever the file will be called: it may have as long a name as the system allows.
+/// Short and independent of the target's name, which may be as long as the system allows.
 fs::path temporary_name(const fs::path& target) {
   return folder_of(target) / (".brindle-" + std::to_string(std::random_device()()) + ".tmp");
 }
@@ -157,7 +157,7 @@ void OutputStream::write_all(const char* bytes, std::size_t count) {
       since_report_ += static_cast<std::size_t>(written);
     } else if (written < 0 && system::is_not_ready(errno)) {
       system::wait_a_moment();
-      since_report_ = kPart;  // so that who waits can cancel
+      since_report_ = kPart;  // so that the wait can be cancelled
     } else if (written == 0 || errno != EINTR) {
       reason_ = written == 0 ? EIO : errno;
     }
@@ -216,7 +216,7 @@ void UnfinishedFile::finish() {
     if (!system::link_to(unnamed, name)) fail(path_, errno);
     temporary_ = std::move(name);
   }
-  // Some file systems say only now that the last bytes did not fit.
+  // Some file systems report only now that the last bytes did not fit.
   if (!system::close_file(std::exchange(descriptor_, -1))) fail(path_, errno);
   std::error_code error;
   fs::rename(temporary_, target_, error);

@@ -1,4 +1,4 @@
-/// Files that are either written whole or not at all, and the streams that fill them.
+/// Files that are written completely or not at all, and the streams that fill them.
 #pragma once
 
 #include <concepts>
@@ -18,14 +18,14 @@
 
 namespace brindle {
 
-/// Writes into an open file in large blocks, or into a text. It keeps the system's reason for a
-/// failure, unlike streams of the standard library, and needs none of their locales, a twelfth of a
-/// module for browsers. After a failure, and once cancelled, it ignores what follows.
+/// Writes into an open file in large blocks, or into a string. Unlike standard streams, it keeps
+/// the system's reason for a failure and needs no locales, a twelfth of a module for browsers.
+/// Ignores all output after a failure or cancellation.
 class OutputStream {
  public:
-  /// `progress` reports after every few megabytes.
+  /// `progress` reports every few megabytes.
   OutputStream(system::Descriptor descriptor, const Progress& progress);
-  /// Into a text, at once.
+  /// Into a string, unbuffered.
   explicit OutputStream(std::string& text) : text_(&text) {}
   OutputStream(const OutputStream&) = delete;
   OutputStream& operator=(const OutputStream&) = delete;
@@ -44,7 +44,7 @@ class OutputStream {
   /// Writes what was buffered.
   void flush();
 
-  /// Whether something could not be written; everything after that is lost.
+  /// Whether a write failed or was cancelled; all later output is lost.
   bool bad() const { return reason_ != 0 || cancelled_; }
 
   /// 0, or the system's reason for the first failure.
@@ -74,7 +74,7 @@ inline void stop_if_bad(const OutputStream& out) {
   if (out.bad()) throw OutputStopped();
 }
 
-/// Numbers and words written fast, floats in the shortest form that reads back the same.
+/// Fast output of numbers and words; floats in the shortest form that reads back the same.
 class TextOutput {
  public:
   explicit TextOutput(OutputStream& out) : out_(out) {}
@@ -114,24 +114,22 @@ class TextOutput {
   std::string buffer_;
 };
 
-/// Lets `write` fill a file that has no name yet, then gives it the name `path`. On any failure,
-/// and if the process is killed meanwhile, nothing is left behind, and an earlier file at `path`
-/// stays as it was. (Where the file system knows no files without names, the file is called
-/// .brindle-NUMBER.tmp until it is whole, and being killed leaves that.) A file that is replaced
-/// hands its owner and permissions on; a link is followed, and stays. A `path` that is not a
-/// regular file (a device, a pipe) is written to directly. Throws Error, naming the path, the
-/// system's reason and the remedy, if the folder does not exist, cannot be written to or is full;
-/// passes on what `write` throws. `progress` reports "writing PATH" after every few megabytes; the
-/// size of the file is not known, so the fraction approaches 1 ever more slowly. Cancelled leaves
-/// the path as any failure does.
+/// Lets `write` fill an unnamed file, then names it `path`. A failed, cancelled or killed write
+/// leaves no file; an earlier file at `path` is unchanged. (File systems without unnamed files use
+/// .brindle-NUMBER.tmp until the file is complete; killing the process leaves that.) A replaced
+/// file passes on its owner and permissions; links are followed and stay. A `path` that is not a
+/// regular file (a device, a pipe) is written directly. Throws Error, with the path, the system's
+/// reason and the remedy, if the folder does not exist, is not writable or is full; passes on what
+/// `write` throws. `progress` reports "writing PATH" every few megabytes. The final size is
+/// unknown, so the fraction approaches 1 ever more slowly.
 void write_file(const std::filesystem::path& path, const std::function<void(OutputStream&)>& write,
                 const Progress& progress = {});
 
-/// The same in two steps: a file without a name, for writers that need its descriptor, and for
-/// those that complete other files before this one gets its name.
+/// The same in two steps: an unnamed file, for writers that need its descriptor, or that complete
+/// other files before this one gets its name.
 class UnfinishedFile {
  public:
-  /// Throws Error as `write_file` does. `path` is no device.
+  /// Throws Error as `write_file` does. `path` must not be a device.
   explicit UnfinishedFile(const std::filesystem::path& path);
   ~UnfinishedFile();
   UnfinishedFile(const UnfinishedFile&) = delete;
@@ -150,16 +148,15 @@ class UnfinishedFile {
 
  private:
   std::filesystem::path path_, target_;
-  std::filesystem::path temporary_;  ///< its name now; empty if it has none
+  std::filesystem::path temporary_;  ///< its present name; empty if it has none
   int descriptor_ = -1;
 };
 
-/// Throws the Error that `write_file` would throw for a `path` that is a folder, lies in a folder
-/// that does not exist or may not be written to, or has too long a name. For checks before a long
-/// job, whose result would be lost.
+/// Throws the Error of `write_file` if `path` is a folder or has too long a name, or if its folder
+/// does not exist or is not writable. For checks before a long job, whose result would be lost.
 void check_output_path(const std::filesystem::path& path);
 
-/// Whether something is there that is no regular file: a device or a pipe, written to directly.
+/// Whether `path` exists but is no regular file: devices and pipes are written directly.
 bool is_device(const std::filesystem::path& path);
 
 }  // namespace brindle

@@ -1,5 +1,4 @@
-/// Threads behind a few functions, which give bit-identical results for every number of threads,
-/// and without oneTBB.
+/// Parallel loops with bit-identical results for every number of threads, also without oneTBB.
 #pragma once
 
 #include <algorithm>
@@ -33,11 +32,10 @@
 
 namespace brindle {
 
-/// What oneTBB guarantees of the order of tasks, said to ThreadSanitizer: all that came before
-/// `call` happens before every task, and every task before all that follows `join`. The
-/// distribution's oneTBB is not instrumented; without this, every task seems to race with the one
-/// that called it, and suppressing that would suppress true races, too. Costs nothing without
-/// ThreadSanitizer.
+/// Tells ThreadSanitizer the order of tasks that oneTBB guarantees: all before `call` happens
+/// before every task, and every task before all after `join`. The distribution's oneTBB is not
+/// instrumented: every task would seem to race with its caller, and suppressing that would hide
+/// true races. Costs nothing without ThreadSanitizer.
 class TaskOrder {
  public:
 #ifdef BRINDLE_THREAD_SANITIZER
@@ -47,8 +45,8 @@ class TaskOrder {
   static void join() { done_.load(std::memory_order_acquire); }
 
  private:
-  // Of all calls together: a task could not be told of a counter of its own call before it reads
-  // what that call wrote.
+  // Shared by all calls: to find a counter of its own call, a task would have to read what that
+  // call wrote.
   inline static std::atomic<unsigned> called_ = 0, done_ = 0;
 #else
   static void call() {}
@@ -61,7 +59,7 @@ class TaskOrder {
 /// Ranges shorter than this run on the calling thread: waking another costs more.
 inline constexpr std::size_t kParallelGrain = 2048;
 
-/// Calls `body(begin, end)` on disjoint ranges that cover [0, count). The body must not depend on
+/// Calls `body(begin, end)` on disjoint ranges that cover [0, count). The result must not depend on
 /// how the range is cut.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
@@ -83,13 +81,11 @@ void parallel_for(std::size_t count, const Body& body, std::size_t grain = kPara
   if (count > 0) body(std::size_t{0}, count);
 }
 
-/// How much of a loop is done between two reports: so little that a job which costs some
-/// microseconds a piece can be cancelled within a tenth of a second, and so much that waiting for
-/// the last thread costs nothing.
+/// Iterations between two reports. Few enough to cancel a job of some microseconds per iteration
+/// within a tenth of a second; enough that waiting for the last thread costs nothing.
 inline constexpr std::size_t kReportSlice = 1 << 14;
 
-/// Calls both, at the same time if there is a thread for it. Neither may read what the other
-/// writes.
+/// Calls both, concurrently if a thread is free. Neither may read what the other writes.
 template <class First, class Second>
 void parallel_both(const First& first, const Second& second) {
 #ifdef BRINDLE_HAS_TBB
@@ -133,8 +129,8 @@ void reported_for(std::size_t count, const Progress& progress, const Body& body,
   }
 }
 
-/// Makes a list so long, bit by bit: to fill new memory for the first time takes longer than a
-/// caller should wait. `progress` ticks.
+/// Resizes a list in steps: touching new memory for the first time takes longer than a caller
+/// should wait. `progress` ticks.
 template <class Value>
 void ticking_resize(std::vector<Value>& list, std::size_t count, const Progress& progress) {
   constexpr std::size_t kBytesPerTick = 1 << 24;
@@ -146,8 +142,8 @@ void ticking_resize(std::vector<Value>& list, std::size_t count, const Progress&
   list.resize(count);
 }
 
-/// Sorts as `std::sort` does, comparison by comparison, while `progress` ticks. Where that throws,
-/// what was to be sorted is in no order and may have lost entries.
+/// Sorts as `std::sort` does, comparison by comparison, while `progress` ticks. If that throws, the
+/// range is unordered and may have lost entries.
 template <class Iterator, class Less>
 void ticking_sort(Iterator begin, Iterator end, const Progress& progress, const Less& less) {
   constexpr std::size_t kComparedPerTick = 16 * kReportSlice;
@@ -162,13 +158,13 @@ void ticking_sort(Iterator begin, Iterator end, const Progress& progress, const 
   });
 }
 
-/// Reports for a loop whose rounds differ: whenever another slice of `all` is done.
+/// Reports progress of loops with uneven rounds, after every `slice` of `all`.
 class Reporter {
  public:
   Reporter(Progress progress, std::size_t all, std::size_t slice = kReportSlice)
       : progress_(std::move(progress)), all_(all), slice_(slice), next_(slice) {}
 
-  /// `more` was done. Throws Cancelled if the callback asks for it.
+  /// Adds `more` finished work. Throws Cancelled if the callback asks for it.
   void done(std::size_t more) {
     done_ += more;
     if (done_ < next_) return;
@@ -183,8 +179,8 @@ class Reporter {
   std::size_t done_ = 0;
 };
 
-/// The sum of `body(begin, end)` over the halves of [begin, end), halved until no piece is longer
-/// than `grain`: the order in which oneTBB's deterministic reduction adds.
+/// The sum of `body(begin, end)` over [begin, end), halved recursively down to `grain`: the order
+/// of addition in oneTBB's deterministic reduction.
 template <class Value, class Body>
 Value halving_sum(std::size_t begin, std::size_t end, const Body& body, std::size_t grain) {
   if (begin == end) return Value{};
@@ -195,14 +191,14 @@ Value halving_sum(std::size_t begin, std::size_t end, const Body& body, std::siz
 }
 
 #ifdef BRINDLE_HAS_TBB
-/// The body of oneTBB's reduction. Its reduction of functions would copy the neutral element out of
-/// the caller before a task has begun, where `TaskOrder` cannot record it.
+/// The body of oneTBB's reduction. Its functional form copies the neutral element from the caller
+/// before a task has begun, where `TaskOrder` cannot record it.
 template <class Value, class Body>
 class PartialSum {
  public:
   explicit PartialSum(const Body& body) : body_(body) {}
   PartialSum(const PartialSum& other, tbb::split) : body_(other.body_) {
-    // Another thread may go on with the neutral element that this one wrote.
+    // Another thread may continue with the neutral element written here.
     TaskOrder::call();
   }
 
@@ -225,9 +221,9 @@ class PartialSum {
 };
 #endif
 
-/// The sum of `body(begin, end)` over ranges that cover [0, count). Ranges and the order of the
-/// additions depend on `count` and `grain` alone (`halving_sum`), so the sum is the same for any
-/// number of threads.
+/// The sum of `body(begin, end)` over ranges that cover [0, count). Ranges and order of addition
+/// only depend on `count` and `grain` (`halving_sum`): the sum is the same for any number of
+/// threads.
 template <class Value, class Body>
 Value parallel_sum(std::size_t count, const Body& body, std::size_t grain = kParallelGrain) {
 #ifdef BRINDLE_HAS_TBB
@@ -252,16 +248,16 @@ Value parallel_sum(std::size_t count, const Progress& progress, const Body& body
         end - begin,
         [&](std::size_t from, std::size_t to) { return body(begin + from, begin + to); }, grain);
   };
-  // Halves of halves: slices that are halved further add up in the same order as the whole.
+  // Slices are halves of halves: halved further, they add up in the same order as the whole.
   return halving_sum<Value>(0, count, sum_slice, std::max(slice, grain));
 }
 
-/// The most threads that can work at the same time, and the number, from 0, of the calling one. A
-/// thread keeps its number during a body of `parallel_for`.
+/// The maximum number of concurrent threads, and the number, from 0, of the calling one. A thread
+/// keeps its number during a body of `parallel_for`.
 std::size_t thread_capacity();
 std::size_t thread_number();
 
-/// Sums of powers, which `parallel_sum` adds in a fixed order: mean and deviation.
+/// Sums for mean and deviation, which `parallel_sum` adds in a fixed order.
 struct PowerSums {
   double count = 0, sum = 0, square_sum = 0;
 
@@ -274,7 +270,7 @@ struct PowerSums {
     return {count + other.count, sum + other.sum, square_sum + other.square_sum};
   }
 
-  /// Of no numbers, not a number.
+  /// NaN without numbers.
   double mean() const { return sum / count; }
   double deviation() const {
     return std::sqrt(std::max(0.0, square_sum / count - mean() * mean()));

@@ -32,7 +32,7 @@ Progress::Progress(JobCallback callback) {
 
 void Progress::tell(double whole, std::string_view step, double fraction) const {
   State& s = *state_;
-  // Also where a step, or rounding, goes back.
+  // Never decreases, even if a step or rounding goes back.
   s.done = std::max(s.done, std::min(whole, 1.0));
   s.step = step;
   s.step_fraction = fraction;

@@ -1,5 +1,5 @@
-/// What brindle uses of the standard library, also where that is older: `ranges`, the algorithms of
-/// std::ranges (libc++ before 15), and `bit_cast` (libc++ before 14).
+/// Replacements for older standard libraries: `ranges`, the algorithms of std::ranges (libc++
+/// before 15), and `bit_cast` (libc++ before 14).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace ranges = std::ranges;
 
 namespace brindle::ranges {
 
-/// What it is compared by, of two elements.
+/// Compares two elements by their projections.
 template <class Less, class Projection>
 auto by(Less less, Projection projection) {
   return [less, projection](const auto& a, const auto& b) {
@@ -95,8 +95,8 @@ bool binary_search(Range&& range, const Value& value) {
   return std::binary_search(std::begin(range), std::end(range), value);
 }
 
-/// Sorts runs of a few values by insertion, then merges them in pairs. A quarter of the code of
-/// libc++'s std::sort, which counts where programs travel before they run.
+/// Sorts short runs by insertion, then merges them in pairs. A quarter of the code of libc++'s
+/// std::sort, which matters for programs that are downloaded.
 template <class Value, class Less>
 void merge_sort(Value* values, std::size_t count, const Less& less) {
   constexpr std::size_t kRun = 12;
@@ -172,7 +172,7 @@ void transform(Range&& range, Output output, Function function) {
 template <class First, class Second, class Output, class Function>
 requires requires(Second& second) { std::begin(second); }
 void transform(First&& first, Second&& second, Output output, Function function) {
-  // As long as the shorter of both.
+  // As long as the shorter input.
   auto a = std::begin(first);
   auto b = std::begin(second);
   for (; a != std::end(first) && b != std::end(second); ++a, ++b, ++output) {

@@ -59,7 +59,7 @@ Descriptor open_existing(const fs::path& path) {
   return _wopen(path.c_str(), _O_RDONLY | _O_BINARY);
 }
 
-/// What the system takes at once.
+/// The most that the system reads or writes at once.
 constexpr std::size_t kMost = std::size_t{1} << 30;
 
 std::ptrdiff_t read_some(Descriptor file, char* bytes, std::size_t count) {
@@ -129,14 +129,14 @@ bool is_not_ready(int reason) {
 
 void wait_a_moment() { usleep(20'000); }
 
-constexpr mode_t kMode = 0666;  // less what the user's mask forbids
+constexpr mode_t kMode = 0666;  // before the user's umask
 
 Descriptor open_unnamed([[maybe_unused]] const fs::path& folder) {
 #ifdef O_TMPFILE
   const Descriptor file = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
   std::error_code ignored;
   if (file < 0 || fs::exists(place_of(file), ignored)) return file;
-  close(file);  // what has no place here could get no name
+  close(file);  // a file without a path here could not be named
 #endif
   errno = ENOSYS;
   return -1;
@@ -188,7 +188,7 @@ bool may_write(const fs::path& path) { return access(path.c_str(), W_OK) == 0; }
 
 #if defined(__EMSCRIPTEN__)
 
-/// What the module's memory may still grow by, and what is free in it.
+/// Memory by which the module may still grow, and free memory in it.
 double free_memory() {
   const auto growth = static_cast<double>(emscripten_get_heap_max() - emscripten_get_heap_size());
   return growth + static_cast<double>(mallinfo().fordblks);
@@ -219,7 +219,7 @@ double mappable_memory() {
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken);
 }
 
-/// The number that a file begins with, as control groups have them.
+/// The number at the start of a control group's file.
 static std::optional<double> number_in(const char* path) {
   std::ifstream in(path);
   double number = 0;
@@ -227,7 +227,7 @@ static std::optional<double> number_in(const char* path) {
   return std::nullopt;  // also for "max"
 }
 
-/// Of the containers that a process may be in, the one that it sees as the whole.
+/// From the control group that the process sees as its root.
 double memory_of_group() {
   constexpr const char* kFiles[][2] = {
       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},

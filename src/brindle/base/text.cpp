@@ -17,8 +17,8 @@ void add_escaped(std::string& result, std::string_view bytes) {
   }
 }
 
-/// What a terminal obeys instead of showing it: controls, ends of lines, and marks that turn the
-/// direction of writing round.
+/// Whether a terminal interprets the character: control characters, line ends, and marks that
+/// change the direction of writing.
 bool is_obeyed(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
          (code >= 0x2066 && code <= 0x2069);
@@ -67,9 +67,9 @@ bool alike(char a, char b) {
   return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
-/// How many letters are put in, left out, replaced or swapped to make one word of the other.
+/// Edit distance: insertions, deletions, replacements, and swaps of neighbours.
 std::size_t edits(std::string_view from, std::string_view to) {
-  // Rows of the table of distances between beginnings: two before, one before, this.
+  // Rows of the distance table: two before, one before, current.
   std::array<std::vector<std::size_t>, 3> rows;
   for (auto& row : rows) row.resize(to.size() + 1);
   for (std::size_t j = 0; j <= to.size(); ++j) rows[2][j] = j;
@@ -124,7 +124,7 @@ std::string nearest(std::string_view word, std::span<const std::string> known) {
   std::string best;
   std::size_t fewest = kMostEdits + 1;
   for (const std::string& name : known) {
-    // A shorter word is no nearer than the letters that are missing.
+    // The difference in length is a lower bound on the distance.
     if (word.size() > name.size() + kMostEdits || name.size() > word.size() + kMostEdits) continue;
     const std::size_t allowed = std::max<std::size_t>(1, name.size() / 3);
     const std::size_t distance = edits(word, name);
