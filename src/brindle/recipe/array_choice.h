@@ -1,4 +1,4 @@
-/// Arrays found by the names that users give.
+/// Selects arrays by the names that users give.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ struct ArrayChoice {
   bool of_cells = false;
 };
 
-/// The array NAME, points/NAME or cells/NAME. Throws Error, naming `file` and all arrays there are,
-/// for another name.
+/// The array NAME, points/NAME or cells/NAME. Throws Error for another name, with `file` and all
+/// available arrays.
 ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file);
 
 /// The same, copied.

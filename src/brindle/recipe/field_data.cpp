@@ -31,8 +31,8 @@ void for_vectors(const DataArray& array, const Body& body) {
   }
 }
 
-/// Units do not matter, but sums of tiny numbers vanish, and those of huge ones overflow: the
-/// largest of such numbers becomes 1.
+/// Scales weights to a maximum of 1 where float sums of them would vanish or overflow; their unit
+/// does not matter.
 template <class Number>
 std::vector<float> as_weights(const std::vector<Number>& numbers) {
   constexpr double kTiny = 1e-30, kHuge = 1e30;

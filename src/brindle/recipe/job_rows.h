@@ -1,5 +1,4 @@
-/// Rows of the table: what jobs write, where pictures are taken from, and how frames follow each
-/// other.
+/// Option rows: outputs, cameras, and sequences of frames.
 #pragma once
 
 #include "brindle/option_table.h"

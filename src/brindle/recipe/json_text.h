@@ -1,4 +1,4 @@
-/// JSON as text, whatever bytes its names have.
+/// JSON text, for names of any bytes.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace brindle {
 
-/// `json` with `utf8_text` instead of every text and key.
+/// `json` with `utf8_text` applied to every text and key.
 template <class Json>
 Json utf8_json(const Json& json) {
   if (json.is_string()) return utf8_text(json.template get_ref<const std::string&>());
@@ -25,8 +25,8 @@ Json utf8_json(const Json& json) {
   return object;
 }
 
-/// Bytes that are no UTF-8, as in names of files, are written as \xe9: JSON holds nothing else, and
-/// a finished job must not fail because of them.
+/// Writes bytes that are not UTF-8, as in file names, as \xe9: JSON only allows UTF-8, and a
+/// finished job must not fail because of them.
 template <class Json>
 std::string json_text(const Json& json, int indent = -1) {
   try {

@@ -19,7 +19,7 @@ std::string names_of(const MakingFigures& figures, const std::vector<std::size_t
   return names;
 }
 
-// Lines on pieces whose windings at their boundaries do not add up, with the reason.
+// Lines on components whose winding numbers at boundaries do not add up, with the reason.
 std::string differences(const MakingFigures& figures) {
   std::string text;
   for (const WindingSum& sum : figures.sums) {

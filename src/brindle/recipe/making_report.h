@@ -1,4 +1,4 @@
-/// Results of windings, boundaries and cancelled branches, for reports and for people.
+/// Reports on winding numbers, boundaries and cancelled branches.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 
 namespace brindle {
 
-/// So many windings are listed for people; reports have all.
+/// Most winding numbers in a text report; JSON reports have all.
 inline constexpr std::size_t kMostWindings = 12;
 
-/// Keys for a report, and lines for people.
+/// JSON keys, and lines of text.
 void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json);
 std::string lines_of(const MakingFigures& figures);
 
-/// Those lines without the windings: sums that do not add up, turns of the field and cancelled
-/// branches.
+/// Those lines without the winding numbers: sums that do not add up, rotation of the field and
+/// cancelled branches.
 std::string remarks_of(const MakingFigures& figures);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// Rows of the table: curves and samples.
+/// Option rows: curves and samples.
 #pragma once
 
 #include "brindle/curves.h"
@@ -182,7 +182,7 @@ constexpr auto kSampleRows = in_group(
 
 constexpr auto kMarkRows = joined(kCurveRows, kSampleRows);
 
-/// Calls `visit("--option", field)` for the ends and kinks of curves.
+/// Calls `visit("--option", field)` for the options on ends and kinks of curves.
 template <class Visit>
 void visit_curves(CurveOptions& curves, const Visit& visit) {
   visit("--join", curves.join);

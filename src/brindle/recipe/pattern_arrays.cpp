@@ -43,7 +43,7 @@ void add_carried_waves(std::vector<DataArray>& arrays, const TexturedMesh& textu
   const auto [waves, z] = carried_waves(textured, pattern.waves, pattern.solution.z);
   std::vector<float> flags =
       carried_values(textured, branches_at_vertices(mesh, pattern.corners), 1);
-  // A barycentre is at a branch if all corners are.
+  // A barycentre counts as a branch only if all corners do.
   for (float& flag : flags) flag = std::floor(flag);
   std::vector<float> wanted;
   if (!pattern.frequencies_wanted.empty()) {
@@ -65,7 +65,7 @@ DataArrays textured_arrays(const TexturedMesh& textured, const Surface& surface,
   arrays.points.push_back(make_data_array("uv", 2, coordinates));
   for (const auto& [pattern, suffix] : patterns) {
     add_carried_waves(arrays.points, textured, surface.mesh, pattern, suffix, missing);
-    // Corners of parts are not those of the triangle: there are no phases at corners.
+    // Parts of triangles have other corners than these: there are no phases at corners.
     arrays.cells.push_back(
         rows_of(branches_in_triangles(pattern, "branch" + suffix), textured.triangle_origins));
   }

@@ -27,7 +27,7 @@ StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, Stripe
   return stripes;
 }
 
-// The pattern with its windings; fixes phases of `stripes` at boundaries.
+// The pattern with the requested winding numbers; fixes phases of `stripes` at boundaries.
 StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& stripes,
                             const MakingOptions& options, const Progress& progress,
                             MakingFigures& figures) {

@@ -1,5 +1,5 @@
-/// Rejections of options that have no effect or contradict each other, for command lines and for
-/// Python. Options are named as in the tool.
+/// Rejects options that have no effect or contradict each other, for command lines and Python.
+/// Options are named as in the tool.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace brindle {
 
-/// An option that is refused; what() is "--name: why".
+/// A rejected option; what() is "--name: why".
 class RefusedOption : public Error {
  public:
   RefusedOption(const std::string& option, const std::string& why)
@@ -25,72 +25,72 @@ class RefusedOption : public Error {
   std::string option_, why_;
 };
 
-/// The first row of the table for "--name", whatever job it is for, and the first one of this kind.
-/// Throws Error if there is none.
+/// The first table row of "--name", for any job, and the first one of this kind. Throws Error if
+/// there is none.
 const OptionInfo& row_of(const std::string& option);
 const OptionInfo& row_of(const std::string& option, OptionKind kind);
 
-/// Whether an option was given: "--epsilon".
+/// Whether an option such as "--epsilon" was given.
 using IsGiven = std::function<bool(const std::string& option)>;
 
-/// Throws RefusedOption for the first of `options` that was given: it has no effect, for the reason
-/// `why`. All functions below throw RefusedOption.
+/// Throws RefusedOption for the first of `options` that was given, since it has no effect, for the
+/// reason `why`. All functions below throw RefusedOption.
 void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
                   std::string_view why);
 
-/// The values that a number or a choice of the table takes: "a finite number above zero".
+/// The values that a numeric or choice option accepts: "a finite number above zero".
 std::string taken_by(const OptionInfo& info);
 
-/// Why a value is refused: "expected a finite number above zero, got '0'".
+/// The reason for rejecting a value: "expected a finite number above zero, got '0'".
 std::string unlike(const OptionInfo& info, const std::string& written);
 
-/// Throws RefusedOption for a number that is not in the range of the table's first row of that
-/// name. `written` is how it was given; without, as it prints.
+/// Throws RefusedOption for a number outside the range of the first row of that name. `written` is
+/// the number as given; default: as printed.
 void check_number(const std::string& option, double value, const std::string& written);
 void check_number(const std::string& option, double value);
 
-/// The same for a word that is none of its choices.
+/// The same for a word that is not one of the option's choices.
 void check_choice(const std::string& option, const std::string& word);
 
-/// Options of solvers other than the chosen one.
+/// Rejects options of solvers other than the chosen one.
 void check_solver_options(const IsGiven& given, Solver solver, int cycles);
 
-/// --calm where no frequency yields.
+/// Rejects --calm without spacing tolerance.
 void check_calm(const IsGiven& given, bool yields);
 
-/// Options of a pattern that follows another one, or does not.
+/// Rejects options of patterns that follow another one, or of those that do not.
 void check_following(const IsGiven& given, bool follows, Solver solver);
 
-/// Making options that contradict each other or the solver.
+/// Rejects fabrication options that contradict each other or the solver.
 void check_making(const MakingOptions& options, Solver solver);
 
-/// Options of the anchors of a smooth field, which have these weights.
+/// Rejects anchor options of a smooth field that have no effect at these weights.
 void check_smooth_field(const IsGiven& given, float curvature_anchor, float feature_anchor);
 
-/// The smoothing of a field and of frequencies, and what it is applied to.
+/// The requested smoothing of a field and of frequencies, and what it applies to.
 struct DetailRequest {
   float periods = 0;            ///< --field-detail
   float frequency_periods = 0;  ///< --frequency-detail
-  bool measured = false;        ///< the field was
+  bool measured = false;        ///< the field is measured data
   bool cross = false;
-  bool varies = false;  ///< the frequency may differ from vertex to vertex
+  bool varies = false;  ///< the frequency may vary by vertex
 };
 void check_field_detail(const IsGiven& given, const DetailRequest& wanted);
 
-/// --frequency-detail where it has no effect.
+/// The reason for rejecting --frequency-detail.
 inline constexpr const char* kSameFrequency =
     "the frequency is the same everywhere; it is for frequencies of arrays and files";
 
-/// Options that need triangles, for points.
+/// Rejects options that need triangles, for points.
 void check_triangle_options(const IsGiven& given);
 void check_making_on_points(const IsGiven& given);
 void check_min_distance_on_points(float min_distance);
 
-/// Views of branches and angle errors, which points and crosses do not have.
+/// Rejects views of branches and angle errors, which points and crosses do not have.
 void check_view_of_points(bool shows_stripes);
 void check_view_of_crosses(bool shows_stripes);
 
-/// A built-in tile that does not look the same turned by 90 degrees.
+/// Rejects built-in tiles without 90-degree symmetry.
 void check_tile_of_crosses(const std::string& name);
 
 }  // namespace brindle

@@ -95,7 +95,7 @@ void print_tiles(std::ostream& out, const TextureQuality& quality) {
       100 * quality.area_95th);
 }
 
-// As written, not with the last bits of a float: 0.02, not 0.01999999955.
+// Rounds to the digits written, without the last bits of a float: 0.02, not 0.01999999955.
 double rounded(double value) { return std::stod(formatted("%.6g", value)); }
 
 void print_branches(std::ostream& out, const Report& report) {
@@ -147,7 +147,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   report.triangles = surface.mesh.triangle_count();
   report.edges = surface.neighborhood->edge_count() - surface.creases.edges.size();
   report.crease_vertices = surface.creases.copied.size();
-  // Stripes of a cross field lie on a mesh that is cut otherwise.
+  // The stripes of a cross field lie on a mesh with split triangles.
   if (pattern.solution.z.size() == surface.mesh.vertex_count()) {
     report.slip = crease_slip(surface, pattern.waves, pattern.solution.z);
   }
@@ -354,7 +354,7 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
          "solver            ms       ms        ms       ms   tions    energy  branches   mean  "
          ">5 deg    error\n";
   for (const Report& report : reports) {
-    const std::string branches =  // of points there is nothing to count
+    const std::string branches =  // points have none
         report.triangles == 0 ? "-" : std::to_string(report.quality.branches);
     const PatternQuality& quality = report.quality;
     const StripeMilliseconds& time = report.milliseconds;

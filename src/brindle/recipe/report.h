@@ -1,4 +1,4 @@
-/// Reports of runs, for people and for programs.
+/// Reports of runs, as text and JSON.
 #pragma once
 
 #include <iosfwd>
@@ -17,23 +17,23 @@
 
 namespace brindle {
 
-/// How far frequencies have changed within their tolerance.
+/// Changes of frequencies within the spacing tolerance.
 struct FrequencyReport {
   FrequencyChange change;
   double spacing_error_wanted_mean = 0;
   std::optional<std::size_t> branches_in_calm;
 };
 
-/// Nothing where there was no slack.
+/// Nullopt without slack.
 std::optional<FrequencyReport> frequency_report(const std::optional<FrequencyChange>& change,
                                                 const PatternQuality& quality);
 
 nlohmann::ordered_json to_json(const FrequencyReport& report);
 
-/// A line for people.
+/// A line of text.
 void print_frequency(std::ostream& out, const FrequencyReport& report);
 
-/// The figures of a texture beside those of its stripes along the field.
+/// Metrics of a texture, in addition to those of its stripes along the field.
 struct TextureReport {
   double energy_v = 0;
   std::size_t branches_u = 0, branches_v = 0;
@@ -41,25 +41,25 @@ struct TextureReport {
   TextureQuality quality;
 };
 
-/// How a pattern follows another one.
+/// Relation of a pattern to the one that it follows.
 struct FollowedReport {
   std::string previous;  ///< its file
   float lambda = 0;
   std::string_view matched_by;                  ///< name of the Matching
   std::size_t vertices_unmatched = 0;           ///< waves without a last phase
-  double phase_step = 0;                        ///< how far phases moved on average, in radians
-  std::optional<double> field_turned_deg = {};  ///< how far a smooth field turned on average
+  double phase_step = 0;                        ///< mean change of phases, in radians
+  std::optional<double> field_turned_deg = {};  ///< mean rotation of a smooth field
 };
 
-/// The figures of one run.
+/// The metrics of one run.
 struct Report {
   nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< as `invocation_of`
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
-  std::size_t crease_vertices = 0;      ///< more than `vertices`, at creases
-  std::optional<CreaseSlip> slip = {};  ///< along these
-  std::size_t vertices_joined = 0;      ///< with others at their place, when the file was read
+  std::size_t crease_vertices = 0;      ///< copies at creases, not counted in `vertices`
+  std::optional<CreaseSlip> slip = {};  ///< at creases
+  std::size_t vertices_joined = 0;      ///< with others at their position, on loading
   Solver solver = Solver::multilevel;
   int threads = 0;
   int iterations = 0;
@@ -67,65 +67,64 @@ struct Report {
   PatternQuality quality;
   StripeMilliseconds milliseconds;
   double field_milliseconds = 0;
-  std::optional<double> draw_milliseconds;  ///< if there were pictures
-  std::string picture_quality;              ///< of these
+  std::optional<double> draw_milliseconds;  ///< if pictures were drawn
+  std::string picture_quality;              ///< of the pictures
   WaveReport waves;
   std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file or array
-  nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< as Device::description gives it
+  nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< from Device::description
   std::optional<TextureReport> texture;
-  std::optional<TextureQuality> cross;  ///< of a cross field, whose other figures are those of both
-                                        ///< waves together
+  std::optional<TextureQuality> cross;  ///< other metrics are of both waves
   std::optional<FollowedReport> followed;
-  nlohmann::ordered_json making;               ///< keys of MakingFigures; null if there are none
-  std::string making_lines;                    ///< the same for people
+  nlohmann::ordered_json making;               ///< JSON of MakingFigures; null if there are none
+  std::string making_lines;                    ///< the same as text
   std::optional<FrequencyReport> frequency;    ///< with slack
-  std::optional<FrequencyReport> frequency_v;  ///< the same of a texture's stripes across the field
+  std::optional<FrequencyReport> frequency_v;  ///< of V in a texture
 };
 
-/// `prepared` is of `surface`.
+/// `prepared` belongs to `surface`.
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const StripePattern& pattern, Solver solver);
 
-/// The same of a texture; times are those of both patterns together.
+/// The same for a texture; times are totals of both patterns.
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const TexturePattern& texture, Solver solver);
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const CrossTexture& texture, Solver solver);
 
-/// The same of any pattern, with the figures of its making.
+/// The same for any pattern, with its fabrication metrics.
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
                    const PatternResult& pattern, Solver solver);
 
 /// "mesh" or "points".
 std::string_view kind_of(const Mesh& mesh);
 
-/// How dense the waves are and how many are missing, for any report.
+/// Density of the waves and number of missing ones, for any report.
 nlohmann::ordered_json to_json(const WaveReport& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
 
 /// Keys of a smoothed field, except its number of singularities, which every report has.
 nlohmann::ordered_json to_json(const FieldDetailFigures& detail);
 
-/// How evenly samples lie, for the key "nearest_neighbour".
+/// Evenness of samples, for the key "nearest_neighbour".
 nlohmann::ordered_json to_json(const SampleSpacing& spacing);
 
-/// A line for people on a `Device::description`; empty for the processor.
+/// A line of text on a `Device::description`; empty for the CPU.
 std::string device_line(const nlohmann::ordered_json& description);
 
-/// Lines for people about the waves.
+/// Lines of text on the waves.
 void print_waves(std::ostream& out, const WaveReport& waves);
 
-/// Without triangles there are no branches and singularities to count: those keys are left out.
+/// Omits the keys on branches and singularities for points without triangles.
 nlohmann::ordered_json to_json(const Report& report);
 
-/// A few lines for people.
+/// A few lines of text.
 void print_report(std::ostream& out, const Report& report);
 
-/// One row a report.
+/// One row per report.
 void print_table(std::ostream& out, const std::vector<Report>& reports);
 
-/// Why there are no curves, a line; `short_curves` were left out.
+/// A line on why there are no curves; `short_curves` were left out.
 std::string why_no_curves(const std::string& family, std::size_t short_curves);
 
 }  // namespace brindle

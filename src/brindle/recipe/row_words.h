@@ -1,4 +1,4 @@
-/// Words of the table's rows: groups of rows, the jobs that an option is for and its numbers.
+/// Building blocks of option rows: groups, jobs and ranges of numbers.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ constexpr NumberRange kShare = {.least = 0, .most = 1};
 constexpr NumberRange kWeight = {.least = 0, .most = kLargestWeight};
 constexpr NumberRange kPixels = {.least = 0, .most = 10000, .above_least = true};
 
-/// Rows of one group. `common` has the group's name, and the stage, jobs and `own` of rows that
-/// name none. All lengths are written alike.
+/// Rows of one group. `common` has the group's name, and the stage, jobs and `own` of rows without
+/// their own. All lengths get the same metavariable and unit.
 template <std::size_t N>
 constexpr std::array<OptionInfo, N> in_group(const OptionInfo& common,
                                              const OptionInfo (&rows)[N]) {

@@ -1,4 +1,4 @@
-/// Rows of the table: how phases are solved for; and the fields that they set.
+/// Option rows of the solver, and the fields that they set.
 #pragma once
 
 #include "brindle/option_table.h"

@@ -1,4 +1,4 @@
-/// Rows of the table: colours that follow values, outlines, and what gives depth.
+/// Option rows: colours by value, outlines and depth cues.
 #pragma once
 
 #include "brindle/option_table.h"

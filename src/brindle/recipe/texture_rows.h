@@ -1,4 +1,4 @@
-/// Rows of the table: textures and what stripes look like.
+/// Option rows: textures, and the look of stripes.
 #pragma once
 
 #include "brindle/option_table.h"

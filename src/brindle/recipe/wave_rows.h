@@ -1,5 +1,4 @@
-/// Rows of the table: where waves run and how dense they are: the options of surfaces, fields and
-/// frequencies.
+/// Option rows: surfaces, fields and frequencies.
 #pragma once
 
 #include "brindle/option_table.h"
@@ -364,7 +363,7 @@ constexpr auto kMakingRows = in_group(
 constexpr auto kWaveRows =
     joined(kSurfaceRows, kFieldRows, kFieldOfFramesRows, kStripeRows, kMakingRows);
 
-/// Calls `visit("--option", field)` for the numbers of making.
+/// Calls `visit("--option", field)` for the numeric fabrication options.
 template <class Visit>
 void visit_making(MakingOptions& making, const Visit& visit) {
   visit("--anchor-boundary", making.anchor_boundary);

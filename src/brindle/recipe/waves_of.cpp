@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// Frequencies that waves have, and 0 where there can be none.
+/// The frequencies of the waves; 0 where no wave is possible.
 FrequencyField places_of_waves(const WaveInput& found) {
   FrequencyField places = found.frequencies;
   for (Index v = 0; v < places.size(); ++v) {
@@ -83,7 +83,7 @@ WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, Wave
   if (surface.any(found.may_have_gaps)) {
     found.missing.without_frequency = surface.drop_waves(found.directions, found.frequencies);
   }
-  // A field without any direction is rejected later, with the waves' figures.
+  // A field without directions is rejected later, with the metrics of the waves.
   if (request.detail.periods > 0 && surface.any(has_data(found.measured))) {
     see_field(surface, request.detail, places, found, made, progress.part(kFrequencies, 1));
   }
