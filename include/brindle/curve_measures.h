@@ -45,10 +45,10 @@ struct CurveSpacing {
 };
 
 /// The share of the surface's area, 0 to 1, within half of `width` (units of length) of a curve.
-/// Distances are through space, so the other side of a sheet thinner than that counts too. Uses
-/// 100,000 points spread evenly over the area: accurate to about 0.002. 0 for a surface without
-/// area. Throws Error if the width is not finite and above zero, and Cancelled if `progress`
-/// cancels.
+/// Distances are through space, so the other side of a sheet thinner than half of the width counts
+/// too. Uses 100,000 points spread evenly over the area: accurate to about 0.002. 0 for a surface
+/// without area. Throws Error if the width is not finite and above zero, and Cancelled if
+/// `progress` cancels.
 double curve_coverage(const Mesh& mesh, const Polylines& lines, double width,
                       const Progress& progress = {});
 

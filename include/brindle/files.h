@@ -235,13 +235,13 @@ std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t 
 ///       {"radius": 0.1, "strength": 2, "points": [[0, 0, 1], [0.5, 0, 0.9]]}
 ///     ]}
 ///
-/// `strength` is 1 where it is missing. Throws Error naming the file and the place in it, by line
-/// and column where the JSON is damaged and as `strokes[2].points[5]` elsewhere, for a file that
-/// cannot be read, other keys, other types, no strokes, strokes that `check_strokes` refuses, and
-/// in a build without nlohmann-json.
+/// `strength` defaults to 1. Throws Error naming the file and the place in it, by line and column
+/// where the JSON is damaged and as `strokes[2].points[5]` elsewhere, for a file that cannot be
+/// read, other keys, other types, no strokes, strokes that `check_strokes` rejects, and in a build
+/// without nlohmann-json.
 std::vector<FieldStroke> read_strokes(const std::filesystem::path& path);
 
-/// Writes strokes for `read_strokes`, whole or not at all; what is read and written again has the
+/// Writes strokes for `read_strokes`, whole or not at all; reading and writing them again gives the
 /// same bytes. Throws Error as `check_strokes` does, and what write_file throws.
 void write_strokes(const std::filesystem::path& path, std::span<const FieldStroke> strokes);
 

@@ -22,23 +22,22 @@ namespace BRINDLE_EXPORT brindle {
 /// A stroke of the pen: x to the right and y downwards, in pixels from the upper left corner.
 using Stroke = std::vector<Eigen::Vector2f>;
 
-/// What can be seen of a surface from one side, at every half pixel: found without OpenGL. What the
-/// view's or the camera's slice takes away hides nothing, and lines have no strokes there, hidden
-/// ones neither.
+/// The visible parts of a surface from one side, at every half pixel, found without OpenGL. Parts
+/// that the slice of the view or the camera removes hide nothing, and lines there have no strokes,
+/// not even hidden ones.
 class Visibility {
  public:
-  /// The picture of `width` x `height` pixels from `view`, in which the mesh is framed.
-  /// Throws Error if a side is not in 1 .. 8192, and Cancelled if `progress` asks for it.
+  /// A picture of `width` x `height` pixels from `view`, in which the mesh is framed. Throws Error
+  /// if a side is not in 1 .. 8192, and Cancelled if `progress` cancels.
   Visibility(const Mesh& mesh, const CameraView& view, int width, int height,
              const Progress& progress = {});
-  /// The same with a camera of its own. `mesh` is all that can hide lines.
+  /// As above with a given camera. `mesh` contains everything that can hide lines.
   Visibility(const Mesh& mesh, const Camera& camera, int width, int height,
              const Progress& progress = {});
 
-  /// The parts of lines on the surface that nothing is in front of, in the order of the lines; or,
-  /// if `hidden` is asked for, the others.
-  /// Corners that change a stroke by less than a twentieth of a pixel are left out.
-  /// What lies behind the surface by less than `tolerance` times its distance counts as on it.
+  /// The visible parts of lines on the surface, in the order of the lines; with `hidden`, the
+  /// hidden parts. Points that change a stroke by less than a twentieth of a pixel are left out.
+  /// Lines behind the surface by less than `tolerance` times their distance count as on it.
   std::vector<Stroke> strokes(const Polylines& lines, float tolerance = 1e-4f, bool hidden = false,
                               const Progress& progress = {}) const;
 
@@ -46,7 +45,7 @@ class Visibility {
   struct Seen {
     Eigen::Vector2f pixel;
     float distance;  ///< along the viewing direction
-    float beyond;    ///< the camera's slice: above 0 it is not there
+    float beyond;    ///< from the camera's slice; above 0: removed
   };
   Seen project(const Vec3& point) const;
   float nearness(std::span<const Seen> seen, std::span<const float> weights) const;
@@ -68,10 +67,9 @@ class Visibility {
   std::vector<float> nearness_;  // 1 / distance of the nearest surface; 0 where there is none
 };
 
-/// Lines that bound what is seen of the surface: where it turns from the viewer's side to the
-/// other, with normals that are linear within triangles, so that lines are smooth; edges at which
-/// it bends by more than 40 degrees from one side to the other; and its borders. `normals` has one
-/// unit normal per vertex. Throws Cancelled if `progress` asks for it.
+/// Outlines of a surface: silhouettes, which are smooth because normals are linear within
+/// triangles; edges that bend by more than 40 degrees; and borders. `normals` has one unit normal
+/// per vertex. Throws Cancelled if `progress` cancels.
 Polylines outline(const Mesh& mesh, std::span<const Vec3> normals, const CameraView& view,
                   int width, int height, const Progress& progress = {});
 
@@ -81,7 +79,7 @@ struct Pen {
   Color color;
   float width = 1;  ///< pixels
   std::vector<Stroke> strokes;
-  bool filled = false;  ///< strokes are closed and bound an area; those within are its holes
+  bool filled = false;  ///< strokes are closed and bound an area; inner ones are its holes
   /// Strokes are smooth: a point, then two control points and the end of each cubic Bézier.
   bool curved = false;
 };
@@ -93,15 +91,15 @@ struct PenLines {
   const Polylines& lines;
 };
 
-/// A pen for each of `drawn`, with what is seen of its lines on the surface from `view`, and one
-/// named "outline", wider and grey, with the surface's outline. Throws what Visibility does, and
-/// Cancelled if `progress` asks for it.
+/// A pen for each of `drawn`, with the visible parts of its lines from `view`, and one named
+/// "outline", wider and grey, with the surface's outline. Throws what Visibility does, and
+/// Cancelled if `progress` cancels.
 std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
                               std::span<const PenLines> drawn, const CameraView& view, int width,
                               int height, const Progress& progress = {});
 
-/// Writes a path per stroke, or one of all that are filled, in a group per pen; no background.
-/// Throws what write_file does, and Cancelled if `progress` asks for it.
+/// Writes one group per pen: a path per stroke, or one path for a filled pen; no background. Throws
+/// what write_file does, and Cancelled if `progress` cancels.
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
                const Progress& progress = {});
 

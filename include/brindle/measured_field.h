@@ -1,4 +1,4 @@
-/// Direction fields that were measured, noisy or with holes, seen at the scale of their stripes
+/// Smoothing of measured direction fields, noisy or with holes, at the scale of their stripes
 /// (docs/data.md).
 #pragma once
 
@@ -15,78 +15,78 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Directions as they were measured.
+/// A measured direction field.
 struct MeasuredField {
-  DirectionField directions;  ///< of any length; their tangent part counts. Zero, or what is not
-                              ///< finite: there is no datum
-  std::vector<float> confidence;  ///< how much each counts, 0 or above; their mean stands for 1, so
-                                  ///< that units do not matter. Empty: all alike
-  bool of_triangles = false;      ///< there is one for each triangle, not for each vertex
+  DirectionField
+      directions;  ///< of any length; the tangent part counts. Zero or not finite: no datum
+  std::vector<float> confidence;  ///< weights, 0 or above, relative to their mean; empty: all equal
+  bool of_triangles = false;      ///< one datum per triangle rather than per vertex
 };
 
+/// Options of FieldDetail.
 struct FieldDetailOptions {
-  float periods = 1;  ///< P: the field is averaged over places whose root mean square distance is
-                      ///< P periods of the stripes; above 0, up to 100
+  float periods = 1;  ///< P: the field is averaged over a root mean square distance of P periods of
+                      ///< the stripes; above 0, up to 100
   int symmetry = 2;   ///< N: 1 arrows, 2 lines, 4 crosses
   float fill = 2;     ///< how far holes are filled from their border, in periods; 0: not at all
-  /// Pairs of singularities are undone, the nearest first, by averaging over more around them,
-  /// until at most so many are left, or those that no pair undoes; elsewhere the field stays.
-  /// Nothing: all stay. Needs triangles.
+  /// The largest number of singularities. Cancels the nearest pairs first, by more averaging around
+  /// them, until at most this number is left, or those that no pair cancels; elsewhere the field
+  /// stays. Empty: all stay. Needs triangles.
   std::optional<std::size_t> singularities = {};
-  float memory = 0;  ///< how much the last field counts beside the data: 0 not at all, 1 as much
+  float memory =
+      0;  ///< temporal smoothing: weight of the last field beside the data; 0: none, 1: equal
 };
 
-/// What a field at the scale of its stripes has to do with its data.
+/// Statistics of a smoothed field and its data.
 struct FieldDetailFigures {
-  std::size_t data = 0;      ///< vertices with a datum, of their own or of a triangle around them
-  std::size_t filled = 0;    ///< vertices without a datum that have got a direction
-  std::size_t unfilled = 0;  ///< vertices with neighbours that have none: too far from all data
-  // By how many degrees the field was turned from its data, weighted by their areas.
+  std::size_t data = 0;    ///< vertices with a datum, of their own or of a triangle around them
+  std::size_t filled = 0;  ///< vertices without a datum that got a direction
+  std::size_t unfilled =
+      0;  ///< vertices with neighbours but without a direction: too far from all data
+  // Degrees between the field and its data, weighted by their areas.
   double turned_mean_deg = 0;
   double turned_median_deg = 0;
   double turned_p95_deg = 0;               ///< 95 % are turned by less
   double turned_share_over_20deg = 0;      ///< 0 to 1
-  std::size_t singularities_of_data = 0;   ///< triangles that the data turn round, before and
-  std::size_t singularities = 0;           ///< after
-  std::size_t singularities_too_many = 0;  ///< beyond what the options ask for: no pair undoes them
+  std::size_t singularities_of_data = 0;   ///< singular triangles of the data, before smoothing
+  std::size_t singularities = 0;           ///< after smoothing
+  std::size_t singularities_too_many = 0;  ///< above the requested number: no pair cancels them
 };
 
-/// One entry per vertex.
+/// A smoothed field, one entry per vertex.
 struct DetailedField {
-  DirectionField directions;     ///< unit tangent vectors; zero beyond what is filled
-  std::vector<float> agreement;  ///< how much the data around a vertex agree, from 0, not at all,
-                                 ///< to 1; 0 where there is no direction
+  DirectionField directions;     ///< unit tangent vectors; zero in unfilled holes
+  std::vector<float> agreement;  ///< directional coherence of the data around a vertex, 0 to 1; 0
+                                 ///< without a direction
 };
 
-/// Measured fields on one surface, one after the other: what depends on the surface alone is made
-/// once. As u = exp(i N theta), coupled by parallel transport R, the field is the minimum of
+/// Smooths measured fields on one surface, frame by frame; computes once what depends only on the
+/// surface. With u = exp(i N theta), coupled by parallel transport, the field minimises
 ///
 ///     integral |grad u|^2 + c / l^2 |u - u0|^2,   l = P / (2 f),
 ///
-/// with the data u0, their confidence c (0 in holes, which are filled by what is smoothest) and the
-/// frequency f of the stripes, in finite elements. What decays as a screened field does over the
-/// length l has a root mean square distance of 2 l = P / f: P periods. A mesh that is finer gives
-/// the same field.
+/// in finite elements, with the data u0, their confidence c (0 in holes, which get the smoothest
+/// filling) and the frequency f of the stripes. The decay of a screened field over the length l has
+/// a root mean square distance of 2 l = P / f: P periods. A finer mesh gives the same field.
 class FieldDetail {
  public:
-  /// Throws Error for options out of range, for positions and normals that are not finite;
-  /// Cancelled if `progress` asks for it. `surface` may go afterwards.
+  /// Throws Error for options out of range and for positions and normals that are not finite;
+  /// Cancelled if `progress` cancels. Does not refer to `surface` afterwards.
   explicit FieldDetail(const Surface& surface, const FieldDetailOptions& options = {},
                        const Progress& progress = {});
   ~FieldDetail();
   FieldDetail(FieldDetail&&) noexcept;
   FieldDetail& operator=(FieldDetail&&) noexcept;
 
-  /// `frequencies` are stripes per unit length, one per vertex; where one is 0 there is no wave,
-  /// and no direction. `last` is the field before, if any: at each vertex a direction, counting as
-  /// much as the data times `memory` and its confidence. Directions of lines and crosses are signed
-  /// to run like their neighbours, from the second frame on like the last frame's. Throws Error for
-  /// other numbers of entries, for confidences and frequencies that are negative or not finite, and
-  /// if there is no datum at all; Cancelled if `progress` asks for it.
+  /// `frequencies` are stripes per unit length, one per vertex; 0 means no wave and no direction.
+  /// `last`, if any, is the previous field: one direction per vertex, weighted by `memory` and its
+  /// confidence. Signs of lines and crosses follow their neighbours and, from the second frame on,
+  /// the last frame. Throws Error for other numbers of entries, for confidences and frequencies
+  /// that are negative or not finite, and without any datum; Cancelled if `progress` cancels.
   DetailedField frame(const MeasuredField& measured, std::span<const float> frequencies,
                       const MeasuredField& last = {}, const Progress& progress = {});
 
-  /// Of the last frame. Throws Error before the first one.
+  /// Statistics of the last frame. Throws Error before the first one.
   FieldDetailFigures figures() const;
 
  private:
@@ -94,23 +94,24 @@ class FieldDetail {
   Pimpl<State> state_;
 };
 
+/// Options of `detailed_frequencies`.
 struct FrequencyDetailOptions {
-  float periods = 1;  ///< as FieldDetailOptions has it
+  float periods = 1;  ///< as in FieldDetailOptions
   float fill = 2;     ///< how far holes are filled from their border, in periods; 0: not at all
 };
 
+/// Smoothed frequencies.
 struct DetailedFrequencies {
-  FrequencyField frequencies;  ///< one per vertex; NaN beyond what is filled
+  FrequencyField frequencies;  ///< one per vertex; NaN in unfilled holes
   std::size_t filled = 0;      ///< vertices that had none
-  double changed_median = 0;   ///< by which share half of all data, by area, were changed at most
+  double changed_median = 0;   ///< median relative change of the data, by area
 };
 
-/// Frequencies that were measured, seen at the scale of their own stripes: their logarithms are
-/// smoothed as a FieldDetail smooths directions, first over periods of the data, then over those
-/// that were found. `frequencies` are stripes per unit length, one per vertex: NaN in holes, 0
-/// where there is no wave, which stays so. Throws Error for options out of range, for other numbers
-/// of entries and other frequencies, and if there is none above 0; Cancelled if `progress` asks for
-/// it.
+/// Smooths measured frequencies at the scale of their own stripes. Their logarithms are smoothed as
+/// a FieldDetail smooths directions, first over periods of the data, then over the resulting
+/// periods. `frequencies` are stripes per unit length, one per vertex: NaN in holes, 0 where there
+/// is no wave, which stays so. Throws Error for options out of range, for other numbers of entries
+/// and invalid frequencies, and if none is above 0; Cancelled if `progress` cancels.
 DetailedFrequencies detailed_frequencies(const Surface& surface, std::span<const float> frequencies,
                                          const FrequencyDetailOptions& options = {},
                                          const Progress& progress = {});

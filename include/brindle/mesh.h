@@ -17,22 +17,23 @@ namespace BRINDLE_EXPORT brindle {
 /// Three vertex numbers, counter-clockwise seen from outside where the surface has an outside.
 using Triangle = std::array<Index, 3>;
 
-/// A triangle mesh. Its topology may be any: open, non-manifold, unorientable, or in pieces, and
-/// may have vertices that no triangle uses. Positions are finite and triangle corners in range and
-/// different from each other; `repair_mesh` sees to that.
+/// A triangle mesh of any topology: open, non-manifold, unorientable, with several components, and
+/// with vertices that no triangle uses. Positions are finite; triangle corners are in range and
+/// different from each other. `repair_mesh` ensures that.
 struct Mesh {
   std::vector<Vec3> positions;  ///< relative to `origin`
   std::vector<Triangle> triangles;
-  /// Where the positions' zero stands. Floats lose the shape of what is small and far from zero, so
-  /// files with such coordinates are read relative to a point nearby and written back in place.
+  /// The absolute place of the positions' zero. Floats lose the shape of small meshes far from
+  /// zero. Files with such coordinates are therefore read relative to a point nearby and written
+  /// back in place.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 
   std::size_t vertex_count() const { return positions.size(); }
   std::size_t triangle_count() const { return triangles.size(); }
 };
 
-/// Corners of the axis-aligned box around all vertices that a triangle uses, or around all vertices
-/// if there is no triangle; both zero if there is no vertex.
+/// Axis-aligned box around all vertices in triangles, or around all vertices if there is no
+/// triangle; both corners are zero if there is no vertex.
 struct BoundingBox {
   Vec3 lower = Vec3::Zero();
   Vec3 upper = Vec3::Zero();
@@ -46,29 +47,29 @@ BoundingBox bounding_box(const Mesh& mesh);
 /// How `make_mesh` treats triangles that have two equal corners or occur twice.
 enum class BadTriangles {
   refused,
-  kept  ///< for `repair_mesh`, or where no pattern is made
+  kept  ///< for `repair_mesh`, or if no pattern is made
 };
 
 /// A mesh from another program's arrays: three coordinates per vertex, three vertex numbers from 0
 /// per triangle, signed or not. Vertices and triangles keep their numbers. Coordinates that are
-/// large against the mesh's size are made relative to `Mesh::origin`. Throws Error, naming the
-/// first vertex or triangle and the remedy, for coordinates that are not finite or beyond 1e18,
-/// corners that are no vertices, triangles with two corners alike or with the corners of an earlier
-/// one, and arrays that have not three columns or no whole numbers where these are asked for.
-/// Vertices at one place stay apart, and so do the triangles on both sides: `surface_warnings`
-/// tells, `make_repaired_mesh` joins them. Throws Cancelled if `progress` asks for it.
+/// large against the mesh's size are made relative to `Mesh::origin`. Coincident vertices stay
+/// separate, and so do the triangles on both sides: `surface_warnings` reports them,
+/// `make_repaired_mesh` joins them. Throws Error, naming the first vertex or triangle and the
+/// remedy, for coordinates that are not finite or beyond 1e18, corners that are no vertices,
+/// triangles with two equal corners or the corners of an earlier one, arrays without three columns,
+/// and corners that are not whole numbers. Throws Cancelled if `progress` cancels.
 Mesh make_mesh(const ArrayView& positions, const ArrayView& triangles,
                BadTriangles bad = BadTriangles::refused, const Progress& progress = {});
 
 /// Defects of a mesh. All are repaired, except `vertices_unreferenced`.
 struct MeshRepair {
   std::size_t vertices_not_finite = 0;     ///< a coordinate was NaN, infinite or beyond 1e18
-  std::size_t vertices_joined = 0;         ///< stood exactly where an earlier vertex stands
+  std::size_t vertices_joined = 0;         ///< at exactly the position of an earlier vertex
   std::size_t vertices_unreferenced = 0;   ///< in no triangle, after all repairs
   std::size_t triangles_out_of_range = 0;  ///< dropped: named a vertex that does not exist
   std::size_t triangles_not_finite = 0;    ///< dropped: used a vertex that is not finite
-  std::size_t triangles_degenerate = 0;    ///< dropped: two corners alike, or no area
-  std::size_t triangles_duplicate = 0;     ///< dropped: had the corners of an earlier one
+  std::size_t triangles_degenerate = 0;    ///< dropped: two equal corners, or no area
+  std::size_t triangles_duplicate = 0;     ///< dropped: the corners of an earlier one
 
   /// Whether triangles were dropped or positions replaced.
   bool changed() const {
@@ -80,56 +81,54 @@ struct MeshRepair {
   bool operator==(const MeshRepair&) const = default;
 };
 
-/// One line per finding, as for a report to the user; empty if there are none.
+/// One line per finding, for reports to the user; empty if there are none.
 std::string describe(const MeshRepair& repair);
 
-/// Drops triangles that cannot be used. Vertices stay, and keep their numbers, so that data per
-/// vertex still match: those that are not finite are moved to the centroid of the others.
+/// Drops unusable triangles. Vertices stay and keep their numbers, so that data per vertex still
+/// match; those that are not finite move to the centroid of the others.
 MeshRepair repair_mesh(Mesh& mesh);
 
-/// As above; `kept` receives the previous number of every remaining triangle.
+/// As above; `kept` receives the previous numbers of the remaining triangles.
 MeshRepair repair_mesh(Mesh& mesh, std::vector<Index>& kept);
 
-/// A mesh from another program's arrays, with the rows that its vertices and triangles come from.
+/// A mesh from another program's arrays, with the sources of its vertices and triangles.
 struct RepairedMesh {
   Mesh mesh;
   MeshRepair repair;
-  /// For every vertex the one that triangles use in its place: itself, or the first at the same
-  /// place. Empty if nothing was joined.
+  /// For every vertex, the one that triangles use in its place: itself, or the first at the same
+  /// position. Empty if nothing was joined.
   std::vector<Index> vertex_of_row;
-  /// The previous number of every remaining triangle. Empty if all remain.
+  /// The previous numbers of the remaining triangles. Empty if all remain.
   std::vector<Index> kept_triangles;
 };
 
-/// As `make_mesh`, with what `read_mesh` does to a file's mesh: triangles use the first of all
-/// vertices that stand at exactly one place, so that meshes split along sharp edges or seams of
-/// texture are whole; and triangles that cannot be used are dropped (`MeshRepair`). Vertices keep
-/// their numbers. Throws Error for arrays that have not three columns or no whole numbers where
-/// these are asked for.
+/// As `make_mesh`, with the repairs of `read_mesh`. Triangles use the first of all vertices at
+/// exactly one position, which closes meshes split along sharp edges or texture seams. Unusable
+/// triangles are dropped (`MeshRepair`). Vertices keep their numbers. Throws Error for arrays
+/// without three columns, and for corners that are not whole numbers.
 RepairedMesh make_repaired_mesh(const ArrayView& positions, const ArrayView& triangles);
 
 /// Moves positions with a coordinate that is NaN, infinite or beyond 1e18 to the centroid of the
-/// others. Returns, for every position, whether it was good.
+/// others. Returns 1 for every position that was valid, otherwise 0.
 std::vector<char> set_positions_finite(std::vector<Vec3>& positions);
 
-/// Lets triangles use, of all vertices at exactly the same place, the one with the smallest number.
-/// The others stay, in no triangle. Returns how many there are.
+/// Makes triangles use, of all vertices at exactly the same position, the one with the smallest
+/// number. The others stay, unreferenced. Returns their number.
 std::size_t join_vertices(Mesh& mesh);
 
-/// For every position the first that is exactly the same; itself for one that is no good. Throws
-/// Cancelled if `progress` asks for it.
+/// For every position, the first that is exactly equal; itself if it is invalid. Throws Cancelled
+/// if `progress` cancels.
 std::vector<Index> first_at_each_place(std::span<const Vec3> positions,
                                        const Progress& progress = {});
 
 /// As above, with the result of `first_at_each_place`.
 std::size_t join_vertices(Mesh& mesh, std::span<const Index> first);
 
-/// Removes vertices that no triangle uses; the others are renumbered in order. Returns the new
-/// number of every remaining vertex.
+/// Removes vertices that no triangle uses and renumbers the others in order. Returns new numbers,
+/// indexed by the old ones; entries of removed vertices have no meaning.
 std::vector<Index> drop_unreferenced_vertices(Mesh& mesh);
 
-/// Adds all vertices and triangles of `other` behind those of `mesh`, whose origin stays unless it
-/// is empty.
+/// Appends all vertices and triangles of `other` to `mesh`, whose origin stays unless it is empty.
 void append(const Mesh& other, Mesh& mesh);
 
 /// Adds `way` to all positions; the origin stays.
@@ -138,24 +137,24 @@ void translate(Mesh& mesh, const Vec3& way);
 /// Splits every triangle in four at the midpoints of its edges, `times` times. Triangles that share
 /// an edge, however many, share its midpoint. Old vertices keep their numbers; the midpoints
 /// follow, ordered by the numbers of their edge's ends. The triangles of triangle t are 4 t .. 4 t
-/// + 3, the inner one last. Throws Error if `times` is negative, or the result would have more
-/// triangles than brindle can number. Throws Cancelled if `progress` asks for it.
+/// + 3, the inner one last. Throws Error if `times` is negative, or for more triangles than an
+/// Index can count; Cancelled if `progress` cancels.
 Mesh subdivide(Mesh mesh, int times = 1, const Progress& progress = {});
 
-/// Where the midpoints of edges lie: straight between their ends, or on a curve at right angles to
-/// the surface's normals there (the edges of curved point-normal triangles, Vlachos et al. 2001),
-/// so that a coarse mesh of something round becomes round. Old vertices stay. Edges stay straight
-/// where the surface bends by more than 40 degrees, and where three triangles or more meet.
+/// Positions of edge midpoints: straight between the ends, or on a curve at right angles to the
+/// surface's normals there (the edges of curved point-normal triangles, Vlachos et al. 2001), which
+/// rounds coarse meshes. Old vertices stay. Edges stay straight where the surface bends by more
+/// than 40 degrees, and where three or more triangles meet.
 enum class Midpoints { straight, rounded };
 Mesh subdivide(Mesh mesh, int times, Midpoints midpoints, const Progress& progress = {});
 
 /// Appends the triangles of a polygon, wound as it is, to `triangles`: n - 2 for n corners, none
-/// for fewer than 3. Polygons may be concave and touch themselves, as those do that reach a hole by
-/// a bridge of two equal edges. Quadrangles are cut along their shorter inner diagonal, others by
-/// ear clipping in the plane of the polygon's mean normal, those of more than 1000 corners into a
-/// fan if that covers them. All of Brindle cuts polygons so. `corners` are numbers of `positions`.
-/// Returns whether the triangles cover the area that the polygon encloses by Newell's formula. They
-/// cover more where it crosses itself.
+/// for fewer than 3. Polygons may be concave and touch themselves, as where a bridge of two equal
+/// edges leads to a hole. Quadrangles are cut along their shorter inner diagonal. Others are cut by
+/// ear clipping in the plane of the mean normal; more than 1000 corners form a fan if it covers
+/// them. All of Brindle cuts polygons this way. `corners` are numbers of `positions`. Returns
+/// whether the triangles cover the polygon's area by Newell's formula; they cover more where it
+/// crosses itself.
 bool triangulate_polygon(std::span<const Vec3> positions, std::span<const Index> corners,
                          std::vector<Triangle>& triangles);
 

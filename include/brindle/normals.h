@@ -31,7 +31,7 @@ struct PrincipalCurvature {
 
 /// One value per vertex, by a least-squares fit of the shape operator to the change of the normal
 /// along the edges of each vertex. Vertices without neighbours have zero directions. Throws
-/// Cancelled if `progress` asks for it.
+/// Cancelled if `progress` cancels.
 std::vector<PrincipalCurvature> principal_curvatures(std::span<const Vec3> positions,
                                                      std::span<const Vec3> normals,
                                                      const Adjacency& neighborhood,

@@ -1,6 +1,6 @@
-/// The table of options of patterns: the name, syntax, meaning and values of each. Command lines,
-/// windows, other languages and the documentation are made from it. Experimental: rows and fields
-/// may still change.
+/// The table of pattern options: their names, syntax, meaning and values. Command lines, windows,
+/// other languages and the documentation are generated from it. Experimental: rows and fields may
+/// still change.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// How an option's value is written.
+/// The syntax of an option's value.
 enum class OptionKind : std::uint8_t {
   flag,     ///< given or not: no value
   choice,   ///< one of the words of `form`
@@ -23,7 +23,7 @@ enum class OptionKind : std::uint8_t {
   text      ///< as `form` describes: a file, a name, a vector
 };
 
-/// Jobs that options are for, as a set of bits.
+/// Jobs that options apply to, as a set of bits.
 enum class PatternJob : std::uint8_t {
   stripe = 1,
   curves = 2,
@@ -32,17 +32,17 @@ enum class PatternJob : std::uint8_t {
   compare = 16
 };
 
-/// The stages that a change of an option makes stale, as a set of bits; all that follow from them
-/// are stale, too.
+/// The stages that a change of an option makes stale, as a set of bits; all later stages are stale,
+/// too.
 enum class OptionStage : std::uint8_t {
-  none = 0,     ///< where results are written and on which threads they are computed
+  none = 0,     ///< output files and the number of threads
   surface = 1,  ///< the mesh
   field = 2,    ///< the direction field, which takes long
   waves = 4,    ///< turns and frequencies of the field
-  second = 8,   ///< the waves of V beside those of U
+  second = 8,   ///< the waves of V
   phases = 16,  ///< the solution
   values = 32,  ///< the values that a picture reads
-  margin = 64,  ///< the room that a picture's legends take
+  margin = 64,  ///< the space for a picture's legends
   style = 128   ///< the drawing of the pattern
 };
 
@@ -53,23 +53,22 @@ constexpr bool has(OptionStage stages, OptionStage stage) {
   return (static_cast<unsigned>(stages) & static_cast<unsigned>(stage)) != 0;
 }
 
-/// The numbers that an option takes.
+/// The numbers that are valid for an option.
 struct NumberRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool above_least = false;  ///< without `least` itself
-  bool below_most = false;   ///< without `most` itself
+  bool above_least = false;  ///< excludes `least` itself
+  bool below_most = false;   ///< excludes `most` itself
 
   /// Whether `value` is in range; infinities and NaN never are.
   bool contains(double value) const;
 };
 
-/// The range of a slider: the numbers that are useful most often. Lengths are in hundredths of the
-/// diagonal.
+/// The range of a slider: the most useful numbers. Lengths are in hundredths of the diagonal.
 struct SliderRange {
   double lowest = 0;
   double highest = 1;
-  bool logarithmic = false;  ///< in even ratios, which may begin at 0
+  bool logarithmic = false;  ///< in even ratios; may begin at 0
 };
 
 /// A row of the table. Texts live as long as the program.
@@ -82,13 +81,13 @@ struct OptionInfo {
   std::string_view unit = {};  ///< of numbers and lengths; empty: none
   std::string_view standard = {};  ///< default; empty: none
   NumberRange range = {};          ///< of whole numbers, numbers and lengths
-  SliderRange slider = {};         ///< the same
-  bool several = false;            ///< it may be given more than once
-  bool file = false;               ///< the value may be the name of a file
-  bool by_camera = false;          ///< the value may follow a picture's camera or light
-  std::string_view needs = {};     ///< options, separated by spaces, that must be given with it
-  std::string_view excludes = {};  ///< options, separated by spaces, that must not
-  bool own = false;                ///< of curves and samples: kept apart from what stripes have
+  SliderRange slider = {};         ///< of whole numbers, numbers and lengths
+  bool several = false;            ///< may be given more than once
+  bool file = false;               ///< the value may be a file name
+  bool by_camera = false;          ///< the value may depend on a picture's camera or light
+  std::string_view needs = {};     ///< options, separated by spaces, that it requires
+  std::string_view excludes = {};  ///< options, separated by spaces, that it excludes
+  bool own = false;                ///< of curves and samples: kept apart from the value for stripes
   OptionStage stale = OptionStage::none;  ///< stages that a change makes stale
   unsigned jobs = 0;                      ///< bits of PatternJob
   std::string_view help = {};             ///< a sentence or two; no full stop at the end
@@ -96,8 +95,7 @@ struct OptionInfo {
   bool is_for(PatternJob job) const { return (jobs & static_cast<unsigned>(job)) != 0; }
 };
 
-/// All options, group by group, in the order in which lists show them. A name has one row for each
-/// job at most.
+/// All options, group by group, in the order of lists. A name has at most one row per job.
 std::span<const OptionInfo> option_table();
 
 /// The row of `name`, without dashes, for a job; null if the job has no such option.

@@ -15,17 +15,17 @@ namespace BRINDLE_EXPORT brindle {
 /// Reverses directions, breadth-first from the first vertex of every component, so that each runs
 /// like the neighbours visited before. Patterns do not depend on signs, but solvers are faster with
 /// few reflecting edges. Where no consistent choice exists, some edges stay reflecting.
-/// `directions` has one entry per vertex. Throws Cancelled if `progress` asks for it; some
-/// directions are reversed then.
+/// `directions` has one entry per vertex. Throws Cancelled if `progress` cancels; some directions
+/// are reversed then.
 void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
                   const Progress& progress = {});
 
-/// The same over a whole surface: on the two sides of a crease, directions run alike once it is
+/// As above over a whole surface: on the two sides of a crease, directions run alike once it is
 /// unfolded.
 void orient_alike(const Surface& surface, std::span<Vec3> directions,
                   const Progress& progress = {});
 
-/// The same, starting from settled directions (1), which do not change.
+/// As above, starting from settled directions (1), which do not change.
 void orient_alike(const Adjacency& neighborhood, std::span<const std::uint8_t> settled,
                   std::span<Vec3> directions);
 

@@ -14,12 +14,12 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// One wave per vertex of a mesh.
+/// Waves to write, one per vertex of a mesh.
 struct WrittenWaves {
   const WaveSet& waves;
-  std::span<const float> frequencies_wanted;  ///< empty: those of `waves`
+  std::span<const float> frequencies_wanted;  ///< requested ones; empty: those of `waves`
   std::span<const Complex> z;
-  std::string suffix;  ///< of the arrays' names: sets two sets of waves apart
+  std::string suffix;  ///< of the arrays' names, to distinguish two sets of waves
 
   bool has_wave(std::size_t v) const {
     return !waves.directions[v].isZero(0) && z[v] != Complex(0);
@@ -27,35 +27,35 @@ struct WrittenWaves {
   std::string named(const char* name) const { return name + suffix; }
 };
 
-/// Adds phase, direction, frequency, branch, sin_phase and valid. `missing` stands where there is
-/// no wave. Points have no `branches`.
+/// Adds phase, direction, frequency, frequency_wanted (if given), branch, sin_phase and valid.
+/// `missing` is written where there is no wave. Points have no `branches`.
 void add_waves(std::vector<DataArray>& arrays, const WrittenWaves& written, float missing,
                const std::vector<float>& branches);
 
-/// The same of a pattern, carried to the vertices of a mesh with texture coordinates.
+/// As above for a pattern, carried to the vertices of a mesh with texture coordinates.
 void add_carried_waves(std::vector<DataArray>& arrays, const TexturedMesh& textured,
                        const Mesh& mesh, const StripePattern& pattern, const std::string& suffix,
                        float missing);
 
-/// A pattern, and what sets the names of its arrays apart from those of another.
+/// A pattern and the suffix of its arrays' names.
 struct NamedPattern {
   const StripePattern& pattern;
   std::string suffix;
 };
 
 /// Arrays of a mesh with texture coordinates: normal, uv and those of the patterns, which are on
-/// `surface`; of triangles branch.
+/// `surface`; for triangles, branch.
 DataArrays textured_arrays(const TexturedMesh& textured, const Surface& surface,
                            std::span<const NamedPattern> patterns, float missing);
 
-/// The array of points with the angle in degrees by which waves are turned from their field: the
-/// same number in all rows. It is missing where the angle is 0.
+/// The point array with the angle in degrees between waves and their field, the same in all rows.
+/// It is missing if the angle is 0.
 inline constexpr const char* kTurnArray = "turn_deg";
 
 /// Adds the array `kTurnArray`, unless the angle is 0.
 void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows);
 
-/// Adds the array "agreement", how much the data of a measured field agree
+/// Adds the array "agreement", the directional coherence of a measured field
 /// (`DetailedField::agreement`); nothing if that is empty.
 void add_agreement(std::vector<DataArray>& arrays, std::span<const float> agreement);
 
@@ -88,7 +88,7 @@ std::vector<float> branches_at_vertices(const Mesh& mesh, std::span<const Corner
 /// 1 in triangles where a stripe begins or ends.
 DataArray branches_in_triangles(const StripePattern& pattern, const std::string& name);
 
-/// The array tile_broken: 1 in triangles that a broken figure of a texture's tile reaches.
+/// The array tile_broken: 1 in triangles that a broken motif reaches.
 DataArray broken_in_triangles(const TexturedMesh& textured, const BrokenTiles& broken);
 
 /// Lifted phases at the corners of triangles, oriented alike; NaN in triangles that have none.

@@ -1,5 +1,5 @@
-/// What shaders of your own need to draw a pattern at every pixel, in the layout that the installed
-/// GLSL reads (docs/gpu.md).
+/// Buffers for your own shaders to draw a pattern at every pixel, in the layout of the installed
+/// GLSL (docs/gpu.md).
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// 48 bytes: three times four floats, as textures and storage buffers have them.
+/// A vertex of 48 bytes: three times four floats, for textures and storage buffers.
 struct PatternVertex {
   std::array<float, 3> position;
   float frequency;  ///< stripes per unit length
@@ -25,35 +25,36 @@ struct PatternVertex {
 };
 static_assert(sizeof(PatternVertex) == 48);
 
-/// 16 bytes. Triangles in which a stripe begins or ends need no more than others: shaders find the
-/// phase at every pixel from the three corners.
+/// A triangle of 16 bytes. Triangles in which a stripe begins or ends need no special data: shaders
+/// find the phase at every pixel from the three corners.
 struct PatternTriangle {
   std::array<std::uint32_t, 3> vertices;
-  std::uint32_t kind;  ///< a TriangleKind; regular where nothing was said
+  std::uint32_t kind;  ///< a TriangleKind; regular if unknown
 };
 static_assert(sizeof(PatternTriangle) == 16);
 
-/// A pattern, or a frame of one. All have one entry per vertex.
+/// A pattern, or a frame of one, with one entry per vertex each.
 struct PatternArrays {
   std::span<const Vec3> positions;
   std::span<const Vec3> normals;     ///< of unit length, or zero
   std::span<const Vec3> directions;  ///< of unit length, or zero for no wave
   std::span<const float> frequencies;
-  std::span<const Complex> z;  ///< phases, as StripePattern and FrameResult have them
+  std::span<const Complex> z;  ///< phases, as in StripePattern and FrameResult
 };
 
+/// The contents of both buffers.
 struct PatternBuffers {
   std::vector<PatternVertex> vertices;
   std::vector<PatternTriangle> triangles;
 };
 
-/// Fills both. `corners` has one entry per triangle, or none: then no kinds are known.
-/// Throws Error, naming what does not fit, if sizes differ or a triangle has no such vertex.
+/// Fills both. `corners` has one entry per triangle, or is empty if kinds are unknown. Throws
+/// Error, naming the mismatch, if sizes differ or a triangle has no such vertex.
 PatternBuffers pattern_buffers(const PatternArrays& arrays, std::span<const Triangle> triangles,
                                std::span<const CornerPhases> corners = {});
 
-/// Fills the vertices alone, as a frame needs it: into memory of yours, such as a mapped buffer,
-/// with one entry per vertex. Throws Error as `pattern_buffers` does.
+/// Fills only the vertices, for frames, into your own memory, such as a mapped buffer, with one
+/// entry per vertex. Throws Error as `pattern_buffers` does.
 void fill_pattern_vertices(const PatternArrays& arrays, std::span<PatternVertex> vertices);
 
 }  // namespace brindle

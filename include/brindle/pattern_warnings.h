@@ -1,4 +1,4 @@
-/// What is probably not meant by a pattern, in the words that every program of brindle has for it.
+/// Warnings of likely mistakes in a pattern, in the same words in every program.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,8 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// `surface_warnings`, and `wave_warnings` of the waves that were asked for, and
-/// `quality_warnings`: a sentence each without a full stop, empty if there is nothing to say.
-/// `surface` is the one that the pattern was made for.
+/// All warnings of a pattern, one sentence each without a full stop: `surface_warnings`,
+/// `wave_warnings` of the requested waves, and `quality_warnings`. `surface` is the pattern's.
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
                                           const WarningWords& words = {});
 
@@ -25,15 +24,15 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
 std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words = {});
 
-/// Of two patterns of one surface what warnings look at: the larger numbers and shares of the area.
+/// The larger numbers and shares of the area of two patterns on one surface, for warnings.
 PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v);
 
-/// The same of a measured field, used without smoothing, that is singular in more than 1 % of the
+/// Warns of a measured field, used without smoothing, that is singular in more than 1 % of the
 /// triangles.
 std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
                                         const WarningWords& words = {});
 
-/// The same of more singularities than `FieldDetailOptions::singularities` asks for.
+/// Warns of more singularities than `FieldDetailOptions::singularities` allows.
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
                                          const WarningWords& words = {});
 

@@ -14,7 +14,7 @@ namespace BRINDLE_EXPORT brindle {
 /// The distance between two points along their waves.
 enum class PhaseShiftKind {
   aligned,        ///< closed form, exact for circular wave fronts (docs/method.md)
-  common_source,  ///< the paper's Eq. 2 and 7 to the letter
+  common_source,  ///< the paper's Eq. 2 and 7, literally
   trapezoid       ///< mean of both directions (Knöppel et al. 2015)
 };
 

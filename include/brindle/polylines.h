@@ -28,8 +28,8 @@ struct Polylines {
   std::vector<Index> offsets{0};     ///< lines + 1 entries
   std::vector<std::uint8_t> closed;  ///< one per line: 1 or 0
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< that of the mesh, see `Mesh`
-  /// Where the points are on the mesh, one per point: in the triangle of the segment after it, of
-  /// the last point of an open line in that of the segment before. Empty if that is not known.
+  /// The place of each point on the mesh, in the triangle of the next segment; for the last point
+  /// of an open line, of the segment before. Empty if unknown.
   std::vector<TrianglePoint> places = {};
   /// Barycentric coordinates of the next point in the same triangle, one per place. Empty if
   /// segments do not run within triangles.
@@ -44,33 +44,33 @@ struct Polylines {
   }
 };
 
-/// How far `p` is from the segment between `a` and `b`.
+/// The distance of `p` from the segment between `a` and `b`.
 float distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 
-/// The length of a line, with the way back if it is closed.
+/// The length of a line, with the closing segment of a closed one.
 double length_of(const Polylines& lines, std::size_t line);
 
-/// Leaves out points as long as no point left out is farther than `tolerance` from the line
-/// (Douglas and Peucker 1973), and with them what is known of their segments. Ends stay; of a
-/// closed line two points at least, its first and the one farthest from it.
+/// Removes points as long as no removed point is farther than `tolerance` from the line (Douglas
+/// and Peucker 1973), and the data of their segments. Ends stay; a closed line keeps at least two
+/// points, its first and the one farthest from it.
 Polylines simplified(const Polylines& lines, float tolerance, const Progress& progress = {});
 
 /// Points at equal distances along every line, as near to `spacing` as a whole number of steps
-/// allows. Ends stay. They lie on the segments, so corners between them are cut; they have places
-/// if it is known where the segments run.
-/// Throws Error if the spacing is not above zero, or if there would be more points than an Index
-/// can count.
+/// allows. Ends stay. Points lie on the segments, so corners between them are cut. They have places
+/// if those of the segments are known. Throws Error if the spacing is not above zero, and for more
+/// points than an Index can count.
 Polylines resampled(const Polylines& lines, float spacing, const Progress& progress = {});
 
+/// Options of `tubes`.
 struct TubeOptions {
   float radius = 0.01f;  ///< in units of length, above zero
   int sides = 8;         ///< 3 to 64
 };
 
 /// A tube around every line: rings of `sides` vertices in the planes that halve the angles between
-/// segments, the ends of open lines closed by flat caps. Points nearer to the one before than a
-/// tenth of the radius are passed over; lines without length have no tube. Throws Error for options
-/// out of range and for more vertices than an Index can count.
+/// segments; flat caps close the ends of open lines. Points nearer to the previous one than a tenth
+/// of the radius are skipped; lines without length have no tube. Throws Error for options out of
+/// range and for more vertices than an Index can count.
 Mesh tubes(const Polylines& lines, const TubeOptions& options, const Progress& progress = {});
 
 }  // namespace brindle

@@ -14,7 +14,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Thrown out of a job whose progress callback asked it to stop.
+/// Thrown by a job whose progress callback cancels it.
 class Cancelled : public Error {
  public:
   using Error::Error;
@@ -23,16 +23,16 @@ class Cancelled : public Error {
 /// A stage of a job.
 struct JobStage {
   std::string name;
-  double weight = 1;  ///< how long it takes, against the others'; above 0
+  double weight = 1;  ///< relative duration; above 0
 };
 
 /// A report of a running job.
 struct ProgressReport {
-  double fraction = 0;               ///< done of the whole job, in [0, 1]; never falls
-  std::string_view step;             ///< what is being done: a stage, or a step within one
-  double step_fraction = 0;          ///< done of that, in [0, 1]
+  double fraction = 0;               ///< share of the whole job done, in [0, 1]; never falls
+  std::string_view step;             ///< the current stage, or a step within it
+  double step_fraction = 0;          ///< share of that step done, in [0, 1]
   std::span<const JobStage> stages;  ///< of the whole job, in their order; weights sum to 1
-  std::size_t stage = 0;             ///< the number of the one that is under way
+  std::size_t stage = 0;             ///< the number of the current one
 };
 
 #if defined(BRINDLE_SILENT)
@@ -57,6 +57,7 @@ class Progress {
   static constexpr bool is_heard() { return false; }
 };
 
+/// Stages in builds without progress.
 class JobStages {
  public:
   JobStages(const Progress&, const std::vector<JobStage>&) {}
@@ -66,40 +67,40 @@ class JobStages {
 
 #else
 
-/// Handed into long jobs; a default-constructed one is silent and never cancels. Jobs report on the
-/// thread that called them. One Progress serves one job after the other, not several at once.
+/// Progress of a long job; a default-constructed one is silent and never cancels. Jobs report on
+/// the thread that called them. A Progress serves one job at a time.
 class Progress {
  public:
-  /// Receives the step's name and how much of it is done, in [0, 1]. Returning false cancels.
+  /// Receives the step's name and the share of it done, in [0, 1]. Returning false cancels.
   using Callback = std::function<bool(std::string_view step, double fraction)>;
-  /// Receives the same with where that is in the whole job.
+  /// As above, with the position in the whole job.
   using JobCallback = std::function<bool(const ProgressReport& report)>;
 
   Progress() = default;
   explicit Progress(Callback callback);
   explicit Progress(JobCallback callback);
 
-  /// Reports the fraction done of a step, which is also that of the share of the job that this
-  /// stands for. Throws Cancelled if the callback asks for it.
+  /// Reports the share done of a step, which is also the share done of this part of the job. Throws
+  /// Cancelled if the callback cancels.
   void report(std::string_view step, double fraction) const;
 
-  /// The same for the stage that this was handed out for.
+  /// As above for the stage of this object.
   void report(double fraction) const;
 
-  /// Passes on the report of an inner job, the whole of which is the share that this stands for.
+  /// Forwards the report of an inner job, which is all of this part.
   void report(const ProgressReport& inner) const;
 
-  /// Repeats the last report. Throws Cancelled if the callback asks for it. For long loops that do
-  /// not know their share of a stage.
+  /// Repeats the last report, for long loops without a known share of a stage. Throws Cancelled if
+  /// the callback cancels.
   void tick() const;
 
-  /// For a job that does a share of this: `begin` to `end`, in [0, 1].
+  /// A part of this progress, from `begin` to `end`, in [0, 1].
   Progress part(double begin, double end) const;
 
-  /// The same as this, with another name for what `report(fraction)` is about.
+  /// The same progress, with another name for steps of `report(fraction)`.
   Progress step(std::string_view name) const;
 
-  /// The stages of the whole job, once it has begun; `ProgressReport` has the same.
+  /// The stages of the whole job, once it has begun, as in `ProgressReport`.
   std::span<const JobStage> stages() const;
 
   /// Whether there is a callback.
@@ -114,22 +115,22 @@ class Progress {
   std::shared_ptr<State> state_;
   bool is_whole_ = true;        // a job that begins with this is the whole one
   double begin_ = 0, end_ = 1;  // in the whole job
-  std::string step_;            // the stage that this was handed out for
-  double from_ = 0, to_ = 1;    // in that
+  std::string step_;            // the stage of this object
+  double from_ = 0, to_ = 1;    // within that stage
 };
 
-/// Divides the progress that a job was handed into stages. The outermost job's stages are those
-/// that `ProgressReport` lists.
+/// Divides the progress of a job into stages. `ProgressReport` lists the stages of the outermost
+/// job.
 class JobStages {
  public:
-  /// Throws Error if no stage is given, or one whose weight is not above 0.
+  /// Throws Error without stages, and for a weight that is not above 0.
   JobStages(const Progress& progress, std::vector<JobStage> stages);
 
-  /// The next stage of that name begins; those before it are over. Reports it, which may throw
-  /// Cancelled. Hand the result to the work of the stage. Throws Error for an unknown name.
+  /// Begins the next stage of that name and ends those before it. Pass the result to the work of
+  /// the stage. The report may throw Cancelled. Throws Error for an unknown name.
   Progress begin(std::string_view name);
 
-  /// Reports that all is done, which may throw Cancelled.
+  /// Reports the end of the job, which may throw Cancelled.
   void finish() const;
 
  private:

@@ -1,4 +1,4 @@
-/// How well a pattern follows its field: branches, angle and spacing errors (paper, Fig. 8).
+/// Quality of a pattern along its field: branches, angle and spacing errors (paper, Fig. 8).
 #pragma once
 
 #include <array>
@@ -13,26 +13,28 @@
 
 namespace BRINDLE_EXPORT brindle {
 
+/// Metrics of a pattern.
 struct PatternQuality {
   std::size_t branches = 0;             ///< triangles of kind branch or field_singularity
   std::size_t field_singularities = 0;  ///< triangles of kind field_singularity
-  double branch_area_share = 0;         ///< of `branches` in the area of these and the regular ones
-  // Regular triangles, weighted by area: how a surface is cut into triangles must not matter. 0 if
-  // there are none, or none with an area.
+  double branch_area_share =
+      0;  ///< area of `branches` over that of these and the regular triangles
+  // Regular triangles, weighted by area, so that the triangulation does not matter. 0 if there are
+  // none, or none with an area.
   double angle_error_mean_deg = 0;         ///< gradient against mean direction
   double angle_error_share_over_5deg = 0;  ///< share of the area, between 0 and 1
-  /// Of that the part where the phases of a triangle's corners differ by half a period or more.
+  /// The part of it where the phases of a triangle's corners differ by half a period or more.
   double coarse_share_over_5deg = 0;
-  double spacing_error_mean = 0;         ///< mean of | |gradient| / (2 pi f) - 1 |
-  double spacing_error_wanted_mean = 0;  ///< the same against frequencies that were asked for,
-                                         ///< where those of the waves have yielded
-  /// Of `branches` those in triangles whose corners are calm by a half or more on average, where a
-  /// pattern was made with calm.
+  double spacing_error_mean = 0;  ///< mean of | |gradient| / (2 pi f) - 1 |
+  double spacing_error_wanted_mean =
+      0;  ///< the same against the requested frequencies, which spacing tolerance changes
+  /// `branches` in triangles with a mean `Slack::calm` of at least a half; empty without branch
+  /// avoidance.
   std::optional<std::size_t> branches_in_calm;
-  std::size_t vertices_without_wave = 0;  ///< with the direction zero: they draw nothing
+  std::size_t vertices_without_wave = 0;  ///< with the direction zero: nothing is drawn
 };
 
-/// How many vertices have the direction zero.
+/// The number of vertices with the direction zero.
 std::size_t count_without_wave(std::span<const Vec3> directions);
 
 /// Angle in degrees, 0 to 180, between the gradient of the lifted corner phases and the mean corner

@@ -13,26 +13,21 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Builds a shape from its name and, after commas, parameters that differ from their defaults:
-/// "torus" or "torus,resolution=64,minor=0.3". Every shape takes `noise` (see add_noise; 0 by
-/// default) and `noise_seed`.
-///
-/// Throws Error, listing what is known, for an unknown name or parameter, and for a value that is
-/// no number or out of the parameter's range; also, before anything is made, for a resolution whose
-/// vertices do not fit into memory, naming one that fits. Throws Cancelled if `progress` asks for
-/// it.
+/// Throws Error, listing the valid ones, for an unknown name or parameter, and for a value that is
+/// no number or out of range. Throws Error, before allocating, for a resolution whose vertices do
+/// not fit in memory, naming one that fits. Throws Cancelled if `progress` cancels.
 Mesh make_shape(std::string_view spec, const Progress& progress = {});
 
-/// A part of a shape. Vertices have the numbers that they have in the whole, and its positions.
+/// A part of a shape. Its vertices have the numbers and positions of the whole shape.
 struct ShapePart {
   Mesh mesh;
   std::vector<std::uint64_t> vertex_ids;  ///< ascending, one per vertex
 };
 
-/// Part `part` of `parts`, made without the others: all triangles of part 0, then those of part 1
-/// and so on are those of `make_shape`. A part may have no triangle. None for shapes that can only
-/// be made whole: vessels, molecule, box, bracket, gear, and those with `noise`. Throws Error as
-/// `make_shape`, and for a part number out of range.
+/// Part `part` of `parts`, made without the others. The triangles of all parts, in order, are those
+/// of `make_shape`. A part may have no triangle. Empty for shapes that can only be made whole:
+/// vessels, molecule, box, bracket, gear, and those with `noise`. Throws Error as `make_shape`, and
+/// for a part number out of range.
 std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts);
 
 /// All names, in the order in which help lists them.

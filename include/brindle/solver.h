@@ -44,7 +44,7 @@ struct SolverOptions {
   int global_iterations = 20;  ///< inverse iterations
 };
 
-/// Phases, and the work that they took.
+/// Phases and the solver's work.
 struct PhaseSolution {
   std::vector<Complex> z;  ///< one unit number per node
   double energy = 0;       ///< of `z`, as `energy()` of phase_graph.h defines it
@@ -52,18 +52,19 @@ struct PhaseSolution {
   std::vector<double> energy_per_iteration;  ///< before the first iteration and after each, without
                                              ///< cycles; empty for multilevel and global
   double topology_milliseconds =
-      0;  ///< for what depends on connectivity alone: colours, aggregates, order
+      0;  ///< for what depends only on connectivity: colours, aggregates, order
   double solve_milliseconds = 0;
 };
 
-/// Input of single solvers besides the graph.
+/// Additional input of some solvers.
 struct SolverData {
   std::vector<float> mass;              ///< of Solver::global: one per node, above 0; empty: 1
   std::vector<AveragedLevel> averaged;  ///< of Solver::averaged: coarser levels, finest first
 };
 
-/// Throws Error for options out of range, no averaged levels for Solver::averaged, or a build
-/// without CHOLMOD for Solver::global; Cancelled if `progress` asks for it.
+/// Solves for phases. Throws Error for options out of range, no averaged levels for
+/// Solver::averaged, or a build without CHOLMOD for Solver::global; Cancelled if `progress`
+/// cancels.
 PhaseSolution solve_phases(const PhaseGraph& graph, const SolverOptions& options = {},
                            const Progress& progress = {}, const SolverData& data = {});
 

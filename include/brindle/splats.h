@@ -1,5 +1,5 @@
-/// Pictures of stripes on points: every point is a disc in its tangent plane, and discs that
-/// overlap are blended into a closed surface (Botsch et al. 2005).
+/// Pictures of stripes on points: every point is a disc in its tangent plane, and overlapping discs
+/// are blended into a closed surface (Botsch et al. 2005).
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// One entry per point in all spans. Points without a normal (zero) are not drawn; those without a
-/// wave, or all if there are no waves, are plain surface.
+/// A drawing with one entry per point in all spans. Points without a normal (zero) are not drawn;
+/// those without a wave, or all if there are no waves, are plain.
 struct SplatDrawing {
   std::span<const Vec3> positions;
   std::span<const Vec3> normals;  ///< unit; their signs do not matter
@@ -23,27 +23,26 @@ struct SplatDrawing {
   std::span<const Complex> z = {};  ///< exp(i Phi)
 };
 
-/// Radii that let discs overlap: the mean distance to the neighbours. Zero for points without
-/// neighbours.
+/// Radii of overlapping discs: the mean distance to the neighbours. Zero without neighbours.
 std::vector<float> splat_radii(std::span<const Vec3> positions, const Adjacency& neighborhood);
 
-/// Draws discs in the OpenGL 4.5 context that is current when it is made; that context must be
-/// current whenever it is used or destroyed.
+/// Draws discs in the OpenGL 4.5 context that is current at construction, which must be current
+/// whenever the renderer is used or destroyed.
 class SplatRenderer {
  public:
-  /// Throws Error, naming shader file and line, if the driver does not take the shaders.
+  /// Throws Error, naming shader file and line, if the driver rejects the shaders.
   SplatRenderer();
   ~SplatRenderer();
   SplatRenderer(SplatRenderer&&) noexcept;
   SplatRenderer& operator=(SplatRenderer&&) noexcept;
 
-  /// Copies the drawing to OpenGL, in place of the last one.
-  /// Throws Error if sizes do not match or the drawing is larger than the driver's buffers.
+  /// Copies the drawing to OpenGL, in place of the last one. Throws Error if sizes do not match or
+  /// the drawing is larger than the driver's buffers.
   void upload(const SplatDrawing& drawing);
 
-  /// Draws the uploaded drawing. Each pixel takes the phase that every disc there has from its own
-  /// wave, Phi + 2 pi f <x - p, d>, weighted by how near the disc's centre is. Options as for
-  /// `Renderer::draw`; marks are not drawn.
+  /// Draws the uploaded drawing. A pixel blends the phases Phi + 2 pi f <x - p, d> of all discs
+  /// there, weighted by nearness to their centres. Options as for `Renderer::draw`; marks are not
+  /// drawn.
   Image draw(const RenderOptions& options, const Progress& progress = {}) const;
 
  private:

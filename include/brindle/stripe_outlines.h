@@ -1,4 +1,4 @@
-/// Outlines of stripes and of the figures of tiles as smooth filled paths, for print at any size.
+/// Outlines of stripes and of tile motifs as smooth filled paths, for print at any size.
 #pragma once
 
 #include <span>
@@ -12,23 +12,23 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// For each surface, the last one first, a pen that fills what is seen of it, "surface", unless it
-/// is discarded between its strokes, and one that fills what is seen of its strokes, "stripes", in
-/// the colour of the first ones. Instead of strokes, a texture has a pen for the figures of each of
-/// its tiles, in the tile's colour: "tiles", then "tiles2" and so on. Those of surface i, from 1
-/// on, end in "_i". Pens are smooth paths of cubic Béziers.
+/// Pens that fill the visible parts of surfaces, the last surface first. "surface" fills a surface,
+/// unless it is discarded between its strokes; "stripes" fills its strokes, in the colour of the
+/// first ones. A texture instead has one pen for the motifs of each tile, in the tile's colour:
+/// "tiles", then "tiles2" and so on. Names for surface i, from 1 on, end in "_i". Pens are smooth
+/// paths of cubic Béziers.
 ///
-/// Outlines are where the phase of `fragment_phase` passes the stripes' borders, where the figures
-/// of tiles end (`tile_distance`), whole ones where others are to be left out, and where one
-/// triangle ends in front of another: found for every point and not on a grid of pixels. Paths
-/// leave them by less than a twentieth of a pixel. What is narrower than half a pixel may be
-/// missed. Areas and holes of less than `least_area` square pixels are left out. Colours and
-/// opacities that follow values, and light, do not show.
+/// Outlines are where the phase of `fragment_phase` passes the stripes' borders, where motifs end
+/// (`tile_distance`; only whole motifs if others are left out), and where one triangle ends in
+/// front of another. They are found for points rather than on a pixel grid; paths deviate by less
+/// than a twentieth of a pixel. Parts narrower than half a pixel may be missed. Areas and holes of
+/// less than `least_area` square pixels are left out. Light, and colours and opacities by value,
+/// are not shown.
 ///
-/// `camera` is relative to the origin of the first surface, as `styled_camera` has it; `light` is
-/// what widths follow. Needs no OpenGL. Throws Error if a side is not in 1 .. 8192, strokes do not
-/// have one entry per vertex, a tile is a picture, or `least_area` is negative or no number;
-/// Cancelled if `progress` asks for it.
+/// `camera` is relative to the origin of the first surface, as in `styled_camera`; `light` is for
+/// widths that follow it. Needs no OpenGL. Throws Error if a side is not in 1 .. 8192, strokes do
+/// not have one entry per vertex, a tile is a picture, or `least_area` is negative or no number;
+/// Cancelled if `progress` cancels.
 std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const Camera& camera,
                                  const PictureLight& light, int width, int height,
                                  float least_area = 0.1f, const Progress& progress = {});

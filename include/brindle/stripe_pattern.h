@@ -1,4 +1,4 @@
-/// The main job: from a surface with waves to a measured stripe pattern.
+/// Stripe patterns: from a surface with waves to measured phases.
 #pragma once
 
 #include <functional>
@@ -20,47 +20,47 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// What multiplies the paper's weight |<d_i, d_j>| of an edge.
+/// Factors of the paper's edge weight |<d_i, d_j>|.
 enum class EdgeWeights {
-  paper,     ///< nothing
-  cotangent  ///< `cotangent_weights`: lower angle errors for a longer coupling stage
+  paper,     ///< 1
+  cotangent  ///< `cotangent_weights`: lower angle errors, slower coupling
 };
 
-/// Turns a phase graph into phases, as `solve_phases` and `GpuSolver::solve` of brindle/gpu do.
+/// Turns a phase graph into phases, as `solve_phases` and `GpuSolver::solve` do.
 using SolvePhases = std::function<PhaseSolution(const PhaseGraph&, const SolverOptions&,
                                                 const Progress&, const SolverData&)>;
 
+/// Options of `stripe_pattern`.
 struct StripeOptions {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   EdgeWeights weights = EdgeWeights::paper;
   SolverOptions solver;
   SolvePhases solve;  ///< empty: on the processor
-  /// Phases to stay near to: a unit number per vertex, 0 where none is known, as `matched_phases`
-  /// and `carried_phases` give them; empty for none. For Solver::multilevel.
+  /// Phases to stay near: a unit number per vertex, 0 if unknown, as from `matched_phases` and
+  /// `carried_phases`; empty: none. For Solver::multilevel.
   std::vector<Complex> last_phases;
-  float lambda = 0.025f;  ///< how near, as AnimatorOptions has it; 0: no matter
-  Slack slack = 0;        ///< how far frequencies may depart from those of the waves, so that fewer
-                          ///< stripes begin or end (yielding_frequency.h); 0: not at all
-  /// Phases that are given: a unit number per vertex, 0 where there is none, as `boundary_phases`
-  /// makes them; empty for none. They are those of the result. For Solver::multilevel.
+  float lambda = 0.025f;  ///< strength of `last_phases`, as in AnimatorOptions; 0: ignored
+  Slack slack = 0;        ///< spacing tolerance (yielding_frequency.h); 0: none
+  /// Fixed phases of the result: a unit number per vertex, 0 where free, as from `boundary_phases`;
+  /// empty: none. For Solver::multilevel.
   std::vector<Complex> fixed_phases;
 };
 
-/// Wall-clock milliseconds a stage; `load` is left to whoever reads the mesh.
+/// Wall-clock milliseconds per stage; callers that read the mesh set `load`.
 struct StripeMilliseconds {
   double load = 0;
   double topology = 0;   ///< neighbourhood and normals, colours, aggregates: once per connectivity
-  double frequency = 0;  ///< frequencies that yield
+  double frequency = 0;  ///< solving for frequencies
   double couple = 0;     ///< phase shifts
   double solve = 0;
   double pattern = 0;  ///< corner phases and quality
-  double merge = 0;    ///< `merge_branches`, if it was asked for
+  double merge = 0;    ///< `merge_branches`, if requested
 };
 
-/// A pattern and all that it was made with.
+/// A pattern with its input and metrics.
 struct StripePattern {
-  WaveSet waves;                      ///< with the frequencies chosen
-  FrequencyField frequencies_wanted;  ///< those asked for; empty without slack: the same
+  WaveSet waves;                      ///< with the chosen frequencies
+  FrequencyField frequencies_wanted;  ///< requested; empty without slack: those of `waves`
   std::optional<FrequencyChange> frequency_change;  ///< with slack
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   PhaseSolution solution;             ///< `solution.z`: one phase per vertex
@@ -69,60 +69,57 @@ struct StripePattern {
   StripeMilliseconds milliseconds;
 };
 
-/// Lets frequencies yield where the options have slack, couples the waves along the edges of the
+/// Solves for frequencies if the options have slack, couples the waves along the edges of the
 /// surface, solves for phases, lifts them to the corners of the triangles and measures the result;
-/// on points without triangles as `measure_point_quality` does. `waves` has one entry per vertex.
-/// Throws Error for waves that are not valid (`WaveSet`), for directions that are not tangent (one
-/// more than 60 degrees out of its plane, or more than a tenth more than 10), for waves that pass
-/// less than a 10,000th of an edge a period at half of the vertices or a millionth at any, for last
-/// or fixed phases that `anchor_phases` refuses or another solver than multilevel has, and what
-/// `solve_phases` throws. `pattern_warnings` says what is probably not meant.
+/// points without triangles are measured as in `measure_point_quality`. `waves` has one entry per
+/// vertex. Throws Error for waves that are not valid (`WaveSet`); for directions that are not
+/// tangent (one more than 60 degrees out of its plane, or more than a tenth more than 10); for
+/// waves with less than 1e-4 edges per period at half of the vertices, or 1e-6 at any; for last or
+/// fixed phases that `anchor_phases` or the solver rejects; and what `solve_phases` throws.
+/// `pattern_warnings` lists likely mistakes.
 StripePattern stripe_pattern(const Surface& surface, WaveSet waves,
                              const StripeOptions& options = {}, const Progress& progress = {});
 
-/// The same along a direction field, with as many stripes per unit length as `frequency` says, or
-/// as each vertex's entry of `frequencies` does. Stripes run across the directions.
+/// As above along a direction field; `frequency`, or each vertex's entry of `frequencies`, is in
+/// stripes per unit length. Stripes run across the directions.
 StripePattern stripe_pattern(const Surface& surface, DirectionField field, float frequency,
                              const StripeOptions& options = {}, const Progress& progress = {});
 StripePattern stripe_pattern(const Surface& surface, DirectionField field,
                              FrequencyField frequencies, const StripeOptions& options = {},
                              const Progress& progress = {});
 
-/// Renews `corners` and `quality`, the latter also against the frequencies asked for, from the
-/// other parts of the pattern: of one whose phases were found elsewhere. `calm` is that of a Slack.
+/// Recomputes `corners` and `quality`, including errors against the requested frequencies, from the
+/// rest of the pattern, such as one solved elsewhere. `calm` is Slack::calm.
 void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
                      const Progress& progress = {});
 
-/// The centre lines of the pattern's stripes, sin Phi = 1, over the whole surface that it was made
-/// for. Several cross a triangle where the frequency asks for it. Curves do not cross; each is
-/// closed, or both its ends have one of the reasons of CurveEnd. They run so that waves run to
-/// their left, seen from outside, where the field and the surface can be oriented. Throws Error for
-/// a pattern of another surface, and on points without triangles; Cancelled if `progress` asks for
-/// it.
+/// The centre lines of the pattern's stripes, sin Phi = 1, over its whole surface. At high
+/// frequencies several cross a triangle. Curves do not cross; each is closed, or both its ends have
+/// a reason (CurveEnd). Waves run to the left of curves, seen from outside, where the field and the
+/// surface can be oriented. Throws Error for a pattern of another surface, and on points without
+/// triangles; Cancelled if `progress` cancels.
 StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
                            const CurveOptions& options = {}, const Progress& progress = {});
 
-/// What a maker asks of curves that `stripe_curves` has traced of this pattern: lengths, gaps and,
+/// Fabrication measures of curves that `stripe_curves` traced from this pattern: lengths, gaps and,
 /// for a `line_width` above 0 (units of length), coverage. Throws Error as `stripe_curves` does,
-/// and for a width below 0 or not finite; Cancelled if `progress` asks for it.
+/// and for a width below 0 or not finite; Cancelled if `progress` cancels.
 CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
                              const StripeCurves& curves, double line_width = 0,
                              const Progress& progress = {});
 
-/// Points where the stripes of two patterns on one surface cross, or of points without triangles;
-/// of those nearer to each other than a quarter of their spacing only one. Throws Error for
-/// patterns of another surface, and in a build without nanoflann; Cancelled if `progress` asks for
-/// it.
+/// Points where the stripes of two patterns on one surface cross, with or without triangles. Of
+/// points nearer to each other than a quarter of their spacing only one is kept. Throws Error for
+/// patterns of another surface, and in a build without nanoflann; Cancelled if `progress` cancels.
 std::vector<Sample> stripe_samples(const Surface& surface, const StripePattern& u,
                                    const StripePattern& v, const Progress& progress = {});
 
-/// What textures and crosses ask of waves: throws Error unless `waves` has one entry for each of
-/// the surface's vertices, for waves that are not valid (`WaveSet`), and for a
-/// direction that sticks out of the tangent plane by more than 4 degrees: a quarter turn about the
-/// normal would not leave it as long as it is.
+/// Validates the waves of textures and crosses. Throws Error unless `waves` has one entry for each
+/// of the surface's vertices, for waves that are not valid (`WaveSet`), and for a direction more
+/// than 4 degrees out of the tangent plane, which a quarter turn about the normal would shorten.
 void check_tangent_waves(const Surface& surface, const WaveSet& waves);
 
-/// The same for vertices with these normals.
+/// As above for vertices with these normals.
 void check_tangent_waves(std::span<const Vec3> normals, const WaveSet& waves);
 
 }  // namespace brindle

@@ -15,12 +15,12 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// `stripe_curves`, `measure_curves` and `stripe_samples`, step by step, for who asks more than
-/// once: what they need of the mesh is found once. All functions throw Error for a pattern of
-/// another surface, and Cancelled if `progress` asks for it.
+/// `stripe_curves`, `measure_curves` and `stripe_samples` for repeated use: mesh data are computed
+/// once. All functions throw Error for a pattern of another surface, and Cancelled if `progress`
+/// cancels.
 class StripeTracer {
  public:
-  /// The surface must outlive this and stay as it is.
+  /// The surface must outlive this object and stay unchanged.
   explicit StripeTracer(const Surface& surface, const Progress& progress = {});
   ~StripeTracer();
   StripeTracer(StripeTracer&&) noexcept;
@@ -30,14 +30,13 @@ class StripeTracer {
   StripeCurves curves(const StripePattern& pattern, const CurveOptions& options = {},
                       const Progress& progress = {}) const;
 
-  /// How far curves of this pattern are apart, against the frequencies asked for, too. Nothing
-  /// where no curve has a neighbour, where that would take more than a million points, and in a
-  /// build without nanoflann.
+  /// Distances between curves of this pattern, also against the requested frequencies. Empty where
+  /// no curve has a neighbour, above a million points, and in a build without nanoflann.
   std::optional<CurveSpacing> spacing(const StripePattern& pattern, const StripeCurves& curves,
                                       const Progress& progress = {}) const;
 
-  /// All crossings of the stripes of two patterns; `stripe_samples` leaves out those for which
-  /// `drop_doubles` (samples.h) is there.
+  /// All crossings of the stripes of two patterns; `stripe_samples` then applies `drop_doubles`
+  /// (samples.h).
   std::vector<Sample> crossings(const StripePattern& u, const StripePattern& v,
                                 const Progress& progress = {}) const;
 
@@ -46,9 +45,9 @@ class StripeTracer {
   Pimpl<State> state_;
 };
 
-/// Moves a pattern's stripes forward by so many periods (0.5: to the middle of the gaps). For
-/// anything but whole and half periods that needs directions that run alike: waves are turned round
-/// first, as `orient_alike` does. Returns the number of edges across which they do not even so;
+/// Moves a pattern's stripes forward by `periods` (0.5: to the middle of the gaps). All but whole
+/// and half periods need directions that run alike, so waves are first reversed as in
+/// `orient_alike`. Returns the number of edges across which they still run against each other;
 /// there the moved stripes jog sideways.
 std::size_t shift_stripes(const Surface& surface, float periods, StripePattern& pattern);
 

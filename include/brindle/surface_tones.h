@@ -1,4 +1,4 @@
-/// How light surfaces are in a picture.
+/// Lightness of surfaces in a picture.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// How light a white surface is at each vertex in a picture from this camera, from 0 (black) to 1
-/// (white), even to the eye: the tones that strokes follow (`ToneRange`). Of closed surfaces it is
-/// the outer side; of others, and with a slice, the side that is seen. Normals have one unit vector
-/// per vertex, and NaN is the tone where one is zero. Throws Error if there is not one per vertex.
+/// Lightness of a white surface at each vertex in a picture from this camera, from 0 (black) to 1
+/// (white), perceptually even: the tones that strokes follow (`ToneRange`). Uses the outer side of
+/// closed surfaces; the visible side of others, and with a slice. Normals have one unit vector per
+/// vertex; a zero normal gives NaN. Throws Error unless there is one per vertex.
 std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals,
                                  const Camera& camera, const PictureLight& light);
 

@@ -1,4 +1,4 @@
-/// Two waves at every corner of every triangle: what textures are laid along (paper, 3.5).
+/// Two waves at every corner of every triangle, along which textures are laid (paper, 3.5).
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace BRINDLE_EXPORT brindle {
 using CornerWaves = std::array<CornerWave, 3>;
 
 /// Waves U and V, one entry per triangle each. Texture coordinates are phases over 2 pi, plus a
-/// quarter (`texture_coordinate`). Waves stand corner by corner and not vertex by vertex, so that a
-/// vertex may lend another wave, or the same the other way round, to each of its triangles.
+/// quarter (`texture_coordinate`). Waves are stored by corner rather than by vertex, because each
+/// triangle may use another, or reversed, wave of a vertex.
 struct TextureWaves {
   std::vector<CornerWaves> u;
   std::vector<CornerWaves> v;
@@ -26,8 +26,8 @@ struct TextureWaves {
   std::size_t triangle_count() const { return u.size(); }
 };
 
-/// The waves of all vertices as they stand. `u` and `v` have one wave, `z_u` and `z_v` one phase
-/// exp(i Phi), per vertex. Throws Error if sizes do not match.
+/// The waves of all vertices, unchanged. `u` and `v` have one wave, `z_u` and `z_v` one phase exp(i
+/// Phi), per vertex. Throws Error if sizes do not match.
 TextureWaves texture_waves(std::span<const Triangle> triangles, const WaveSet& u,
                            std::span<const Complex> z_u, const WaveSet& v,
                            std::span<const Complex> z_v);
@@ -39,10 +39,9 @@ bool run_alike(const CornerWaves& corners);
 /// Whether both the corners of U and those of V run alike: the triangle has an orientation.
 bool is_oriented(const TextureWaves& waves, std::size_t triangle);
 
-/// Makes the corners of every triangle run alike, both of U and of V, where that is possible. Of
-/// the ways to do so it takes the one that leaves most corners of U as they stand and the turn from
-/// U to V (counter-clockwise or clockwise) as it is at most corners. Other triangles stay as they
-/// are; `texture_fragment` splits them.
+/// Makes the corners of every triangle run alike, for both U and V, where possible. Keeps as many
+/// corners of U as possible, and the turn from U to V (counter-clockwise or clockwise) at most
+/// corners. Other triangles do not change; `texture_fragment` splits them.
 void orient_corners(TextureWaves& waves, const Progress& progress = {});
 
 /// The waves U and V at a fragment.
@@ -52,19 +51,18 @@ struct TextureFragment {
 };
 
 /// Eq. 13 and 14 for both. A triangle without orientation is split at its barycentre for U and V
-/// alike: so along each edge they are what its neighbour shows, or both run the other way.
+/// alike. Along each edge they therefore equal its neighbour's, or both are reversed.
 TextureFragment texture_fragment(const CornerWaves& u, const CornerWaves& v,
                                  const Vec3& barycentric);
 
 /// The texture coordinate of a phase: Phi / 2 pi + 1/4, from -1/4 to 3/4. The quarter is the
-/// paper's: a wave that runs the other way has pi - Phi and with it minus the coordinate, so that a
-/// tile with 180-degree symmetry about its middle looks the same from both ways. The middle of the
-/// tile, 1/2, is at the crests, Phi = pi / 2.
+/// paper's: a reversed wave has pi - Phi and thus the negative coordinate, so that a tile with
+/// 180-degree symmetry about its middle looks the same both ways. The middle of the tile, 1/2, is
+/// at the crests, Phi = pi / 2.
 float texture_coordinate(Complex z);
 
-/// Distortion of the unit square of texture coordinates against its target, a rectangle of
-/// 1 / f_U by 1 / f_V, over all triangles that have an orientation and no vertex in common with a
-/// branch or a singularity.
+/// Distortion of the unit square of texture coordinates against its target, a rectangle of 1 / f_U
+/// by 1 / f_V. Covers all oriented triangles without a vertex of a branch or a singularity.
 struct TextureQuality {
   std::size_t measured_triangles = 0;
   double angle_mean_deg = 0;  ///< between the square's angle on the surface and 90 degrees
@@ -73,14 +71,14 @@ struct TextureQuality {
   double area_95th = 0;
 };
 
-/// Triangles count alike. `waves` has one entry per triangle, its corners oriented.
+/// All triangles have the same weight. `waves` has one entry per triangle, its corners oriented.
 TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind);
 
-/// Edges at which the textures of two triangles do not fit, and triangles without orientation.
+/// Edges at which the textures of two triangles do not match, and triangles without orientation.
 struct TextureSeams {
-  std::size_t turned = 0;    ///< edges where U and V both run the other way: a tile with 180-degree
-                             ///< symmetry shows nothing of it
-  std::size_t mirrored = 0;  ///< edges where one of them does: the mesh's winding changes here
+  std::size_t turned =
+      0;  ///< edges where U and V both reverse; invisible with 180-degree symmetric tiles
+  std::size_t mirrored = 0;  ///< edges where one of them reverses: the mesh's winding changes here
   std::size_t unoriented_triangles = 0;  ///< corners that cannot be oriented alike, or have no wave
 };
 

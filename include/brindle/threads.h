@@ -1,9 +1,9 @@
-/// How many threads brindle works with. Results do not depend on it, bit for bit.
+/// The number of threads. Results do not depend on it, bit for bit.
 ///
-/// Functions may be called from several threads at the same time, and different objects used there.
-/// One object must not be changed by one thread while another uses it; const members of one object
-/// may be called from several threads at once. Objects that draw or solve with OpenGL belong to the
-/// thread on which their context is current.
+/// Several threads may call functions at the same time, each with its own objects. No thread may
+/// change an object that another one uses; several threads may call const members of one object at
+/// once. Objects that draw or solve with OpenGL belong to the thread on which their context is
+/// current.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,9 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Limits the number of threads of the whole process while it lives, whichever thread asks, also
-/// for other users of oneTBB; of several limits the lowest holds. 0 means no limit. A build without
-/// oneTBB works on the calling thread alone.
+/// Limits the number of threads of the whole process during its lifetime, also for other users of
+/// oneTBB; the lowest of several limits applies. 0 means no limit. A build without oneTBB works on
+/// the calling thread alone.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

@@ -22,10 +22,10 @@ using Vec3 = Eigen::Vector3f;
 /// A phase as the complex number exp(i Phi), or a coupling between two phases.
 using Complex = std::complex<float>;
 
-/// Which nodes are next to which: a symmetric graph in compressed rows. The neighbours of node i
-/// are `neighbors[offsets[i]] .. neighbors[offsets[i + 1] - 1]`, in ascending order, without i
-/// itself and without repetition; j is a neighbour of i exactly if i is one of j. An entry of
-/// `neighbors` is also the number of the directed edge that it stands for: neighbour -> i.
+/// Neighbours of nodes: a symmetric graph in compressed rows. The neighbours of node i are
+/// `neighbors[offsets[i]] .. neighbors[offsets[i + 1] - 1]`, in ascending order, without i itself
+/// and without repetition; j is a neighbour of i exactly if i is one of j. The index of an entry of
+/// `neighbors` is also the number of the directed edge: neighbour -> i.
 struct Adjacency {
   std::vector<Index> offsets{0};  ///< nodes + 1 entries
   std::vector<Index> neighbors;   ///< one entry a directed edge

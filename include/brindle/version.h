@@ -1,4 +1,4 @@
-/// Which brindle this is. The build reads the number from here.
+/// The version of brindle. The build reads the number from here.
 #pragma once
 
 #define BRINDLE_VERSION_MAJOR 0
@@ -10,8 +10,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// The version of the library that the program runs with; BRINDLE_VERSION is that of the headers it
-/// was compiled with.
+/// The version of the library at run time; BRINDLE_VERSION is that of the headers at compile time.
 const char* version();
 
 }  // namespace brindle

@@ -22,7 +22,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// The data of a field as they were read.
+/// The data of a field, as read.
 struct FieldData {
   DataArray array;            ///< vectors or tensors; no rows if the field is neither
   bool of_triangles = false;  ///< a row per triangle, not per vertex
@@ -31,32 +31,31 @@ struct FieldData {
 /// Weights of a field's data.
 struct FieldWeight {
   std::string word;  ///< "length" or "anisotropy", of the data themselves; or empty
-  /// Otherwise one per vertex, or per triangle where the data are; not finite: no datum. Empty:
-  /// tensors by their anisotropy, others alike.
+  /// Otherwise one per vertex or, as the data, per triangle; not finite: no datum. Empty: tensors
+  /// by their anisotropy, others alike.
   std::vector<float> values;
 };
 
 /// The data of a field with their weights, for `WaveInput::measured`; `directions` are those at
-/// vertices. Throws Error for weights below zero, and for words that the data have no such thing
-/// for.
+/// vertices. Throws Error for weights below zero, and for words that do not apply to the data.
 MeasuredField measured_field(const FieldData& data, const DirectionField& directions,
                              const FieldWeight& weight);
 
-/// Numbers of triangles, such as weights: those of their corners on average.
+/// One number per triangle, such as a weight: the mean of its corners' numbers.
 std::vector<float> corner_means(const Mesh& mesh, const std::vector<float>& of_vertices);
 
-/// Vertices without a wave, by what a tensor's axis is to them.
+/// Vertices without a wave in tensor fields, by the reason.
 struct MissingTensorWaves {
-  std::size_t near_normal = 0;  ///< too near to the normal
-  std::size_t isotropic = 0;    ///< not the only one with its eigenvalue
+  std::size_t near_normal = 0;  ///< the axis is too near to the normal
+  std::size_t isotropic = 0;    ///< several axes share the eigenvalue
 };
 
-/// Vertices without a wave, by reasons that are known; each counts once.
+/// Vertices without a wave, by known reason; each counts once.
 struct MissingWaves {
-  std::optional<MissingTensorWaves> tensor;      ///< of a field that is a tensor
-  std::optional<std::size_t> without_frequency;  ///< of frequencies that are an array
-  std::optional<std::size_t> too_far;            ///< of a field on another mesh
-  /// Of a field whose holes were filled, whatever they came of: too far from its data.
+  std::optional<MissingTensorWaves> tensor;      ///< in tensor fields
+  std::optional<std::size_t> without_frequency;  ///< with frequencies from an array
+  std::optional<std::size_t> too_far;            ///< in fields from another mesh
+  /// In fields with filled holes, whatever their cause: too far from the data.
   std::optional<std::size_t> unfilled = {};
 
   std::size_t total() const {
@@ -67,45 +66,47 @@ struct MissingWaves {
   }
 };
 
-/// Figures of smoothed frequencies.
+/// Metrics of smoothed frequencies.
 struct FrequencyDetailReport {
-  double changed_median = 0;  ///< as DetailedFrequencies has it
-  std::size_t filled = 0;     ///< the same
+  double changed_median = 0;  ///< as in DetailedFrequencies
+  std::size_t filled = 0;     ///< as in DetailedFrequencies
 };
 
 /// Options of waves.
 struct WaveRequest {
   float turn_deg = 0;                                        ///< of waves against their field
-  FieldDetailOptions detail = {.periods = 0};                ///< periods 0: the field as it is
-  FrequencyDetailOptions frequency_detail = {.periods = 0};  ///< periods 0: as they are
+  FieldDetailOptions detail = {.periods = 0};                ///< periods 0: no smoothing
+  FrequencyDetailOptions frequency_detail = {.periods = 0};  ///< periods 0: no smoothing
 };
 
 /// A field and frequencies, with a row per vertex.
 struct WaveInput {
   DirectionField directions;          ///< unit tangent vectors before they are turned; 0: no wave
   FrequencyField frequencies;         ///< stripes per unit length; not finite in gaps
-  FrequencyField frequencies_v = {};  ///< of crossing stripes; empty: the same
+  FrequencyField frequencies_v = {};  ///< of V; empty: the same
   bool may_have_gaps = false;         ///< a vertex without a frequency then has no wave
-  /// Whether a vertex is near enough to what the field was taken from; empty: all are.
+  /// Whether a vertex is near enough to the source of the field; empty: all are.
   std::function<bool(Index)> is_near = {};
-  MeasuredField measured = {};  ///< what the field was made of, if it is to be seen at detail
-  DirectionField last = {};     ///< of the step before, which counts beside the data; or empty
-  MissingWaves missing = {};    ///< reasons that are known so far
+  MeasuredField measured = {};  ///< the field's data, if it is to be smoothed
+  DirectionField last = {};     ///< of the previous step, for temporal smoothing; or empty
+  MissingWaves missing = {};    ///< known so far
 };
 
 /// Waves without phases.
 struct WaveResult {
   WaveSet waves;                 ///< one wave per vertex
-  FrequencyField frequencies_v;  ///< as WaveInput has them
+  FrequencyField frequencies_v;  ///< as in WaveInput
   MissingWaves missing;
-  std::optional<FieldDetailFigures> detail = {};  ///< of a field seen at detail
+  std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
   std::optional<FrequencyDetailReport> frequency_detail = {};
-  std::vector<float> agreement = {};  ///< of its data: one per vertex; empty without detail
-  DirectionField seen_field = {};     ///< at detail, before it was turned; empty without detail
+  std::vector<float> agreement =
+      {};  ///< directional coherence of its data, one per vertex; empty without smoothing
+  DirectionField seen_field =
+      {};  ///< the smoothed field before it is turned; empty without smoothing
 };
 
-/// The surface that waves are on: of one process, or a piece of one that many processes share,
-/// whose functions are collective then.
+/// The surface of waves: of one process, or a partition of one that several processes share.
+/// Functions of a partition are collective.
 class WaveSurface {
  public:
   virtual ~WaveSurface() = default;
@@ -119,7 +120,7 @@ class WaveSurface {
   virtual DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
                                                     const FrequencyDetailOptions& options,
                                                     const Progress& progress) const = 0;
-  /// A frame of a `FieldDetail`; `places` are frequencies, and 0 where there is no wave.
+  /// A frame of a `FieldDetail`; `places` are frequencies, 0 where there is no wave.
   virtual std::pair<DetailedField, FieldDetailFigures> field_at_detail(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
       const FieldDetailOptions& options, const Progress& progress) const = 0;
@@ -128,7 +129,7 @@ class WaveSurface {
 /// The surface of one process.
 class WholeSurface final : public WaveSurface {
  public:
-  /// Refers to the surface.
+  /// Keeps a reference to the surface.
   explicit WholeSurface(const Surface& surface) : surface_(surface) {}
 
   std::vector<Vec3> positions() const override { return surface_.mesh.positions; }
@@ -146,8 +147,8 @@ class WholeSurface final : public WaveSurface {
   const Surface& surface_;
 };
 
-/// The same waves turned by 90 degrees about the normals: those of V beside U, of strokes that
-/// cross. `frequencies` are theirs; empty: those of `waves`.
+/// The waves turned by 90 degrees about the normals: V beside U, or cross-hatching. `frequencies`
+/// are theirs; empty: those of `waves`.
 WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
                      std::span<const float> frequencies = {});
 

@@ -1,4 +1,5 @@
-/// Frequencies that change within bounds, so that fewer stripes begin or end (docs/fewer_branches.md).
+/// Spacing tolerance: frequencies that vary within bounds, so that fewer stripes begin or end
+/// (docs/fewer_branches.md).
 #pragma once
 
 #include <cstddef>
@@ -56,9 +57,9 @@ struct FrequencyChange {
 /// with no other triangles keeps its frequency. Points use the triangles with their neighbours.
 class YieldingFrequency {
  public:
-  /// Throws Error for a slack that is negative or not finite and for calm out of 0 to 1, naming the
-  /// vertex, and unless lists are empty or have one entry per vertex; Cancelled if `progress` asks
-  /// for it.
+  /// Throws Error for a slack that is negative or not finite and for `calm` outside 0 to 1, naming
+  /// the vertex, and unless lists are empty or have one entry per vertex; Cancelled if `progress`
+  /// cancels.
   YieldingFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
   ~YieldingFrequency();
   YieldingFrequency(YieldingFrequency&&) noexcept;
