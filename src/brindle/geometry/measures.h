@@ -41,8 +41,8 @@ EdgeLengths edge_lengths(std::span<const Vec3> positions, const Adjacency& neigh
 void check_edge_lengths(const EdgeLengths& lengths);
 
 /// Cotangent weights c of the directed edges of `neighborhood`: half the sum of the cotangents of
-/// the opposite angles (Pinkall and Polthier 1993), over all triangles of the edge. Clamped to 0 to
-/// 10: obtuse angles give 0, and slivers must not dominate. `neighborhood` is that of `mesh`, or
+/// the opposite angles (Pinkall and Polthier 1993), over all triangles of the edge. Clamped to [0,
+/// 10]: obtuse angles give 0, and slivers must not dominate. `neighborhood` is that of `mesh`, or
 /// has some of its rows.
 std::vector<float> edge_cotangents(const Mesh& mesh, const Adjacency& neighborhood,
                                    const Progress& progress = {});
