@@ -66,20 +66,20 @@ float turn_said_by(std::span<const DataArray> arrays);
 /// The input without its `kTurnArray`, which describes other waves.
 DataArrays without_turn(const DataArrays& input);
 
-/// Whether arrays of points are those of a pattern: they have "sin_phase".
+/// Whether point arrays are those of a pattern, which always has "sin_phase".
 bool hold_pattern(std::span<const DataArray> points);
 
-/// Arrays of an input beside those with the names `own`. One of the same name becomes "NAME_input",
-/// of which `notes` gets a sentence; if `replaced`, it is left out.
+/// The arrays of an input next to arrays with the names `own`. An input array with one of these
+/// names is renamed to "NAME_input", and `notes` gets a sentence; if `replaced`, it is left out.
 std::vector<DataArray> arrays_beside(std::span<const std::string> own,
                                      std::span<const DataArray> input, bool replaced,
                                      std::vector<std::string>& notes);
 
-/// A pattern's own arrays, then those of its input (`arrays_beside`); those of an earlier pattern
+/// A pattern's own arrays, then those of its input (`arrays_beside`). Arrays of an earlier pattern
 /// in the input are replaced.
 DataArrays join_arrays(DataArrays own, const DataArrays& input, std::vector<std::string>& notes);
 
-/// The array original_id of such a mesh: -1 of vertices that are new.
+/// The array original_id of a mesh with texture coordinates: -1 for new vertices.
 DataArray carried_ids(const TexturedMesh& textured, std::span<const std::int64_t> ids);
 
 /// 1 at the corners of triangles where a stripe begins or ends.

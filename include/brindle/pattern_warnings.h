@@ -18,9 +18,9 @@ namespace BRINDLE_EXPORT brindle {
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
                                           const WarningWords& words = {});
 
-/// The same of branches in triangles with more than 10 % of the area; else of stripes that run more
-/// than 5 degrees off their field on more than a quarter of the area, in triangles longer than half
-/// a period. The remedies name the subdivisions after which a wave passes two edges a period.
+/// Warns of branches in triangles with more than 10 % of the area; otherwise of stripes that run
+/// more than 5 degrees off their field on more than a quarter of the area, in triangles longer than
+/// half a period. Remedies name the subdivisions that give two mesh edges per period.
 std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words = {});
 
