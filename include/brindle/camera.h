@@ -78,8 +78,8 @@ Eigen::Quaternionf rotation_of(const CameraView& view);
 /// from zero keeps its precision.
 struct Camera {
   Vec3 origin = Vec3::Zero();
-  Eigen::Matrix4f view_from_world =
-      Eigen::Matrix4f::Identity();  ///< applies to points minus `origin`
+  /// Applies to points minus `origin`.
+  Eigen::Matrix4f view_from_world = Eigen::Matrix4f::Identity();
   Eigen::Matrix4f clip_from_view = Eigen::Matrix4f::Identity();  ///< to OpenGL's clip space
 
   /// Nothing is drawn on its positive side. In the coordinates of the framed points.

@@ -46,8 +46,8 @@ double mean_period(const WaveSet& waves);
 
 /// The change of directions since the last field.
 struct FieldStep {
-  double mean_deg =
-      0;  ///< mean angle in degrees, where both are known; at most 180 / N in a field of symmetry N
+  /// Mean angle in degrees, where both are known; at most 180 / N in a field of symmetry N.
+  double mean_deg = 0;
   std::size_t unmatched = 0;  ///< directions without a last direction
 };
 

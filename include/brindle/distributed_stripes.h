@@ -24,8 +24,8 @@ struct DistributedOptions : AnimatorOptions {
   /// Rank 0 alone solves surfaces with fewer vertices, as one process does. It needs memory for the
   /// whole surface.
   std::size_t plan_below = 262144;
-  EdgeWeights weights =
-      EdgeWeights::paper;  ///< from the partitions' geometry; replaces `edge_weights`
+  /// From the partitions' geometry; replaces `edge_weights`.
+  EdgeWeights weights = EdgeWeights::paper;
 };
 
 /// Metrics of a pattern over the measured triangles of all ranks.

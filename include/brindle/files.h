@@ -29,16 +29,15 @@ bool is_uv(const DataArray& array);
 /// Arrays in the form that a file can hold.
 struct FittedArrays {
   DataArrays arrays;
-  std::vector<std::string>
-      left_out;  ///< one line each: "array 'stress' (9 components) is not kept in .glb"
+  /// One line each: "array 'stress' (9 components) is not kept in .glb".
+  std::vector<std::string> left_out;
 };
 
 /// The part of `arrays` that the file `path` can hold, by its extension:
 /// .vtp         everything; names stay, except for characters that XML lacks;
 /// .ply         everything except 64-bit numbers that neither 32-bit integers nor doubles hold
-/// exactly;
-///              arrays of cells become properties of faces. In names, characters other than
-///              letters, digits and underscores become underscores;
+///              exactly; arrays of cells become properties of faces. In names, characters other
+///              than letters, digits and underscores become underscores;
 /// .gltf .glb   arrays of points with 1 to 4 components of finite numbers that 32-bit floats hold
 ///              exactly; names are in capitals after an underscore;
 /// .obj         "normal" and "uv" of points;

@@ -17,8 +17,8 @@ namespace BRINDLE_EXPORT brindle {
 
 /// A measured direction field.
 struct MeasuredField {
-  DirectionField
-      directions;  ///< of any length; the tangent part counts. Zero or not finite: no datum
+  /// Of any length; the tangent part counts. Zero or not finite: no datum.
+  DirectionField directions;
   std::vector<float> confidence;  ///< weights, 0 or above, relative to their mean; empty: all equal
   bool of_triangles = false;      ///< one datum per triangle rather than per vertex
 };
@@ -33,16 +33,16 @@ struct FieldDetailOptions {
   /// them, until at most this number is left, or those that no pair cancels; elsewhere the field
   /// stays. Empty: all stay. Needs triangles.
   std::optional<std::size_t> singularities = {};
-  float memory =
-      0;  ///< temporal smoothing: weight of the last field beside the data; 0: none, 1: equal
+  /// Temporal smoothing: weight of the last field beside the data; 0: none, 1: equal.
+  float memory = 0;
 };
 
 /// Statistics of a smoothed field and its data.
 struct FieldDetailFigures {
   std::size_t data = 0;    ///< vertices with a datum, of their own or of a triangle around them
   std::size_t filled = 0;  ///< vertices without a datum that got a direction
-  std::size_t unfilled =
-      0;  ///< vertices with neighbours but without a direction: too far from all data
+  /// Vertices with neighbours but without a direction: too far from all data.
+  std::size_t unfilled = 0;
   // Degrees between the field and its data, weighted by their areas.
   double turned_mean_deg = 0;
   double turned_median_deg = 0;

@@ -17,8 +17,8 @@ namespace BRINDLE_EXPORT brindle {
 struct PatternQuality {
   std::size_t branches = 0;             ///< triangles of kind branch or field_singularity
   std::size_t field_singularities = 0;  ///< triangles of kind field_singularity
-  double branch_area_share =
-      0;  ///< area of `branches` over that of these and the regular triangles
+  /// Area of `branches` over that of these and the regular triangles.
+  double branch_area_share = 0;
   // Regular triangles, weighted by area, so that the triangulation does not matter. 0 if there are
   // none, or none with an area.
   double angle_error_mean_deg = 0;         ///< gradient against mean direction
@@ -26,8 +26,8 @@ struct PatternQuality {
   /// The part of it where the phases of a triangle's corners differ by half a period or more.
   double coarse_share_over_5deg = 0;
   double spacing_error_mean = 0;  ///< mean of | |gradient| / (2 pi f) - 1 |
-  double spacing_error_wanted_mean =
-      0;  ///< the same against the requested frequencies, which spacing tolerance changes
+  /// The same against the requested frequencies, which spacing tolerance changes.
+  double spacing_error_wanted_mean = 0;
   /// `branches` in triangles with a mean `Slack::calm` of at least a half; empty without branch
   /// avoidance.
   std::optional<std::size_t> branches_in_calm;

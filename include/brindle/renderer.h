@@ -103,8 +103,8 @@ struct SurfaceDrawing {
   std::span<const Complex> z = {};     ///< one phase exp(i Phi) per vertex
   std::span<const TriangleColor> triangle_colors = {};  ///< one per triangle
   std::span<const Mark> marks = {};
-  const TextureWaves* texture_waves =
-      nullptr;                                ///< with `texture_tile`: a texture instead of stripes
+  /// With `texture_tile`: a texture instead of stripes.
+  const TextureWaves* texture_waves = nullptr;
   const TextureTile* texture_tile = nullptr;  ///< motifs have the colour of stripes
   /// Motifs of the tile to leave out, one entry per triangle; null: none.
   const BrokenTiles* broken_tiles = nullptr;

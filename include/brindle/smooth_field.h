@@ -26,15 +26,15 @@ struct SmoothFieldOptions {
   int symmetry = 2;            ///< N: 1 vector, 2 line, 4 cross field
   float curvature_anchor = 0;  ///< attraction to principal curvature; 0: none
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
-  float feature_anchor =
-      0;  ///< attraction of one of the field's directions to sharp edges and boundaries; 0: none
+  /// Attraction of one of the field's directions to sharp edges and boundaries; 0: none.
+  float feature_anchor = 0;
   float feature_angle_deg = 40;  ///< sharp edges bend by more than this
   float feature_radius = 0;  ///< reach of features, as strokes of this radius (`feature_strokes`),
                              ///< in units of length; 0: only at their vertices
   float normal_radius = 0;   ///< normals are averaged over this distance, in units of length, so
                              ///< that smaller detail makes no singularities; 0: off
-  std::vector<FieldAnchor> anchors =
-      {};  ///< such as `stroke_anchors`; signs count only for odd symmetry
+  /// Such as `stroke_anchors`; signs count only for odd symmetry.
+  std::vector<FieldAnchor> anchors = {};
   /// The previous field on this surface, from `carried_field.h`. The new one starts there, is
   /// attracted to it, and keeps its signs and, for crosses, its choice of direction. It thus turns
   /// only as much as the surface requires; an independent field may turn as a whole.

@@ -51,8 +51,8 @@ struct PhaseSolution {
   int iterations = 0;      ///< sweeps over the finest level, or inverse iterations
   std::vector<double> energy_per_iteration;  ///< before the first iteration and after each, without
                                              ///< cycles; empty for multilevel and global
-  double topology_milliseconds =
-      0;  ///< for what depends only on connectivity: colours, aggregates, order
+  /// For what depends only on connectivity: colours, aggregates, order.
+  double topology_milliseconds = 0;
   double solve_milliseconds = 0;
 };
 

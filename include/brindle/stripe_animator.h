@@ -31,10 +31,10 @@ struct AnimatorOptions {
   int cycles = 0;         ///< further descents, each from the phases of the one before
   int iterations = 3;     ///< per frame, relaxation
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;  ///< aligned or trapezoid
-  std::vector<float>
-      edge_weights;  ///< one per directed edge, symmetric, not negative: multiplies the paper's
-                     ///< weight; empty: 1; not for GpuAnimator and DistributedStripeAnimator
-  Slack slack = 0;   ///< spacing tolerance (yielding_frequency.h); needs an animator of a surface
+  /// One per directed edge, symmetric, not negative: multiplies the paper's weight; empty: 1; not
+  /// for GpuAnimator and DistributedStripeAnimator.
+  std::vector<float> edge_weights;
+  Slack slack = 0;  ///< spacing tolerance (yielding_frequency.h); needs an animator of a surface
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -59,9 +59,9 @@ struct FrameMilliseconds {
 /// A frame's phases.
 struct FrameResult {
   std::span<const Complex> z;  ///< one phase per vertex; valid until the next frame
-  double phase_step =
-      0;  ///< mean |angle| between this frame's phases and the last one's, in radians, over
-          ///< vertices with a wave and a last phase; 0 in the first frame
+  /// Mean |angle| between this frame's phases and the last one's, in radians, over vertices with a
+  /// wave and a last phase; 0 in the first frame.
+  double phase_step = 0;
   bool unchanged = false;  ///< input and phases are those of the last frame
   /// With slack: the frequencies of the phases, one per vertex, valid until the next frame, and
   /// their change. Empty without slack.

@@ -91,8 +91,8 @@ struct StyledSurface {
 /// The mapping of values to colours, for all surfaces of a picture.
 struct ColorScale {
   ColorMap map = ColorMap::viridis;
-  std::optional<float> threshold =
-      std::nullopt;                      ///< a place in the map; from there on `beyond` is drawn
+  /// A place in the map; from there on `beyond` is drawn.
+  std::optional<float> threshold = std::nullopt;
   Color beyond{0.760f, 0.110f, 0.520f};  ///< the colour above `threshold`
 };
 

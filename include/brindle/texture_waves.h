@@ -76,8 +76,8 @@ TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, Phas
 
 /// Edges at which the textures of two triangles do not match, and triangles without orientation.
 struct TextureSeams {
-  std::size_t turned =
-      0;  ///< edges where U and V both reverse; invisible with 180-degree symmetric tiles
+  /// Edges where U and V both reverse; invisible with 180-degree symmetric tiles.
+  std::size_t turned = 0;
   std::size_t mirrored = 0;  ///< edges where one of them reverses: the mesh's winding changes here
   std::size_t unoriented_triangles = 0;  ///< corners that cannot be oriented alike, or have no wave
 };

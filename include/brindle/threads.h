@@ -1,4 +1,4 @@
-/// The number of threads. Results do not depend on it, bit for bit.
+/// The number of threads that brindle uses. Results do not depend on it, bit for bit.
 ///
 /// Several threads may call functions at the same time, each with its own objects. No thread may
 /// change an object that another one uses; several threads may call const members of one object at

@@ -99,10 +99,10 @@ struct WaveResult {
   MissingWaves missing;
   std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
   std::optional<FrequencyDetailReport> frequency_detail = {};
-  std::vector<float> agreement =
-      {};  ///< directional coherence of its data, one per vertex; empty without smoothing
-  DirectionField seen_field =
-      {};  ///< the smoothed field before it is turned; empty without smoothing
+  /// Directional coherence of its data, one per vertex; empty without smoothing.
+  std::vector<float> agreement = {};
+  /// The smoothed field before it is turned; empty without smoothing.
+  DirectionField seen_field = {};
 };
 
 /// The surface of waves: of one process, or a partition of one that several processes share.

@@ -51,10 +51,11 @@ struct FrequencyChange {
 /// where c_T = sum_m c_Tm is the circulation of f d around triangle T (compare the curl correction
 /// in Ray et al., Periodic global parameterization, 2006), by multigrid with bounds. It is the
 /// circulation of g d over g, which does not depend on the scale of g. Then the mean of g / f,
-/// weighted by area, is made 1, and about 1 where it is calm. Results are bit-identical for any
-/// number of threads. Signs of directions change nothing. Triangles whose corners have no common
-/// orientation have no circulation; those with a corner without a wave are ignored, and a vertex
-/// with no other triangles keeps its frequency. Points use the triangles with their neighbours.
+/// weighted by area, is made 1, and about 1 where branches are avoided. Results are bit-identical
+/// for any number of threads. Signs of directions change nothing. Triangles whose corners have no
+/// common orientation have no circulation; those with a corner without a wave are ignored, and a
+/// vertex with no other triangles keeps its frequency. Points use the triangles with their
+/// neighbours.
 class YieldingFrequency {
  public:
   /// Throws Error for a slack that is negative or not finite and for `calm` outside 0 to 1, naming
