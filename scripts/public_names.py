@@ -3,7 +3,7 @@
 
 usage: public_names.py
 
-Writes docs/headers.md anew: all public headers, room by room in the order of docs/architecture.md.
+Writes docs/headers.md anew: all public headers, module by module in the order of docs/architecture.md.
 """
 import pathlib
 import re
@@ -14,9 +14,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TITLES = {"gl": "OpenGL", "gpu": "GPU"}
 INTRODUCTION = """# The headers
 
-All public headers of [the library](library.md), room by room, and what each declares. What functions take, give and
+All public headers of [the library](library.md), module by module, and what each declares. What functions take, give and
 throw stands in the headers themselves; `./dev docs` makes a reference of them that can be searched
-(`build/docs/html/index.html`). `brindle/brindle.h` includes all but those that need OpenGL or MPI.
+(`build/docs/html/index.html`). `brindle/brindle.h` includes those for surfaces, fields, patterns and files.
 """
 
 TYPE = re.compile(r"\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum class|enum)\s+(?:BRINDLE_EXPORT\s+)?(\w+)")
