@@ -110,7 +110,8 @@ int run(const std::vector<Command>& commands) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"Lays stripe patterns over surfaces, aligned to a direction field.", "brindle"};
-  app.set_version_flag("--version", "brindle " BRINDLE_VERSION, "Print the version and exit");
+  app.set_version_flag("--version", "brindle " BRINDLE_VERSION "\nbuilt in: " BRINDLE_BUILT_IN,
+                       "Print the version and what is built in, and exit");
   app.add_flag_callback(
       "--shapes",
       [] {

@@ -30,10 +30,15 @@ TEST_F(ToolTest, HelpSaysHowCommandsEnd) {
   }
 }
 
-TEST_F(ToolTest, VersionNamesTheProgram) {
+TEST_F(ToolTest, VersionNamesTheProgramAndItsParts) {
   const ToolResult result = run({"--version"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, "brindle " BRINDLE_VERSION "\n");
+  EXPECT_TRUE(result.out.starts_with("brindle " BRINDLE_VERSION "\nbuilt in: ")) << result.out;
+#ifdef BRINDLE_HAS_TBB
+  EXPECT_TRUE(has(result.out, "oneTBB")) << result.out;
+#else
+  EXPECT_FALSE(has(result.out, "oneTBB")) << result.out;
+#endif
 }
 
 TEST_F(ToolTest, ShapesAreListed) {
