@@ -237,7 +237,7 @@ def anchors_of(text):
 
 
 def check_links(page):
-    for match in re.finditer(r"\]\(([^)\s]+)\)", page.prose):
+    for match in re.finditer(r"(?:\]\(|\bsrc=\")([^)\"\s]+)[)\"]", page.prose):
         target, line = match.group(1), line_of(page.prose, match.start())
         if re.match(r"\w+:", target):
             continue
@@ -251,7 +251,8 @@ def check_links(page):
 
 def check_other_links():
     """Links of the files beside README.md, whose commands are others'."""
-    pages = [Page(path) for path in sorted(ROOT.glob("*.md")) if path.name != "README.md"]
+    pages = [Page(path) for path in [*sorted(ROOT.glob("*.md")), ROOT / "web/package/README.md"]
+             if path != ROOT / "README.md"]
     for page in pages:
         check_links(page)
     return [failure for page in pages for failure in page.failures]

@@ -5,7 +5,7 @@ usage: check_words.py [--help-texts BRINDLE] [PAGE...]
 
 Prints FILE:LINE: MESSAGE for headings and sentences that open with What, Who, Whoever, Where or How far;
 sentences of more than 30 words and terms that have a better name (TERMS), both outside tables and code;
-relative links without a target; pages with more words than their budget (BUDGETS), counted as by wc -w.
+pages with more words than their budget (BUDGETS), counted as by wc -w. Links are check_docs.py's.
 Exits with 1 if it found any. With pages, it checks only these.
 --help-texts lists the option texts of the tool with more than 70 characters; it never fails.
 """
@@ -99,14 +99,6 @@ def check_prose(text):
                 yield number, f"sentence of {count} words: {sentence[:50]}"
 
 
-def check_links(path, text):
-    text = re.sub(r"^```.*?^```", lambda block: "\n" * block[0].count("\n"), text, flags=re.M | re.S)
-    for number, line in enumerate(text.splitlines(), 1):
-        for target in re.findall(r"(?:\]\(|\bsrc=\")([^)\"\s#]+)", line):
-            if not re.match(r"\w+:", target) and not (path.parent / target).exists():
-                yield number, f"link to nothing: {target}"
-
-
 def check_budgets(texts):
     budgeted = set()
     for budget, names in BUDGETS:
@@ -140,7 +132,7 @@ def main():
     names = [str(path.relative_to(ROOT)) for path in paths]
     texts = {name: (ROOT / name).read_text() for name in names if name not in GENERATED}
     findings = [f"{name}:{number}: {message}" for name, text in texts.items()
-                for number, message in [*check_prose(text), *check_links(ROOT / name, text)]]
+                for number, message in check_prose(text)]
     findings += check_budgets(texts)
     print("\n".join(findings) or f"{len(texts)} pages read well")
     return 1 if findings else 0

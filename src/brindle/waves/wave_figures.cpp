@@ -1,7 +1,6 @@
 #include "brindle/wave_figures.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "brindle/error.h"
 #include "brindle/waves/fineness.h"
