@@ -94,14 +94,6 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
   return arrays;
 }
 
-/// What the piece's file has beside the mesh, with the input's arrays.
-DataArrays with_input(DataArrays own, const DataArrays& input, JobListener& listener) {
-  FittedArrays fitted =
-      fitted_arrays("piece.vtp", joined(std::move(own), without_turn(input), listener));
-  for (const std::string& line : fitted.left_out) listener.note(line + "\n");
-  return std::move(fitted.arrays);
-}
-
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> outputs;
   if (!arguments.output.empty()) outputs = files_of_pieces(arguments.output, ranks.size());
@@ -186,7 +178,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
       }
       add_turn(own.points, turn_deg(arguments.waves), read.piece.mesh.vertex_count());
       write_pieces(ranks, arguments.output, read.piece.mesh,
-                   with_input(std::move(own), read.arrays, display));
+                   fitted("piece.vtp", std::move(own), without_turn(read.arrays), display));
     }
     if (arguments.frames > 0) {
       stage("frames");

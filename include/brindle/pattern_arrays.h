@@ -69,14 +69,19 @@ DataArrays without_turn(const DataArrays& input);
 /// Whether point arrays are those of a pattern, which always has "sin_phase".
 bool hold_pattern(std::span<const DataArray> points);
 
+/// An input array next to other arrays.
+struct InputArray {
+  DataArray array;
+  std::string note;  ///< a sentence if the array was renamed
+};
+
 /// The arrays of an input next to arrays with the names `own`. An input array with one of these
-/// names is renamed to "NAME_input", and `notes` gets a sentence; if `replaced`, it is left out.
-std::vector<DataArray> arrays_beside(std::span<const std::string> own,
-                                     std::span<const DataArray> input, bool replaced,
-                                     std::vector<std::string>& notes);
+/// names is renamed to "NAME_input"; if `replaced`, it is left out.
+std::vector<InputArray> arrays_beside(std::span<const std::string> own,
+                                      std::span<const DataArray> input, bool replaced);
 
 /// A pattern's own arrays, then those of its input (`arrays_beside`). Arrays of an earlier pattern
-/// in the input are replaced.
+/// in the input are replaced. `notes` gets those of the input arrays.
 DataArrays join_arrays(DataArrays own, const DataArrays& input, std::vector<std::string>& notes);
 
 /// The array original_id of a mesh with texture coordinates: -1 for new vertices.

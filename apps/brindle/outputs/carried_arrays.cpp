@@ -14,29 +14,31 @@ void note(const std::vector<std::string>& sentences, JobListener& listener) {
 
 }  // namespace
 
-DataArrays joined(DataArrays own, const DataArrays& input, JobListener& listener) {
+DataArrays fitted(const std::filesystem::path& path, DataArrays own, const DataArrays& input,
+                  JobListener& listener) {
   std::vector<std::string> notes;
-  DataArrays arrays = join_arrays(std::move(own), input, notes);
+  FittedArrays result = fitted_arrays(path, join_arrays(std::move(own), input, notes));
   note(notes, listener);
-  return arrays;
+  note(result.left_out, listener);
+  return std::move(result.arrays);
 }
 
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
                        const DataArrays& arrays, JobListener& listener) {
   DataArrays held;
-  std::vector<std::string> notes;
   const bool replaced = hold_pattern(arrays.points);
   const auto add = [&](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
-    for (DataArray& array : arrays_beside(own, from, replaced, notes)) {
+    for (auto& [array, renamed] : arrays_beside(own, from, replaced)) {
       if (find_array(held.points, array.name) != nullptr) continue;
       const std::vector<std::string> why = fitted_arrays(path, {{array}, {}}).left_out;
       note(why, listener);
-      if (why.empty()) to.push_back(std::move(array));
+      if (!why.empty()) continue;
+      if (!renamed.empty()) note({renamed}, listener);
+      to.push_back(std::move(array));
     }
   };
   add(held.points, arrays.points);
   add(held.cells, arrays.cells);
-  note(notes, listener);
   return held;
 }
 

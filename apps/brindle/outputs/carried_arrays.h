@@ -13,8 +13,10 @@
 
 namespace brindle::tool {
 
-/// `join_arrays`, with notes of the arrays that were renamed.
-DataArrays joined(DataArrays own, const DataArrays& input, JobListener& listener);
+/// The part of a command's own arrays and those of its input (`join_arrays`) that the file can
+/// hold. Notes what was renamed, then what the file cannot hold.
+DataArrays fitted(const std::filesystem::path& path, DataArrays own, const DataArrays& input,
+                  JobListener& listener);
 
 /// What a file of lines or samples has place for beside its `own` columns: of arrays of points and
 /// of triangles with one name, those of points. Notes what it cannot hold, and what was renamed.

@@ -23,12 +23,6 @@ bool is_gltf(const std::filesystem::path& path) {
   return kind == ".gltf" || kind == ".glb";
 }
 
-DataArrays fitted(const std::filesystem::path& path, DataArrays arrays, JobListener& listener) {
-  FittedArrays result = fitted_arrays(path, std::move(arrays));
-  for (const std::string& line : result.left_out) listener.note(line + "\n");
-  return std::move(result.arrays);
-}
-
 // Triangles' own arrays of a pattern, in formats that have place for them.
 void add_cells(std::vector<DataArray>& cells, const std::filesystem::path& path,
                const StripePattern& pattern, const std::string& suffix) {
@@ -60,8 +54,7 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
     own.points.push_back(make_data_array("original_id", 1, made.data.original_ids));
     add_turn(own.points, made.data.turn_deg, surface.mesh.vertex_count());
   }
-  const DataArrays arrays =
-      fitted(path, joined(std::move(own), without_turn(made.data.arrays), listener), listener);
+  const DataArrays arrays = fitted(path, std::move(own), without_turn(made.data.arrays), listener);
   write_mesh(path, surface.mesh, arrays.points, arrays.cells, listener.progress());
 }
 
@@ -94,7 +87,7 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
     add_turn(own.points, made.data.turn_deg, textured.mesh.vertex_count());
   }
   const DataArrays input = carried_arrays(textured, without_turn(made.data.arrays));
-  const DataArrays arrays = fitted(path, joined(std::move(own), input, listener), listener);
+  const DataArrays arrays = fitted(path, std::move(own), input, listener);
   if (texture == nullptr) {
     return write_mesh(path, textured.mesh, arrays.points, arrays.cells, writing);
   }

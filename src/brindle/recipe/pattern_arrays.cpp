@@ -103,22 +103,19 @@ bool hold_pattern(std::span<const DataArray> points) {
   return find_array(points, "sin_phase") != nullptr;
 }
 
-std::vector<DataArray> arrays_beside(std::span<const std::string> own,
-                                     std::span<const DataArray> input, bool replaced,
-                                     std::vector<std::string>& notes) {
+std::vector<InputArray> arrays_beside(std::span<const std::string> own,
+                                      std::span<const DataArray> input, bool replaced) {
   const auto is_own = [&](const std::string& name) { return ranges::find(own, name) != own.end(); };
-  std::vector<DataArray> result;
+  std::vector<InputArray> result;
   for (const DataArray& array : input) {
     const bool clashes = is_own(array.name);
     if (clashes && replaced) continue;
-    result.push_back(array);
-    std::string& name = result.back().name;
+    InputArray& kept = result.emplace_back(InputArray{array, ""});
+    std::string& name = kept.array.name;
     while (is_own(name) || (name != array.name && find_array(input, name) != nullptr)) {
       name += "_input";
     }
-    if (clashes) {
-      notes.push_back("the input's array '" + array.name + "' is kept as '" + name + "'");
-    }
+    if (clashes) kept.note = "the input's array '" + array.name + "' is kept as '" + name + "'";
   }
   return result;
 }
@@ -128,8 +125,9 @@ DataArrays join_arrays(DataArrays own, const DataArrays& input, std::vector<std:
   const auto add = [&](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
     std::vector<std::string> names;
     for (const DataArray& array : to) names.push_back(array.name);
-    for (DataArray& array : arrays_beside(names, from, replaced, notes)) {
-      to.push_back(std::move(array));
+    for (InputArray& input_array : arrays_beside(names, from, replaced)) {
+      to.push_back(std::move(input_array.array));
+      if (!input_array.note.empty()) notes.push_back(std::move(input_array.note));
     }
   };
   add(own.points, input.points);
