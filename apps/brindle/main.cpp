@@ -28,8 +28,8 @@ constexpr const char* kToolExamples = R"(Examples:
   brindle sample horse.ply --output samples.csv
   brindle info horse.ply
 
-'brindle COMMAND --help' tells more of each command. All end with 0 if the job is done, 1 if it
-failed, 2 if the command line is wrong and 130 if Ctrl-C ended it (143 for SIGTERM,
+'brindle COMMAND --help' describes each command. All end with 0 if the job is done, 1 if it failed,
+2 if the command line is wrong and 130 if Ctrl-C ended it (143 for SIGTERM,
 129 for SIGHUP).)";
 
 int fail(int code, const std::string& message) {

@@ -40,10 +40,10 @@ constexpr const char* kMpiCurvesExamples = R"(Examples:
   mpirun -n 8 brindle-mpi curves scan.ply --min-length 2% --output long.csv --report long.json
   mpirun -n 4 brindle-mpi curves scan.ply --offset 0.5 --tube-radius 0.3% --output gaps.glb
 
-Rank 0 follows the stripes' centre lines over the whole surface and writes one file by its
-extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. In a .pvtp every rank has the parts of
-lines in its own triangles, cut at borders: where one is, border_edge has the numbers of the edge's
-vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
+Rank 0 traces the stripes' centre lines over the whole surface and writes one file by its extension:
+.obj .ply .vtp .csv, and of tubes .gltf .glb. In a .pvtp, every rank has the parts of lines in its
+own triangles. At cuts, border_edge has the global numbers of the edge's vertices and
+border_crossing counts the cuts along it; elsewhere both are -1.)";
 
 struct MpiCurvesArguments : PatternArguments, TracingOptions {};
 

@@ -34,8 +34,8 @@ constexpr const char* kMpiSampleExamples = R"(Examples:
   mpirun -n 8 brindle-mpi sample scan.ply --report samples.json
 
 Rank 0 finds the samples of the whole surface, leaves out those too near to others and writes one
-file by its extension: .csv .ply .vtp. Of several ranks each sample has the rank whose triangle it
-lies in, numbered as in that rank's piece. Of a .pvtp every rank writes its own samples.)";
+file by its extension: .csv .ply .vtp. With several ranks, each sample has the rank of its triangle
+and the triangle's number in that rank's partition. In a .pvtp, every rank writes its own.)";
 
 struct MpiSampleArguments : PatternArguments {
   float min_distance = kDoubleShare;

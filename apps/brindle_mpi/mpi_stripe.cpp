@@ -40,13 +40,13 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 4 brindle-mpi stripe scan.ply --field wind.csv --output wind.pvtp
   mpirun -n 4 brindle-mpi stripe flow.vtp --field array:flow --frequency-by array:speed
 
-Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula; of other meshes
-rank 0 reads the whole and sends the others their pieces. Each rank writes one, FILE_0.vtp and on,
-with phase (radians; not a number where there is no wave, and valid is 0), its sine, direction,
-frequency, branch, global_id (the number in the whole mesh) and original_id (the number in MESH) at
-every vertex, branch and corner_phase of every triangle, and all arrays that MESH has; FILE.pvtp names them. Rows of files belong to vertices
-in the order of these numbers. With --slack, frequency is the one chosen and
-frequency_wanted the one asked for. Where one rank fails, all end with 1 and one message.)";
+Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula. Other meshes
+are read by rank 0, which sends the others their partitions. Each rank writes FILE_RANK.vtp, and
+FILE.pvtp names them. Vertices have phase (radians; NaN where valid is 0: no wave), its sine,
+direction, frequency, branch, global_id (the number in the whole mesh) and original_id (the number
+in MESH); triangles have branch and corner_phase; all arrays of MESH are kept. Rows of files belong
+to vertices in the order of these numbers. With --slack, frequency is the chosen one and
+frequency_wanted the requested one. If a rank fails, all end with 1 and one message.)";
 
 /// On all ranks or none.
 bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }

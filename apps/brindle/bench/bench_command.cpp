@@ -224,16 +224,14 @@ double parse_seconds(const std::string& option, const std::string& text) {
 
 void add_bench_options(CLI::App& app, BenchArguments& bench) {
   app.add_option("MESH", bench.meshes,
-                 "files or built-in shapes (default: built-in shapes that suit the run)")
+                 "files or built-in shapes (default: shapes that suit the run)")
       ->type_name("");
   app.add_option("--figure", bench.figure,
-                 "repeat a figure of the paper: 13 sizes, two orthogonal fields; 14 shapes; 16 "
-                 "sizes, with the averaged hierarchy")
+                 "repeat Figure 13 (sizes), 14 (shapes) or 16 (averaged) of the paper")
       ->type_name("13|14|16")
       ->check(CLI::IsMember({13, 14, 16}));
   app.add_option("--subdivide", bench.subdivide,
-                 "also measure each mesh with every triangle split in four, K times (default 2; "
-                 "0: not), except for figures")
+                 "also measure meshes split in four K times (default 2; 0: not)")
       ->type_name("K")
       ->check(CLI::Range(0, 5));
   app.add_option("--threads", bench.threads,
@@ -245,13 +243,13 @@ void add_bench_options(CLI::App& app, BenchArguments& bench) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
   add_parsed_option(app, "--seconds", bench.budget_seconds, parse_seconds,
-                    "begin no further repetition of a measurement after S seconds (default 2)")
+                    "start no repetition after S seconds of a measurement (default 2)")
       ->type_name("S");
   app.add_option("--global-limit", bench.global_limit,
                  "leave the global solver out above N vertices (default 120000)")
       ->type_name("N")
       ->check(CLI::Range(0, 1 << 30));
-  app.add_flag("--quick", bench.quick, "small shapes and two repetitions: does it work at all?");
+  app.add_flag("--quick", bench.quick, "small shapes and two repetitions: a quick check");
 }
 
 void run_measurements(const CLI::App& command, Arguments& arguments) {
@@ -265,7 +263,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
   add_bench_options(command, arguments.bench);
   add_wave_options(command, arguments.waves);
   add_field(command, "--device", arguments.device);
-  command.add_option("--json", arguments.json, "write all figures here")->type_name("FILE.json");
+  command.add_option("--json", arguments.json, "write all measurements here")
+      ->type_name("FILE.json");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
 

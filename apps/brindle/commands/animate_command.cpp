@@ -47,14 +47,14 @@ constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate shape:sphere --scene vortices --texture arrows --texture-flow 1 --output flow.mp4
   brindle animate --series run.pvd --field array:velocity --color-by array:speed --output speed.mp4
 
-A series has a file per step: a mesh each, or fields (.csv) over MESH. Its stripes stay near to
-those of the step before, also where the mesh changes. .vtp files are written per step, with a .pvd
-that lists them for ParaView.
+A series has one file per step: meshes, or fields (.csv) over MESH. Its stripes stay near to those
+of the last step, even if the mesh changes. .vtp outputs come with a .pvd that lists them for
+ParaView.
 
-Scenes: zoom, the frequency grows by 1 % a frame; vortices, two vortex cores orbit the surface;
-rotate, the direction turns by 1 degree a frame; wobble, a wave moves the vertices; brush, a stroke
-is drawn and a smooth field follows it. Frames are numbered from 0. Without --output the frames are
-solved and measured only.)";
+Scenes: zoom, the frequency grows by 1 % per frame; vortices, two vortex cores orbit the surface;
+rotate, the direction turns by 1 degree per frame; wobble, a wave moves the vertices; brush, a
+stroke is drawn and a smooth field follows it. Frames are numbered from 0. Without --output, frames
+are solved and measured only. See 'brindle stripe --help' for VALUE.)";
 
 struct AnimateArguments {
   SurfaceOptions surface;

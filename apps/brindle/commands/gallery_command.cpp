@@ -36,9 +36,9 @@ constexpr const char* kGalleryExamples = R"(Examples:
   brindle gallery nested --data nested
   brindle gallery hatching --surface scan.obj --output scan.png
 
-Without a name, all items are listed; with a name alone, its pictures and the command lines that draw
-them. --data keeps the item's data, so that these command lines can be run and changed. All options of
-these command lines are taken here, too, such as --up, --camera, --stripes or --depth-cue.)";
+Without a name, all items are listed; with a name alone, its pictures and their command lines.
+--data keeps the item's data, so that you can run and change these lines. Their options, such as
+--up, --camera, --stripes or --depth-cue, are options here, too.)";
 
 struct GalleryArguments {
   std::string name;
@@ -383,11 +383,10 @@ void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
   command.add_option("--values", arguments.values, "its values, such as array:NAME of its file")
       ->type_name("VALUE");
   command.add_option("--size", arguments.size, "pixels")->type_name("WIDTHxHEIGHT");
-  command.add_option("--quality", arguments.quality, "drawn fast, or with care (default final)")
+  command.add_option("--quality", arguments.quality, "fast or careful (default final)")
       ->type_name("interactive|final");
-  add_parsed_option(
-      command, "--detail", arguments.detail, parse_detail,
-      "how fine its data are: a factor of edges along a length, 0.25 to 4 (default 1)")
+  add_parsed_option(command, "--detail", arguments.detail, parse_detail,
+                    "resolution of its data: 0.25 to 4 times the edges (default 1)")
       ->type_name("F");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
   add_line_options(command, arguments);
@@ -396,7 +395,7 @@ void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
 }  // namespace
 
 Command add_gallery_command(CLI::App& app) {
-  return add_command<GalleryArguments>(app, "gallery", "Show what patterns are good for",
+  return add_command<GalleryArguments>(app, "gallery", "Render examples from generated data",
                                        kGalleryExamples, add_gallery_options, run_gallery);
 }
 

@@ -27,8 +27,8 @@ namespace brindle::tool {
 namespace {
 
 constexpr const char* kRenderExamples =
-    R"(A session is what the window saves: a surface, options, strokes, a camera. The picture is the one
-that the window shows when it rests, bit for bit.
+    R"(The window saves sessions: a surface, options, strokes, a camera. The picture is the one that
+the window shows when it rests, bit for bit.
 
 Examples:
   brindle render session.json --output horse.png
@@ -38,9 +38,10 @@ Examples:
   brindle render session.json --replay events.jsonl --output after.png
   brindle render session.json --output horse.vtp --output horse_report.json
 
-Files by extension: .png the picture; .svg or .pdf a drawing of stripes or curves; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
-those of 'brindle stripe'. If a session shows curves or samples, all but .json are those of 'brindle
-curves' or 'brindle sample'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
+Outputs: .png the picture; .svg or .pdf a drawing of stripes or curves; .ply .vtp .obj .gltf .glb a
+mesh and .json a report, as from 'brindle stripe'. If a session shows curves or samples, all but
+.json are as from 'brindle curves' or 'brindle sample'. --replay runs commands first, one per line,
+as docs/sessions.md lists them.)";
 
 struct RenderArguments {
   std::string session;
@@ -54,27 +55,26 @@ struct RenderArguments {
 
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.add_option("SESSION", arguments.session, "a session's file (.json)")->required();
-  command.add_option("-o,--output", arguments.outputs, "what to write, by extension; repeatable")
+  command.add_option("-o,--output", arguments.outputs, "files to write, by extension; repeatable")
       ->type_name("FILE")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false)
       ->required();
-  command.add_option("--replay", arguments.replay, "commands to do first, one a line")
+  command.add_option("--replay", arguments.replay, "commands to run first, one per line")
       ->type_name("FILE.jsonl");
   arguments.picture = add_size_options(command);
   command
       .add_flag("--scale-widths", arguments.changes.scaled_widths,
-                "widths in pixels grow with --size, so that the picture looks as the session's")
+                "scale widths in pixels with --size")
       ->needs("--size");
   command
-      .add_option("--dpi", arguments.changes.dpi,
-                  "pixels an inch that a PNG file says, for print; it changes no pixel")
+      .add_option("--dpi", arguments.changes.dpi, "pixels per inch, stored in PNG files for print")
       ->type_name("D")
       ->check(CLI::Range(1.0, 1e6));
   command.add_flag("--transparent", arguments.changes.transparent,
-                   "no background, whatever the session says");
-  command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
+                   "no background, whatever the session has");
+  command.add_option("--threads", arguments.threads, "number of threads (default 0: all)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
