@@ -48,7 +48,7 @@ struct RenderArguments {
   std::vector<std::string> outputs;
   std::string replay;
   std::shared_ptr<PictureOptions> picture;  ///< --size and --quality alone
-  PictureChanges changes;                   ///< but the size
+  PictureChanges changes;                   ///< except for the size
   int threads = 0;
   bool quiet = false;
 };
@@ -84,7 +84,7 @@ bool is_picture(const std::string& path) {
   return lower_extension(path) == ".png" || is_drawing_file(path);
 }
 
-/// What `brindle stripe` writes, too, but its drawings.
+/// Accepts the files of `brindle stripe` except for drawings.
 void refuse_unknown_extension(const std::string& path) {
   constexpr std::array kKnown = {".obj", ".ply", ".vtp", ".gltf", ".glb", ".stl", ".off", ".json"};
   const std::string extension = lower_extension(path);
@@ -95,7 +95,7 @@ void refuse_unknown_extension(const std::string& path) {
                     ".gltf or .glb for a mesh, .json for a report");
 }
 
-/// What is no picture: of stripes a mesh or a report, of curves and samples their files.
+/// Checks other files than pictures: a mesh or a report of stripes, or files of curves and samples.
 void check_file(const std::string& path, const ParsedSession& parsed) {
   const bool report = lower_extension(path) == ".json";
   if (parsed.curves() != nullptr && !report) {
@@ -130,7 +130,7 @@ void check_outputs(const CLI::App& command, const RenderArguments& arguments,
   }
 }
 
-/// Does what the file says, or fails at the first command that is refused.
+/// Runs the file's commands until the first one that is rejected.
 void replay(Session& session, const std::string& path) {
   std::size_t number = 0;
   for (const SessionCommand& command : read_commands(path)) {
@@ -199,7 +199,7 @@ void run_render(const CLI::App& command, const RenderArguments& arguments) {
     ProgressDisplay display(arguments.quiet);
     try {
       pattern.update(document, Follow::afresh, display.progress());
-    } catch (const CLI::ValidationError& error) {  // of the session, not of the command line
+    } catch (const CLI::ValidationError& error) {  // of the session, not of this command line
       throw Error(shown(arguments.session) + ": " + error.what());
     }
     for (const std::string& note : pattern.state()->notes) display.note(note);

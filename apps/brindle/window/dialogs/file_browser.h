@@ -1,4 +1,4 @@
-/// Choosing a file to read or to write.
+/// The file browser, for reading and writing.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace brindle::tool {
 
-/// What a file is chosen for.
+/// The purpose of a file choice.
 struct FileRequest {
   std::string title;                         ///< "Open a mesh"
-  std::vector<std::string> extensions = {};  ///< in lower case with the dot; none: all files
+  std::vector<std::string> extensions = {};  ///< lower case with the dot; empty: all files
   bool save = false;                         ///< a file to write, whose name may be new
-  std::string name = {};                     ///< proposed
-  std::string verb = "Save";                 ///< of the button, of a file to write
-  /// Why nothing is written to a file of this name; empty if it is. Without, the extensions say.
+  std::string name = {};                     ///< initial name
+  std::string verb = "Save";                 ///< of the save button
+  /// The reason why a name is rejected, or empty. By default, `extensions` decide.
   std::function<std::string(const std::filesystem::path&)> refusal = {};
   std::function<void(const std::filesystem::path&)> done = {};
 };
