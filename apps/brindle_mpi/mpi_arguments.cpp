@@ -40,7 +40,7 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(0, 10000));
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
-  // Told apart from what there is not at all.
+  // Known, to be rejected with a reason.
   for (const char* flag : {"--uv", "--cross"}) command.add_flag(flag)->group("");
   for (const char* option : {"--texture", "--previous"}) command.add_option(option)->group("");
 }
@@ -79,7 +79,7 @@ std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surf
   if (is_pvtp(surface.mesh)) {
     for (UsedFile& file : files_of_pvtp(ranks, surface.mesh)) inputs.push_back(std::move(file));
   }
-  // Of these every rank reads the whole.
+  // Every rank reads these completely.
   std::vector<std::filesystem::path> of_all;
   for (const UsedFile& file : inputs) {
     if (file.option == "--field-mesh") of_all.push_back(file.path);

@@ -42,9 +42,9 @@ struct MpiSampleArguments : PatternArguments {
 };
 
 struct GatheredSamples {
-  std::vector<Sample> own;         ///< of this rank, those that are left
-  std::vector<Sample> samples;     ///< on rank 0: of all ranks
-  std::vector<std::int32_t> rank;  ///< whose triangle a sample lies in
+  std::vector<Sample> own;         ///< kept samples of this rank
+  std::vector<Sample> samples;     ///< on rank 0: those of all ranks
+  std::vector<std::int32_t> rank;  ///< with the triangle of each sample
   std::size_t doubles = 0;         ///< left out, on all ranks
   std::optional<SampleSpacing> spacing;
 };
@@ -69,7 +69,7 @@ GatheredSamples gather_samples(Communicator& ranks, const PiecePatterns& pattern
 /// Collective.
 void write_sample_pieces(Communicator& ranks, const std::string& path, const Mesh& mesh,
                          std::span<const Sample> own) {
-  // As `write_samples` has them.
+  // As in `write_samples`.
   DataArrays announced;
   for (const char* name : {"normal", "direction_u", "direction_v", "barycentric"}) {
     announced.points.push_back({name, NumberType::float32, 3, {}});

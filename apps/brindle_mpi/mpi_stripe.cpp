@@ -48,7 +48,7 @@ in MESH); triangles have branch and corner_phase; all arrays of MESH are kept. R
 to vertices in the order of these numbers. With --slack, frequency is the chosen one and
 frequency_wanted the requested one. If a rank fails, all end with 1 and one message.)";
 
-/// On all ranks or none.
+/// The same on all ranks.
 bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }
 
 Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& waves,
@@ -71,7 +71,7 @@ Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& wave
   return report;
 }
 
-/// What the piece's file has of the pattern.
+/// The pattern's arrays of a partition's file.
 DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<CornerPhases> corners,
                      const std::vector<float>& branches) {
   DataArrays arrays;
@@ -82,7 +82,7 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
   }
   add_waves(arrays.points, {waves, wanted, frame.z, ""}, std::numeric_limits<float>::quiet_NaN(),
             branches);
-  // Pieces without a vertex have all arrays, too.
+  // Partitions without vertices have all arrays, too.
   if (has_yielded(frame) && wanted.empty()) {
     arrays.points.push_back(make_data_array("frequency_wanted", 1, wanted));
   }
@@ -132,7 +132,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
   std::optional<FrameFigures> frames;
   {
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
-    // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
+    // Ctrl-C may reach any number of ranks; stages synchronize the cancellation.
     const auto stage = [&](const char* name) { enter_stage(ranks, display, name); };
     Stopwatch watch;
     WantedArrays wanted = wanted_arrays(arguments.waves);
@@ -168,7 +168,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
       const std::vector<float> branches =
           flags_of_all(ranks, read, branches_at_vertices(read.piece.mesh, measures.corners));
       DataArrays own = arrays_of(w, frame, std::move(measures.corners), branches);
-      if (waves.figures.detail) {  // pieces without a vertex have it, too
+      if (waves.figures.detail) {  // partitions without vertices have it, too
         own.points.push_back(make_data_array("agreement", 1, waves.agreement));
       }
       copy_from_partners(ranks, surface, read, own.points);

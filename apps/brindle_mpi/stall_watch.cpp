@@ -17,7 +17,7 @@ namespace {
 
 std::atomic<const char*> stage_now{"beginning"};
 
-/// Ranks begin to wait one after the other, and each has something to say.
+/// Time for all waiting ranks to print their message.
 constexpr std::chrono::seconds kMoment(2);
 
 double seconds_of(std::chrono::steady_clock::duration time) {

@@ -41,7 +41,7 @@ struct ViewArguments {
   bool dark = false;
 };
 
-// What the session's own check reads.
+// Validated by the session.
 void add_session_options(CLI::App& command, OptionValues& options) {
   for (const OptionInfo* option : session_options()) {
     const std::string name(option->name), help(option->help);
@@ -135,7 +135,7 @@ SessionDocument document_of(const ViewArguments& arguments) {
     }
     document.camera = *view;
   }
-  // Phases that were kept may be those of other waves.
+  // Stored phases may belong to other waves.
   if (pattern_key(opened) != pattern_key(document)) document.phases = nullptr;
   check_document(document);
   return document;

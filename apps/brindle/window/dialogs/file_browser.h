@@ -24,8 +24,8 @@ struct FileRequest {
   std::function<void(const std::filesystem::path&)> done = {};
 };
 
-/// A dialogue of Dear ImGui. It remembers its folder. Files are named by double click, by Enter or
-/// by typing a path.
+/// A Dear ImGui dialog that remembers its folder. Files are chosen by double click, Enter or a
+/// typed path.
 class FileBrowser {
  public:
   explicit FileBrowser(std::filesystem::path folder);
@@ -34,7 +34,7 @@ class FileBrowser {
   bool is_open() const { return request_.has_value(); }
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Draws the dialogue while one is open, and calls `done` once the user has chosen.
+  /// Draws the dialog while it is open, and calls `done` after a choice.
   void draw(WindowLog& log);
 
  private:
@@ -58,9 +58,9 @@ class FileBrowser {
   std::vector<Item> items_;
   std::optional<FileRequest> request_;
   bool newly_asked_ = false;
-  bool takes_keys_ = false;  // the name is to be typed, again after a problem
+  bool takes_keys_ = false;  // keyboard focus for the name, again after an error
   bool show_all_ = false;
-  bool confirm_ = false;  // the file is there already
+  bool confirm_ = false;  // the file already exists
   std::string name_;
   std::string problem_;
 };
