@@ -1,6 +1,6 @@
 // A disc with a light rim.
 
-uniform vec3 branch_color;    // as it is shown
+uniform vec3 branch_color;    // sRGB
 uniform vec3 singular_color;
 
 flat in uint kind;

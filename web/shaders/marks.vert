@@ -1,5 +1,5 @@
-// A point in the middle of a triangle, so much nearer than the surface that this does not cut it where
-// it bends.
+// A point in the middle of a triangle, moved towards the viewer so that a curved surface does not
+// cut it.
 
 uniform mat4 view_from_world;
 uniform mat4 clip_from_view;

@@ -1,10 +1,10 @@
-// The lit surface with its stripes, encoded as sRGB. One evaluation a pixel.
+// The shaded surface with its stripes, encoded as sRGB. One evaluation per pixel.
 
 uniform vec3 base_color;      // linear, as all colours
 uniform vec3 branch_color;
 uniform vec3 singular_color;
-uniform bool branches;        // whether triangles without linear phases are painted
-uniform vec3 up;              // of the world, seen from the camera
+uniform bool branches;        // whether irregular triangles are painted
+uniform vec3 up;              // the world's up in view coordinates
 
 flat in uint triangle;
 

@@ -1,4 +1,4 @@
-// Corners of triangles, by their number alone: nothing but textures is read.
+// Triangle corners by vertex number: all data are in textures.
 
 uniform mat4 view_from_world;
 uniform mat4 clip_from_view;

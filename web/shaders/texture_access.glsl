@@ -1,4 +1,4 @@
-// What the library's shaders of textures read from buffers, as textures of any width, row by row.
+// The buffers of the library's texture shaders as textures of any width, row by row.
 
 uniform highp usampler2D broken_words;
 

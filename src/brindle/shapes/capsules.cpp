@@ -111,7 +111,7 @@ BoundingBox box_around(std::span<const Capsule> parts) {
 Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length,
                      const Progress& progress) {
   BoundingBox box = box_around(parts);
-  // The smooth minimum is below the minimum, by at most this for that many equal distances.
+  // The smooth minimum is below the minimum by at most this.
   const auto margin =
       static_cast<float>(blend * elementary::log(static_cast<double>(parts.size()) + 1));
   box.lower.array() -= margin;

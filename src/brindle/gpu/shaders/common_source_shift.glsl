@@ -1,4 +1,4 @@
-// The paper's Eq. 2 and 7 to the letter (twin: common_source_distance of waves/phase_shift.cpp).
+// The paper's Eq. 2 and 7, literally (twin: common_source_distance of waves/phase_shift.cpp).
 
 struct Distance {
   double len;
@@ -27,7 +27,7 @@ Distance common_source_distance(Wave j, Wave i) {
   }
   const dvec3 y = off_edge / off_edge_length;
 
-  // In the plane's axes (x, y) with v_j in the origin: C = a d_j = e + b d_i.
+  // In the plane's axes (x, y) with v_j at the origin: C = a d_j = e + b d_i.
   const dvec2 p_j = dvec2(dot(d_j, x), dot(d_j, y)), p_i = dvec2(dot(d_i, x), dot(d_i, y));
   const double across = p_j.x * p_i.y - p_j.y * p_i.x;
   if (abs(across) < 1e-9lf * sqrt(dot(p_j, p_j) * dot(p_i, p_i)) || across == 0.0lf) {

@@ -1,10 +1,10 @@
-// Complex numbers in vec2, and gauges that carry a bit (twin: phases/sliced_kernels.h).
+// Complex numbers as vec2, and gauges with an embedded bit (twin: phases/sliced_kernels.h).
 
 vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 
 vec2 conjugate(vec2 a) { return vec2(a.x, -a.y); }
 
-// Kept as integers until they are used: what rounds tiny numbers to zero would lose the bit.
+// Stored as integers until used: flushing denormals to zero would lose the bit.
 uvec2 with_conjugate_bit(vec2 value, bool conjugated) {
   const uvec2 bits = floatBitsToUint(value);
   return uvec2((bits.x & ~1u) | uint(conjugated), bits.y);

@@ -1,10 +1,10 @@
-// Couplings of the finest level and its anchors (twins: couple_slices of
+// Couplings and anchors of the finest level (twins: couple_slices of
 // phases/sliced_kernels_portable.cpp, set_anchors of pipeline/stripe_animator.cpp).
 
 layout(std430, binding = 5) readonly buffer Waves { Wave waves[]; };
 layout(std430, binding = 6) readonly buffer LastPhases { vec2 last_z[]; };
 
-// Unit normals by node, where links go over creases.
+// Unit normals by node, for links across creases.
 layout(std430, binding = 7) readonly buffer Normals { float normals[]; };
 
 layout(location = 0) uniform float lambda;
@@ -18,8 +18,8 @@ vec2 unit(float turns) {
   return vec2(cos(radians), sin(radians));
 }
 
-// Sets B of an entry of the row that begins at `first`; rows are filled in ascending order. Few
-// rows reflect: only those are written. `reflects` tells whether this one does so far.
+// Sets B of an entry in the row that starts at `first`, in ascending order. Few rows reflect, and
+// only those are written; `reflects` tells whether this row does so far.
 void set_reflecting(uint first, uint entry, vec2 b, inout bool reflects) {
   if (!reflects && b != vec2(0)) {
     reflects = true;
@@ -33,7 +33,7 @@ vec3 normal_at(uint slot) {
   return vec3(normals[3u * node], normals[3u * node + 1u], normals[3u * node + 2u]);
 }
 
-// Of two waves at one place (twin: coupling_across of waves/crease_links.h).
+// For two waves at one position (twin: coupling_across of waves/crease_links.h).
 float coupling_across(uint j, uint i) {
   const float kFolded = 1e-3, kWeight = 0.01;
   const vec3 n_j = normal_at(j), n_i = normal_at(i), d_j = waves[j].direction, d_i = waves[i].direction;
@@ -74,7 +74,7 @@ void main() {
     direct[entry] = a;
     set_reflecting(first, entry, b, reflects);
   }
-  // Nothing times zero: there may be no last phase yet.
+  // Not 0 * last_z: the last phase may be undefined.
   const vec2 anchor = lambda > 0.0 ? lambda * degree * last_z[i] : vec2(0);
   rows[i] = Row(anchor, degree, uint(reflects));
 }

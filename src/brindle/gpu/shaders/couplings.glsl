@@ -4,11 +4,11 @@
 #define BETWEEN_INVOCATIONS restrict
 #endif
 
-// A node of a level: the words that all threads of its row need at once.
+// A node of a level: words that all threads of its row need.
 struct Row {
   vec2 anchor;    // T_i
   float degree;   // sum of weights, finest level
-  uint reflects;  // whether `reflecting` holds this row
+  uint reflects;  // whether `reflecting` has this row
 };
 
 layout(std430, binding = 1) readonly buffer Neighbors { uint neighbor[]; };

@@ -1,15 +1,15 @@
-// The descent from the coarsest level to the first small one, in one group (twin: descend of
-// phases/multilevel.cpp). The phases of the level that is worked on are in `z_here`; those of the
-// first small level alone are read afterwards and go to the buffer.
+// The descent from the coarsest to the first small level, in one group (twin: descend of
+// phases/multilevel.cpp). The present level's phases are in `z_here`; only those of the first small
+// level are written to the buffer.
 
 layout(location = 0) uniform uint first_level;
 layout(location = 1) uniform vec2 start;  // phase on the coarsest level
 
-const uint kSlotsEach = kMostHere / gl_WorkGroupSize.x;  // slots of a level for every invocation
+const uint kSlotsEach = kMostHere / gl_WorkGroupSize.x;  // slots of a level per invocation
 
 uint slot_of(uint k) { return gl_LocalInvocationID.x + k * gl_WorkGroupSize.x; }
 
-// The phase of a slot's aggregate, which is in `z_here` unless there is none.
+// The phase of a slot's aggregate, from `z_here` if there is one.
 vec2 coarse_phase(Level coarse, uint slot_of_all) {
   const uint slot = slot_of_all - coarse.first_slot;
   return slot < coarse.slot_count ? z_here[slot] : z[slot_of_all];

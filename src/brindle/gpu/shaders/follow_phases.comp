@@ -1,6 +1,6 @@
-// Where the paper's iterations go on in the next frame: at the last phases, and at the peak where
-// none is known (twin: iterate of pipeline/frames/stripe_animator.cpp). Momenta are turned where
-// directions have turned round (twin: load_waves of phases/sliced_waves.cpp).
+// Starts the paper's iterations of the next frame from the last phases, or from the peak if unknown
+// (twin: iterate of pipeline/frames/stripe_animator.cpp). Flips momenta with their directions
+// (twin: load_waves of phases/sliced_waves.cpp).
 
 layout(std430, binding = 1) readonly buffer Waves { Wave waves[]; };
 layout(std430, binding = 2) readonly buffer LastWaves { Wave last_waves[]; };

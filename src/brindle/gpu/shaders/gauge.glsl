@@ -1,12 +1,12 @@
 // Gauges and coarse sums (twins: gauge_members, gauge_slices, sum_slices of
 // phases/sliced_kernels_portable.cpp and their reflecting parts in phases/hierarchy.cpp).
 
-// Gauges of all members of one aggregate, each from the couplings to those before it.
+// Gauges of all members of an aggregate, each from its couplings to earlier ones.
 void renew_gauges(Level level, uint aggregate) {
   const uint begin = topology[level.member_begin + aggregate];
   const uint end = topology[level.member_begin + aggregate + 1u];
-  // Two words a member, its slot and where its list of entries and their neighbours begins; the
-  // reference keeps its gauge 1.
+  // Two words per member: its slot, and the start of its list of entries and neighbours. The
+  // reference keeps gauge 1.
   for (uint member = begin + 2u; member < end; member += 2u) {
     const uint slot = topology[member];
     const bool reflects = rows[slot].reflects != 0u;
@@ -27,7 +27,7 @@ void renew_gauges(Level level, uint aggregate) {
   }
 }
 
-// Eight invocations share a row and take every eighth of its entries.
+// Eight invocations share a row; each takes every eighth entry.
 const uint kParts = 8u;
 
 struct RowPart {
@@ -35,14 +35,14 @@ struct RowPart {
   uint part;
 };
 
-// What the n-th invocation works on: neighbours have neighbouring slots.
+// The work of the n-th invocation: adjacent ones have adjacent slots.
 RowPart row_part(uint n) {
   return RowPart(n / (kLanes * kParts) * kLanes + n % kLanes, n / kLanes % kParts);
 }
 
-// Couplings of one row between the gauges at their ends, into scratch: direct ones, and where the
-// row reflects, reflecting ones `scratch_size` later. The conjugate bit says that a result adds to
-// B of the coarser level, the lowest bit of the imaginary part that there is a second one.
+// Gauges the couplings of one row into scratch: direct ones and, in reflecting rows, reflecting
+// ones `scratch_size` later. The conjugate bit marks contributions to B of the coarser level, the
+// lowest bit of the imaginary part a second contribution.
 void gauge_row(Level level, RowPart here) {
   const uint i = level.first_slot + here.slot;
   const bool reflects = rows[i].reflects != 0u;
@@ -66,10 +66,10 @@ void gauge_row(Level level, RowPart here) {
   }
 }
 
-// Rows of the coarser level reflect if one of their entries does (`sum_row`).
+// A coarse row reflects if one of its entries does (`sum_row`).
 void begin_row(Level coarse, uint aggregate) { rows[coarse.first_slot + aggregate].reflects = 0u; }
 
-// A and B of a coarse entry: sums over those of the fine entries that the rounds name.
+// A and B of a coarse entry: sums over the fine entries of its rounds.
 struct EntrySum {
   vec2 a, b;
 };

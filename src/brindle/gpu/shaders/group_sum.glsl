@@ -1,8 +1,8 @@
-// What the groups of a dispatch add up to, one part a group.
+// Sums over the groups of a dispatch, one part per group.
 
 layout(std430, binding = 7) buffer Parts { vec4 parts[]; };
 
-// The sum of a vec4 over the group, in a fixed order; for the group's first invocation.
+// The sum of a vec4 over the group, in a fixed order; valid in the first invocation.
 shared vec4 group_parts[gl_WorkGroupSize.x];
 
 vec4 group_sum(vec4 part) {

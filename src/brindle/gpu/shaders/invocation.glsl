@@ -1,4 +1,4 @@
-// Number of an invocation of a dispatch that is as wide as one dimension allows, and then deeper.
+// The invocation's number in a dispatch that fills the first dimension, then the second.
 
 layout(local_size_x = 64) in;
 

@@ -1,5 +1,5 @@
-// Ends the relaxation where it has converged (twin: relax of phases/relaxation.cpp): the groups of
-// all dispatches still to come are set to none, so that the processor does not wait for the energy.
+// Ends the converged relaxation (twin: relax of phases/relaxation.cpp) by setting the group counts
+// of all remaining dispatches to zero, so that the processor need not wait for the energy.
 
 layout(std430, binding = 0) buffer Relaxation {
   uint iterations;

@@ -1,4 +1,4 @@
-// Gauges from which a descent corrects the phases that are there (twin: correct of
+// Makes the present phases the gauges that a descent corrects (twin: correct of
 // phases/multilevel.cpp).
 void main() {
   const uint slot = invocation();

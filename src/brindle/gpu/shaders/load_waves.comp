@@ -1,4 +1,4 @@
-// Waves into the order of slots (twin: load_waves of phases/sliced_waves.cpp).
+// Loads waves in slot order (twin: load_waves of phases/sliced_waves.cpp).
 
 layout(std430, binding = 1) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 2) readonly buffer Directions { float directions[]; };
@@ -8,8 +8,7 @@ layout(std430, binding = 5) readonly buffer LastWaves { Wave last_waves[]; };
 layout(std430, binding = 6) readonly buffer LastPhases { vec2 last_z[]; };
 layout(std430, binding = 7) writeonly buffer TurnedPhases { vec2 turned_z[]; };
 
-// Of last phases there are none, or those of `last_waves`, or those that were given by node, for the
-// waves that are loaded.
+// Last phases: none, those of `last_waves`, or those given by node for the loaded waves.
 const int kByLastWaves = 1, kByNode = 2;
 layout(location = 0) uniform int last;
 

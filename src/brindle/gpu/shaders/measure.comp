@@ -1,10 +1,10 @@
-// What phases are worth: energy, weight, angle, count (twins: energy of waves/phase_graph.cpp,
-// mean_step of pipeline/stripe_animator.cpp).
+// Measures phases: energy, weight, angle, count (twins: energy of waves/phase_graph.cpp, mean_step
+// of pipeline/stripe_animator.cpp).
 
 layout(std430, binding = 5) readonly buffer LastPhases { vec2 last_z[]; };
 
-// With the sum of weights in `degree` Eq. 4 is half of what the pull on a node, along its phase,
-// falls short of the strongest there could be.
+// With the sum of weights in `degree`, Eq. 4 is half the difference between the strongest possible
+// pull on a node and the actual one along its phase.
 vec4 measure_slot(uint slot) {
   const Row row = rows[slot];
   if (row.degree <= 0.0) return vec4(0);

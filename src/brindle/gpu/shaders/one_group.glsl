@@ -1,8 +1,8 @@
-// First file of shaders that run in one group.
+// First file of shaders with a single group.
 
 layout(local_size_x = 1024) in;
 
-// Until everybody has come here: then all see what each wrote to `coherent` buffers and `shared`.
+// A barrier that makes writes to `coherent` buffers and `shared` visible to the whole group.
 void await_group() {
   groupMemoryBarrier();
   barrier();

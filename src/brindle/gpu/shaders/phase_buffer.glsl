@@ -1,9 +1,9 @@
-// Phases of all slots, and one more for slots without an aggregate.
+// Phases of all slots, and one more for the missing aggregate.
 
 layout(std430, binding = 6) restrict buffer Phases { vec2 z[]; };
 
 #ifdef PHASES_IN_GROUP
-// Those of a level that one group works on alone: near at hand.
+// Phases of a level that one group works on, in shared memory.
 const uint kMostHere = 4096u;
 shared vec2 z_here[kMostHere];
 

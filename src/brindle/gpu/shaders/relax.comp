@@ -1,5 +1,5 @@
 // Eq. 10 and 11 for the nodes of one colour (twin: relax_slices of
-// phases/sliced_kernels_portable.cpp). By how much that lowers the energy goes to the parts.
+// phases/sliced_kernels_portable.cpp). The decrease of the energy is added to the parts.
 
 layout(std430, binding = 5) buffer Momenta { vec2 momentum[]; };
 

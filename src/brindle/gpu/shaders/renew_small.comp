@@ -2,7 +2,7 @@
 // phases/hierarchy.cpp).
 
 layout(location = 0) uniform uint first_level;
-layout(location = 1) uniform bool renews_gauges;  // beside sums
+layout(location = 1) uniform bool renews_gauges;  // in addition to sums
 
 void renew_level(Level fine, Level coarse) {
   const uint begin = gl_LocalInvocationID.x, step_size = gl_WorkGroupSize.x;

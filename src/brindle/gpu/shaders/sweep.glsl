@@ -1,6 +1,6 @@
 // Targets and sweeps (twins: targets, sweep_slices of phases/sliced_kernels_portable.cpp).
 
-// What an invocation works on: a slot and its entries.
+// The work of an invocation: a slot and its entries.
 struct RowWork {
   uint slot;
   uint first;
@@ -11,15 +11,15 @@ RowWork row_work(Level level, uint slot) {
   return RowWork(slot, first_entry(level, slot), end_entry(level, slot));
 }
 
-// That of the n-th invocation of a colour; `slices` is the colour's list, three words a slice.
+// For the n-th invocation of a colour; `slices` is the colour's list, three words per slice.
 RowWork row_of_work(uint slices, uint n) {
   const uint at = slices + 3u * (n / kLanes), lane = n % kLanes;
   return RowWork(topology[at] * kLanes + lane, topology[at + 1u] * kLanes + lane,
                  topology[at + 2u] * kLanes);
 }
 
-// The sums of Eq. 8 for one row, without its anchor. Four entries at once: what is read for them is
-// under way together, and waited for once.
+// The sums of Eq. 8 for one row, without its anchor. Four entries at a time, to overlap their
+// memory latencies.
 vec2 pull(Level level, RowWork work, bool reflects) {
   vec2 t = vec2(0);
   for (uint e0 = work.first; e0 < work.end; e0 += 4u * kLanes) {

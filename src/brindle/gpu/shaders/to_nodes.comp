@@ -1,4 +1,4 @@
-// Phases into the order of nodes; they become the last ones of the next frame (twin: to_nodes of
+// Stores phases in node order, as the last ones of the next frame (twin: to_nodes of
 // phases/sliced_graph.cpp).
 
 layout(std430, binding = 5) writeonly buffer LastPhases { vec2 last_z[]; };

@@ -6,7 +6,7 @@ struct Wave {
   float unused;
 };
 
-// What an edge does to the phase.
+// The effect of an edge on the phase.
 struct EdgeShift {
   float cosine;     // <d_i, d_j>
   bool reflecting;  // Eq. 7

@@ -1,5 +1,5 @@
-// Which figures of a texture's tiles are left out. The twin of this file is is_broken in
-// pattern/broken_tiles.cpp, with figure_at of pattern/figure_middle.h.
+// Which motifs of a texture's tiles are left out. Twin of is_broken in pattern/broken_tiles.cpp and
+// figure_at of pattern/figure_middle.h.
 
 layout(std430, binding = 3) readonly buffer BrokenTiles { uint broken_tiles[]; };
 
@@ -10,7 +10,7 @@ uniform bool splits_broken_tiles;
 const int kSingle = 0;
 const int kCourses = 2;
 
-// Twice the U and twice the V of the figure's middle.
+// Twice the U and twice the V of the motif's middle.
 ivec2 figure_at(vec2 uv) {
   ivec2 cell = 2 * ivec2(floor(uv)) + 1;
   ivec2 corner = 2 * ivec2(floor(uv + 0.5));
@@ -37,13 +37,13 @@ bool is_listed(uint record, ivec2 middle) {
   return false;
 }
 
-// As the corners of the triangle are lifted.
+// Lifted like the corners of the triangle.
 vec2 lifted(SurfacePoint p, uint record, vec2 uv) {
   vec2 led = vec2(dot(p.barycentric, floats_at(record)), dot(p.barycentric, floats_at(record + 3u)));
   return uv + floor(led - uv + 0.5);
 }
 
-// `uv` are texture coordinates less the shift of all tiles.
+// `uv` are texture coordinates without the shift of all tiles.
 bool is_broken(SurfacePoint p, vec2 uv) {
   if (!has_broken_tiles) return false;
   uint record = broken_tiles[p.triangle];
@@ -51,7 +51,7 @@ bool is_broken(SurfacePoint p, vec2 uv) {
   return is_listed(record, figure_at(lifted(p, record, uv)));
 }
 
-// How much of a pixel is no joint that splits a broken brick along its middle.
+// The share of a pixel outside the joint that splits a broken brick along its middle.
 float beside_split(SurfacePoint p, Footprint f) {
   const float kJoint = 0.035;  // half of it
   float across = f.uv.x - 0.5 * float(figure_at(f.uv).x);

@@ -1,8 +1,8 @@
-// From linear light to the finished picture: averages the kShadingSide x kShadingSide evaluations in
-// a pixel, lays the background underneath, encodes as sRGB and spreads the rounding, which would
-// show as bands in the gradient.
+// Finishes the picture from linear light: averages the kShadingSide x kShadingSide evaluations in a
+// pixel, adds the background, encodes as sRGB and dithers, because rounding would show as bands in
+// the gradient.
 
-uniform sampler2D light;  // premultiplied with alpha
+uniform sampler2D light;  // premultiplied alpha
 uniform ivec2 tile_corner;    // in the finished picture, from the lower left
 uniform vec2 picture_size;
 uniform vec3 background_center;
@@ -11,7 +11,7 @@ uniform bool transparent;
 
 layout(location = 0) out vec4 color;
 
-// The power 1 / 2.4 as a polynomial of the fourth root, which is off by 0.01 levels of 255 at most.
+// The power 1 / 2.4 as a polynomial of the fourth root, within 0.01 levels of 255.
 vec3 srgb(vec3 linear) {
   vec3 l = clamp(linear, 0.0, 1.0);
   vec3 s = sqrt(l);

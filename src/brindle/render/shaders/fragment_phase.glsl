@@ -1,6 +1,6 @@
-// The phase at any point of a triangle (Eq. 13 and 14). The twin of this file is
-// pattern/fragment_phase.cpp: same names, same order of statements. Change both or neither;
-// tests/render/renderer_test.cpp compares them. The derivatives are this file's own.
+// The phase at any point of a triangle (Eq. 13 and 14). Twin of pattern/fragment_phase.cpp: same
+// names, same order of statements. Change both or neither; tests/render/renderer_test.cpp compares
+// them. Derivatives are only here.
 
 const float kTurn = 6.28318530717958648;
 const float kMostMismatch = 1.0 / 3.0;
@@ -20,7 +20,7 @@ struct FragmentWave {
   vec2 turns_per_pixel;  // derivatives of the phase along x and y of the picture, over 2 pi
 };
 
-// Weights of the corners and the point that they give, with derivatives along x and y.
+// Barycentric weights and their point, with derivatives along x and y.
 struct Fragment {
   vec3 weights, weights_dx, weights_dy;
   vec3 point, point_dx, point_dy;
@@ -70,7 +70,7 @@ EdgeTurns turns_between(CornerWave a, CornerWave b) {
     second = a;
   }
   bool reversed = comes_first(first.direction, vec3(0.0));
-  // Nothing here may be computed in one way for one triangle and in another for its neighbour.
+  // Must be computed alike for both triangles of an edge.
   precise float distance =
       aligned_distance(first.position, first.direction, second.position, second.direction);
   precise float shift = sqrt(first.frequency * second.frequency) * distance;
@@ -114,7 +114,7 @@ bool all_have_waves(CornerWave corners[3]) {
   return true;
 }
 
-// A number with its derivatives along x and y.
+// Products of numbers with their derivatives along x and y.
 vec3 product(vec3 a, vec3 b) { return vec3(a.x * b.x, a.x * b.yz + b.x * a.yz); }
 
 vec3 square(vec3 a) { return product(a, a); }
@@ -124,14 +124,14 @@ vec3 quotient(vec3 a, vec3 b) {
   return vec3(share, (a.yz - share * b.yz) / b.x);
 }
 
-// Along `v` from where `point` is counted from.
+// The component along `v`, relative to the origin of `point`.
 vec3 component(Fragment f, vec3 from, vec3 v) {
   return vec3(dot(f.point - from, v), dot(f.point_dx, v), dot(f.point_dy, v));
 }
 
 vec3 weight_of(Fragment f, int m) { return vec3(f.weights[m], f.weights_dx[m], f.weights_dy[m]); }
 
-// The direction is taken as constant here: it turns too slowly to matter for a filter.
+// The direction is taken as constant, because it turns too slowly to matter for filtering.
 vec3 turns_to(Fragment f, FragmentWave there, CornerWave corner) {
   float cosine = dot(there.direction, corner.direction);
   float s = cosine < 0.0 ? -1.0 : 1.0;
@@ -167,7 +167,7 @@ void add_term(inout PhaseSum s, vec3 weight, vec2 z, vec3 turns) {
 
 // Derivatives of the sum's phase, over 2 pi.
 vec2 turns_by(PhaseSum s) {
-  // Im(conj(sum) d sum) / |sum|^2: no difference of angles, so nothing wraps.
+  // Im(conj(sum) d sum) / |sum|^2: without a difference of angles, nothing wraps.
   vec2 normal = vec2(-s.sum.y, s.sum.x) / max(kTurn * dot(s.sum, s.sum), 1e-30);
   return vec2(dot(normal, s.sum_dx), dot(normal, s.sum_dy));
 }
@@ -259,7 +259,7 @@ FragmentWave singular_wave(Round round, Fragment f) {
   return fragment;
 }
 
-// Positions of corners are relative to the first one's.
+// Corner positions are relative to the first one.
 Fragment fragment_at(Round round, vec3 weights, vec3 weights_dx, vec3 weights_dy) {
   mat3 points =
       mat3(round.corners[0].position, round.corners[1].position, round.corners[2].position);
@@ -292,7 +292,7 @@ FragmentWave split_fragment_phase(CornerWave corners[3], vec3 barycentric, vec3 
   return fragment;
 }
 
-// Phi / 2 pi at the pixel's centre, where neighbours that share the pixel agree.
+// Phi / 2 pi at the pixel's centre, where adjacent triangles agree.
 float turns_at_centre(FragmentWave wave, SurfacePoint p) {
   return atan(wave.z.y, wave.z.x) / kTurn + dot(wave.turns_per_pixel, p.way_to_centre);
 }

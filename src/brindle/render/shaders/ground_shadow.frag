@@ -1,13 +1,13 @@
-// The shadow on the ground, where nothing stands in front of it.
+// The shadow on visible ground.
 
 uniform sampler2D shadow;
 uniform mat4 clip_from_view;
 uniform mat4 view_from_world;
 uniform vec4 tile;         // as in visible_triangles.vert
 uniform vec2 target_size;  // in pixels
-uniform vec3 ground;       // a point of it, less `origin`
+uniform vec3 ground;       // a point on it, relative to `origin`
 uniform vec3 across, away, upwards;  // the world's axes: two along the ground, one off it
-uniform vec4 shadow_place;  // lower corner along these axes, less that of `ground`, and 1 / sides
+uniform vec4 shadow_place;  // lower corner along these axes, relative to `ground`, and 1 / sides
 
 layout(location = 0) out vec4 color;
 

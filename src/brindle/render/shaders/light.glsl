@@ -1,12 +1,11 @@
-// Directions towards a key light and a weak fill, of unit length.
+// Unit directions towards a key light and a weak fill.
 struct Lights {
   vec3 key;
   vec3 fill;
 };
 
-// A soft key light, a weak fill, light from the sky and off the ground, and a thin rim. The normal
-// is that of the side that is seen; its length does not matter, nor does that of `sight`, which runs
-// from the viewer to the point.
+// A soft key light, a weak fill, light from sky and ground, and a thin rim. `view_normal` is that
+// of the visible side; `sight` runs from the viewer to the point. Both may have any length.
 vec3 lit_by(Lights lights, vec3 surface, vec3 view_normal, vec3 sight, vec3 up) {
   vec3 n = normalize(view_normal);
   vec3 v = normalize(-sight);

@@ -1,6 +1,6 @@
-// Puts a triangle into the lists of the pixels that it covers, as long as there is room.
+// Adds a triangle to the lists of the pixels that it covers, while there is space.
 
-uniform int first_triangle;  // of those drawn at once
+uniform int first_triangle;  // of the triangles in this draw call
 
 void main() {
   uint at = atomicAdd(listed[0], 3u);

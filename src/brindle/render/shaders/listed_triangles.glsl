@@ -1,7 +1,7 @@
-// The triangles at the middle of each pixel, in a list.
+// Lists of the triangles at the middle of each pixel.
 
-// How many words are in use; of each pixel where its list begins (0: it is empty); then, for each
-// triangle in a list, where the next one is (0: it is the last), its number and its depth.
+// The number of words in use; for each pixel, the position of its list (0: empty); for each
+// triangle in a list, the position of the next (0: none), its number and its depth.
 layout(std430, binding = 4) buffer ListedTriangles { uint listed[]; };
 
 uniform int pixels_in_row;

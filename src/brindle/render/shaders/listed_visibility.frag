@@ -1,5 +1,5 @@
-// As visible_triangles.frag, of the triangles in the pixel's list: the nearest of which something is
-// seen here; of two at the same depth the first.
+// As visible_triangles.frag, for the triangles in the pixel's list: the nearest visible one; at
+// equal depths, the first.
 
 uniform int first_number;
 

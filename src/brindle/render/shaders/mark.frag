@@ -1,11 +1,11 @@
-// A disc with a thin light border, which sets it off from dark stripes.
+// A disc with a thin light border, to stand out from dark stripes.
 
 in vec2 disc;
 flat in vec3 mark_color;
 
 layout(location = 0) out vec4 color;
 
-// The share of the pixel's samples where nothing is in front of the disc.
+// The share of the pixel's samples with nothing in front of the disc.
 float seen() {
   vec4 before = mix(vec4(0.0), vec4(1.0), lessThan(vec4(gl_FragCoord.z), depths_around(vec2(0.0))));
   return 0.25 * dot(before, vec4(1.0));

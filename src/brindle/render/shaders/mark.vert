@@ -20,7 +20,7 @@ void main() {
   disc = vec2(corner == 1u || corner == 4u || corner == 5u ? 1.0 : -1.0,
               corner == 2u || corner == 3u || corner == 5u ? 1.0 : -1.0);
 
-  // Lifted towards the eye by its own radius, so that a slanted surface does not cut the disc.
+  // Moved towards the eye by its radius, so that a slanted surface does not cut the disc.
   vec3 center = (view_from_world * vec4(position, 1.0)).xyz;
   bool orthographic = clip_from_view[3][3] == 1.0;
   float radius = mark_size.y * (orthographic ? 1.0 : -center.z) / clip_from_view[1][1];
@@ -28,6 +28,6 @@ void main() {
   gl_Position = clip_from_view * vec4(center, 1.0);
   gl_Position.xy += disc * mark_size * gl_Position.w;
   gl_Position.xy = gl_Position.xy * tile.xy + gl_Position.w * tile.zw;
-  // A mark is seen or not, as its middle is.
+  // A mark is visible if its centre is.
   if (dot(slice.xyz, position) + slice.w > 0.0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }

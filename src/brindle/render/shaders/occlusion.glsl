@@ -1,12 +1,12 @@
-// How much of the light from all around reaches a point: what is near it on the screen may stand in
-// its way (Mittring 2007; points in the hemisphere over the surface).
+// Ambient occlusion in screen space (Mittring 2007, with points in the hemisphere over the
+// surface).
 
-uniform float occlusion;         // 1: as little as there is; 0 would be all of it
-uniform float occlusion_radius;  // how far away things count, in units of length
-uniform vec2 part_of_target;     // share of the depths' texture that is in use
-uniform vec2 target_corner;      // where the target begins in the picture, in its own pixels
-uniform bool has_surroundings;   // whether the picture goes on beyond the target
-uniform sampler2D depths_of_picture;  // of all of it then, coarser
+uniform float occlusion;         // strength, above 0; 1 is full
+uniform float occlusion_radius;  // range of occluders, in units of length
+uniform vec2 part_of_target;     // used share of the depth texture
+uniform vec2 target_corner;      // position of the target in the picture, in pixels of the target
+uniform bool has_surroundings;   // whether the picture extends beyond the target
+uniform sampler2D depths_of_picture;  // of the whole picture then, coarser
 
 float view_depth(float depth) {
   if (is_orthographic()) {
@@ -20,7 +20,7 @@ float chance(vec2 pixel) {
   return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
 }
 
-// The depth of what the picture shows at a place in clip space, behind everything beyond its edges.
+// The picture's depth at a position in clip space; beyond its edges, behind everything.
 float front_depth(vec2 clip) {
   vec2 target = 0.5 * (clip * tile.xy + tile.zw) + 0.5;
   if (all(equal(target, clamp(target, 0.0, 1.0)))) {
@@ -50,7 +50,7 @@ float open_share(SurfacePoint p) {
     vec4 clip = clip_from_view * vec4(place, 1.0);
     float front = view_depth(front_depth(clip.xy / clip.w));
     float behind = -place.z - front;
-    // What is far in front is another thing, not a wall.
+    // Far in front is a separate object, which does not occlude.
     if (behind > 0.02 * occlusion_radius) {
       blocked += 1.0 - smoothstep(1.0, 2.5, behind / occlusion_radius);
     }

@@ -1,6 +1,6 @@
-// Vertices and triangles of the buffers by their numbers: the twin of surface_buffers.glsl.
+// Vertices and triangles of the buffers by number. Twin of surface_buffers.glsl.
 
-uniform vec3 origin;  // taken off every position: a surface far from zero keeps its digits
+uniform vec3 origin;  // subtracted from positions, to keep precision far from zero
 
 uvec3 vertices_of(uint triangle) { return pattern_triangle(triangle).xyz; }
 

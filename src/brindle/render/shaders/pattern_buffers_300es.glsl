@@ -1,4 +1,4 @@
-// What `pattern_buffers` has filled, as textures of any width, row by row: GL_RGBA32F and GL_RGBA32UI.
+// The data of `pattern_buffers` as textures of any width, row by row: GL_RGBA32F and GL_RGBA32UI.
 
 uniform highp sampler2D pattern_vertices;  // three texels each
 uniform highp usampler2D pattern_triangles;

@@ -1,4 +1,4 @@
-// What `pattern_buffers` has filled, as buffer textures: GL_RGBA32F and GL_RGBA32UI.
+// The data of `pattern_buffers` as buffer textures: GL_RGBA32F and GL_RGBA32UI.
 
 uniform samplerBuffer pattern_vertices;    // three texels each
 uniform usamplerBuffer pattern_triangles;

@@ -1,4 +1,4 @@
-// What `pattern_buffers` has filled, as storage buffers. Where 0 and 1 are taken, define other bindings
+// The data of `pattern_buffers` as storage buffers. If bindings 0 and 1 are taken, define others
 // before.
 
 #ifndef BRINDLE_VERTICES

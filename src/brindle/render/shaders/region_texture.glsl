@@ -1,12 +1,12 @@
-// A texture whose tiles differ from region to region. Each pass draws one region.
+// A texture with different tiles per region. Each pass draws one region.
 
 uniform vec3 figure_color;
 uniform vec2 texture_shift;
 uniform vec2 region;        // from this value to that
-uniform bool first_region;  // also draws what has no tile
-uniform bool discarded;     // nothing of the surface is seen beside tiles
+uniform bool first_region;  // also draws parts without a tile
+uniform bool discarded;     // only tiles are drawn, not the surface beside them
 
-// A value in the middle of the tile, to first order: tiles are not cut where regions meet.
+// A value in the middle of the tile, to first order: tiles are not cut at region borders.
 float value_of_tile(SurfacePoint p, Footprint f, uint which) {
   vec3 values;
   for (int m = 0; m < 3; ++m) values[m] = style_values[kStyleValues * p.vertices[m] + which];
@@ -20,13 +20,13 @@ float value_of_tile(SurfacePoint p, Footprint f, uint which) {
   return value + dot(vec2(dot(values, p.barycentric_dx), dot(values, p.barycentric_dy)), pixels);
 }
 
-// One colour for all of a figure.
+// One colour for the whole motif.
 vec3 color_of_figure(SurfacePoint p, Footprint f) {
   float place = kFigurePlaces ? value_of_tile(p, f, kPlaceOfFigure) : kNoValue;
   return place > kNoValue ? scale_color(place) : figure_color;
 }
 
-// The tile, shrunk about its middle.
+// The tile, scaled about its middle.
 vec4 decal_light(vec3 figure, Footprint f, float size) {
   vec2 from_middle = f.uv - floor(f.uv) - 0.5;
   vec2 pixel = vec2(length(vec2(f.dx.x, f.dy.x)), length(vec2(f.dx.y, f.dy.y)));
@@ -35,7 +35,7 @@ vec4 decal_light(vec3 figure, Footprint f, float size) {
   return inside.x * inside.y * tile_light(figure, decal);
 }
 
-// The tile's light as `tile_light` gives it. False where another region is.
+// The tile's light as in `tile_light`. False in other regions.
 bool tile_at(SurfacePoint p, out vec4 tile) {
   tile = vec4(0.0);
   Footprint f;
@@ -57,7 +57,7 @@ bool tile_at(SurfacePoint p, out vec4 tile) {
   return true;
 }
 
-// False where another region is.
+// False in other regions.
 bool pattern_at(inout vec3 surface, SurfacePoint p) {
   vec4 tile;
   if (!tile_at(p, tile)) return false;
@@ -65,7 +65,7 @@ bool pattern_at(inout vec3 surface, SurfacePoint p) {
   return true;
 }
 
-// Whether a triangle shows at this pixel's middle: only where tiles are opaque.
+// Whether a triangle is visible at the pixel's middle: where tiles are opaque.
 bool is_seen(uint number) {
   vec4 tile;
   SurfacePoint p = surface_point(surface_triangle(number), gl_FragCoord.xy, gl_FragCoord.xy);

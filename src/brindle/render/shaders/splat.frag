@@ -1,5 +1,5 @@
-// What one disc adds to a pixel. Waves may run either way, so that phases of two discs cannot be
-// averaged; the distance from the middle of the nearest stripe can.
+// The contribution of a disc to a pixel. Waves have arbitrary signs, so phases of two discs cannot
+// be averaged, but distances from the nearest stripe's middle can.
 
 in vec2 disc;
 in vec3 view_position;

@@ -22,7 +22,7 @@ flat out float turns;             // of the phase at the centre
 flat out float turns_per_radius;  // along x
 flat out float has_wave;
 
-// A unit tangent vector, whichever.
+// Any unit tangent vector.
 vec3 any_tangent(vec3 normal) {
   vec3 axis = abs(normal.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   return normalize(cross(normal, axis));
@@ -47,7 +47,7 @@ void main() {
   view_position = (view_from_world * vec4(position, 1.0)).xyz;
   view_normal = mat3(view_from_world) * normal;
   if (behind) {
-    // Away from the eye, so that the disc covers the same pixels.
+    // Along the line of sight, so that the disc covers the same pixels.
     float depth = -(view_from_world * vec4(center, 1.0)).z;
     bool orthographic = clip_from_view[3][3] == 1.0;
     view_position = orthographic ? view_position - vec3(0.0, 0.0, radius)

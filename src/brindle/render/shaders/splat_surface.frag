@@ -1,4 +1,4 @@
-// The lit surface with its stripes, in linear light, from the means over all discs at a pixel.
+// The shaded surface with its stripes, in linear light, from the means over all discs at a pixel.
 
 uniform sampler2D phase_sums;
 uniform sampler2D normal_sums;

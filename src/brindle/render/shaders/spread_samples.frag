@@ -1,4 +1,4 @@
-// What was found out once a pixel becomes what all its samples show.
+// Copies results per pixel to all its samples.
 
 uniform usampler2D pixels;
 uniform sampler2D pixel_depths;

@@ -4,9 +4,9 @@ float tent_integral(float t) {
   return s < 0.0 ? 0.5 * (1.0 + s) * (1.0 + s) : 1.0 - 0.5 * (1.0 - s) * (1.0 - s);
 }
 
-// How much of a pixel a stripe covers: a periodic pulse of this width around u = 0, in periods, which
-// a flip (-u) leaves alone, filtered with a tent as wide as two pixels (a box filter, twice). Where
-// stripes are finer than that, their mean remains. `footprint` is the width of a pixel in periods.
+// The share of a pixel that a stripe covers: a periodic pulse of this width around u = 0, in
+// periods, symmetric in u, filtered with a tent two pixels wide (a box filter, twice). Finer
+// stripes become their mean. `footprint` is the width of a pixel in periods.
 float covered_share(float u, float footprint, float width) {
   footprint = max(footprint, 1e-6);
   if (footprint > 1.5) return width;

@@ -1,11 +1,11 @@
-// How much of a sample the strokes of a surface cover, and in which colour.
+// Coverage of a sample by the strokes of a surface, and their colour.
 
 uniform vec3 stroke_colors[2];
 uniform vec3 stroke_looks[2];  // opacity, width, pixels between strokes (0: the pattern's own)
-uniform bvec4 stroke_follows[2];  // widths, opacities, colours; widths are in pixels
-uniform vec4 stroke_tones[2];     // none, 1 / (none - full), whether there are any, least
+uniform bvec4 stroke_follows[2];  // whether widths, opacities and colours depend on values; whether widths are in pixels
+uniform vec4 stroke_tones[2];     // tone without strokes, 1 / (none - full), whether tones are in use, least tone
 uniform float samples_per_pixel;  // along a side
-uniform bool discarded;  // nothing of the surface is seen between strokes
+uniform bool discarded;  // only strokes are drawn, not the surface between them
 
 struct StrokeColor {
   vec3 color;
@@ -24,9 +24,10 @@ FragmentWave layer_wave(SurfacePoint p, int layer) {
   return fragment_phase(corners, p.barycentric, p.barycentric_dx, p.barycentric_dy);
 }
 
-// Strokes of twice the frequency run along those there are and midway between. Where strokes are
-// farther apart on the screen than twice the distance that is asked for, those between have grown to
-// the same width (Praun et al. 2001: the strokes of a lighter tone are among those of a darker one).
+// Strokes of twice the frequency include the existing ones and those midway between them. Where
+// strokes are farther apart on the screen than twice the requested distance, those between have
+// reached the same width (Praun et al. 2001: strokes of a lighter tone are a subset of those of a
+// darker one).
 float share_of_levels(float turns, float footprint, float width, bool in_pixels, float spacing) {
   if (!kSpacing) {
     return covered_share(turns, footprint, min(in_pixels ? width * footprint : width, 1.0));
@@ -48,15 +49,15 @@ float share_of_levels(float turns, float footprint, float width, bool in_pixels,
   return min(share, 1.0);
 }
 
-// What the strokes of a layer follow, vertex by vertex, and whether widths are in pixels.
+// Which properties of a layer depend on vertex values, and whether widths are in pixels.
 bvec4 follows_of(int layer) {
   bvec4 follows = stroke_follows[layer];
   return bvec4(kFollows && follows.x, kFollows && follows.y, kFollows && follows.z,
                kPixels && follows.w);
 }
 
-// The share of the sample that strokes cover, or whether they cover it, as covered_share has it.
-// `tone` is how light the surface is.
+// The share of the sample that strokes cover, or whether they cover it, by covered_share. `tone` is
+// the lightness of the surface.
 StrokeColor strokes_at(SurfacePoint p, int layer, float tone) {
   StrokeColor none = StrokeColor(vec3(0.0), 0.0, 0.0);
   FragmentWave wave = layer_wave(p, layer);
@@ -82,7 +83,7 @@ StrokeColor strokes_at(SurfacePoint p, int layer, float tone) {
   return StrokeColor(color, share, clamp(opacity, 0.0, 1.0));
 }
 
-// Whether the surface is plain here: no wave, or nothing for its strokes to follow.
+// Whether the surface is plain here: no wave, or no value for its strokes.
 bool is_plain(SurfacePoint p, int layer) {
   for (int m = 0; m < 3; ++m) {
     uint v = p.vertices[m];
@@ -96,13 +97,13 @@ bool is_plain(SurfacePoint p, int layer) {
          (follows.z && style_value(p, first + 2u) <= kNoValue);
 }
 
-// How light a white surface would look, 0 to 1, even to the eye.
+// The lightness of a white surface, 0 to 1, perceptually uniform.
 float tone_at(SurfacePoint p) {
   vec3 light = lit_here(vec3(1.0), p.view_normal, line_of_sight(p));
   return pow(clamp(dot(light, vec3(0.2126, 0.7152, 0.0722)), 0.0, 1.0), 1.0 / 2.2);
 }
 
-// Of a discarded surface only strokes are seen; which ones, their shares tell.
+// A discarded surface shows strokes only, selected by their shares.
 bool pattern_at(inout vec3 surface, SurfacePoint p) {
   float tone = kTones ? tone_at(p) : 0.0;
   bool plain = true;
@@ -116,7 +117,7 @@ bool pattern_at(inout vec3 surface, SurfacePoint p) {
   return true;
 }
 
-// Whether a triangle shows at this pixel's middle: only where strokes are.
+// Whether a triangle is visible at the pixel's middle: where strokes are.
 bool is_seen(uint number) {
   SurfacePoint p = surface_point(surface_triangle(number), gl_FragCoord.xy, gl_FragCoord.xy);
   float tone = kTones ? tone_at(p) : 0.0;

@@ -1,18 +1,17 @@
-// What the strokes and colours of a surface follow, vertex by vertex.
+// Vertex values of the strokes and colours of a surface.
 
 layout(std430, binding = 0) readonly buffer StyleValues { float style_values[]; };
 layout(std430, binding = 1) readonly buffer SecondWaves { vec4 second_waves[]; };
 layout(std430, binding = 2) readonly buffer SecondPhases { vec2 second_phases[]; };
 
-const uint kStyleValues = 8u;  // a vertex: width, opacity and place of the first strokes, of the
-                               // second ones, place of the surface, value of regions
+const uint kStyleValues = 8u;  // per vertex: width, opacity and colour of the first strokes, of the second ones, colour of the surface, value of regions
 const uint kPlaceOfSurface = 6u;
 const uint kValueOfRegion = 7u;
-const uint kSizeOfTile = 0u;  // in place of strokes, as the next
+const uint kSizeOfTile = 0u;  // shares the place of strokes, as does the next
 const uint kPlaceOfFigure = 1u;
 const float kNoValue = -1e30;
 
-// The value at a point; far below zero where a corner has none.
+// The value at a point; far below zero if a corner has none.
 float style_value(SurfacePoint p, uint which) {
   vec3 values;
   for (int m = 0; m < 3; ++m) values[m] = style_values[kStyleValues * p.vertices[m] + which];
@@ -20,7 +19,7 @@ float style_value(SurfacePoint p, uint which) {
   return dot(values, p.barycentric);
 }
 
-// Colours of values.
+// The colour map.
 
 uniform sampler1D color_map;  // linear light
 uniform bool has_threshold;

@@ -1,5 +1,5 @@
-// The surface and its waves, by number of vertex and triangle, so that every pixel can read the three
-// corners of its triangle.
+// The surface and its waves by vertex and triangle number, so that every pixel can read the corners
+// of its triangle.
 
 uniform usamplerBuffer triangle_vertices;
 uniform samplerBuffer positions;
@@ -8,7 +8,7 @@ uniform samplerBuffer waves;   // direction, frequency
 uniform samplerBuffer phases;  // z
 uniform usamplerBuffer triangle_colors;
 
-uniform vec3 origin;  // taken off every position: a surface far from zero keeps its digits
+uniform vec3 origin;  // subtracted from positions, to keep precision far from zero
 
 uvec3 vertices_of(uint triangle) { return texelFetch(triangle_vertices, int(triangle)).xyz; }
 

@@ -1,5 +1,5 @@
-// A point of a triangle, from its place in the picture. Weights of the corners and their derivatives
-// are exact: they follow from the corners' places in clip coordinates and need no neighbours.
+// A point of a triangle by its position in the picture. Barycentric weights and their derivatives
+// are exact: they follow from the corners' clip coordinates, without neighbouring pixels.
 
 uniform mat4 view_from_world;
 uniform mat4 clip_from_view;
@@ -10,18 +10,18 @@ uniform bool smooth_normals;
 struct SurfaceTriangle {
   uint number;
   uvec3 vertices;
-  mat3 positions;  // less `origin`
-  mat3 view;       // positions seen from the camera
+  mat3 positions;  // relative to `origin`
+  mat3 view;       // positions in view coordinates
   mat3 clip;       // x, y and w in clip coordinates
 };
 
 struct SurfacePoint {
   uint triangle;
   uvec3 vertices;
-  vec3 barycentric, barycentric_dx, barycentric_dy;  // derivatives along a pixel
+  vec3 barycentric, barycentric_dx, barycentric_dy;  // derivatives per pixel
   vec2 way_to_centre;  // from this point to the pixel's centre, in pixels
   vec3 view_position;
-  vec3 view_normal;  // of the side that is seen
+  vec3 view_normal;  // of the visible side
 };
 
 bool is_orthographic() { return clip_from_view[3][3] == 1.0; }
@@ -44,7 +44,7 @@ SurfaceTriangle surface_triangle(uint number) {
   return t;
 }
 
-// Vertex normals follow the winding of this triangle: its neighbours may be wound against it.
+// Vertex normals, with the sign of this triangle's winding, from which neighbours may differ.
 vec3 view_normal_at(SurfaceTriangle t, vec3 weights) {
   vec3 facet = cross(t.positions[1] - t.positions[0], t.positions[2] - t.positions[0]);
   if (dot(facet, facet) > 0.0) facet = normalize(facet);
@@ -67,7 +67,8 @@ SurfacePoint surface_point(SurfaceTriangle t, vec2 place, vec2 centre) {
   vec2 ndc = 2.0 * place / target_size - 1.0;
   vec2 pixel = 2.0 / target_size;
   vec3 w = vec3(t.clip[0].z, t.clip[1].z, t.clip[2].z);
-  // Relative to the place: corners lie close to it, and differences of large numbers lose digits.
+  // Relative to the place: corners are close to it, and differences of large numbers lose
+  // precision.
   vec3 x = vec3(t.clip[0].x, t.clip[1].x, t.clip[2].x) - ndc.x * w;
   vec3 y = vec3(t.clip[0].y, t.clip[1].y, t.clip[2].y) - ndc.y * w;
   vec3 areas = x.yzx * y.zxy - y.yzx * x.zxy;
@@ -80,7 +81,7 @@ SurfacePoint surface_point(SurfaceTriangle t, vec2 place, vec2 centre) {
   SurfacePoint p;
   p.triangle = t.number;
   p.vertices = t.vertices;
-  // Rounding may leave a weight a little below zero.
+  // Rounding may make a weight slightly negative.
   p.barycentric = seen_on_edge ? vec3(1.0) : max(areas * scale, vec3(0.0));
   p.barycentric /= p.barycentric.x + p.barycentric.y + p.barycentric.z;
   p.barycentric_dx = scale * (areas_dx - p.barycentric * (areas_dx.x + areas_dx.y + areas_dx.z));

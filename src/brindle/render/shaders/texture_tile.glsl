@@ -1,10 +1,10 @@
-// The waves U and V that a texture follows, three a triangle each. The twin of `texture_fragment` is
-// in pattern/texture_waves.cpp.
+// The waves U and V of a texture, at three corners per triangle. `texture_fragment` has a twin in
+// pattern/texture_waves.cpp.
 
 uniform samplerBuffer texture_u;  // three pairs for every corner: direction, frequency, z
 uniform samplerBuffer texture_v;
 
-// What a texture's waves are here.
+// The waves of a texture at a point.
 struct TextureFragment {
   FragmentWave u, v;
 };
@@ -29,22 +29,22 @@ TextureFragment texture_at(SurfacePoint p) {
       split_fragment_phase(v, p.barycentric, p.barycentric_dx, p.barycentric_dy));
 }
 
-// The tile under a pixel, filtered over all of the pixel.
+// The tile, filtered over the whole pixel.
 
-uniform sampler2D tile_colors;     // light multiplied with alpha; of a figure: its coverage
-uniform sampler2D tile_distances;  // of a figure: to its border, in sides of the tile
+uniform sampler2D tile_colors;     // premultiplied light of a picture, or coverage by a motif
+uniform sampler2D tile_distances;  // of a motif, to its border, in tile sides
 uniform bool tile_is_figure;
 
 const float kMostSamples = 16.0;
 
-// A pixel's place and extent in texture coordinates.
+// The position and extent of a pixel in texture coordinates.
 struct Footprint {
   vec2 uv;
   vec2 dx, dy;
 };
 
-// Where tiles are larger than their textures, the distance says more than the texels: borders stay
-// sharp at any magnification.
+// Where texels are magnified, the distance is more precise: borders stay sharp at any
+// magnification.
 float figure_from_distance(Footprint f) {
   vec2 step = 1.0 / vec2(textureSize(tile_distances, 0));
   float distance = textureLod(tile_distances, f.uv, 0.0).r;
@@ -57,9 +57,9 @@ float figure_from_distance(Footprint f) {
   return clamp(0.5 - distance / max(width, 1e-6), 0.0, 1.0);
 }
 
-// The mean over the ellipse that the pixel becomes in the tile: samples along its longer axis, each
-// as wide as the shorter one (Heckbert 1989; as anisotropic filters of graphics cards do it, but
-// the same on all of them). The extents are derivatives of the waves: nothing wraps.
+// The mean over the pixel's ellipse in the tile: samples along its longer axis, each as wide as the
+// shorter one (Heckbert 1989; like anisotropic filtering on graphics cards, but equal on all of
+// them). The extents are derivatives of the waves, so that nothing wraps.
 vec4 filtered_tile(Footprint f) {
   vec2 size = vec2(textureSize(tile_colors, 0));
   mat2 texels = mat2(f.dx * size, f.dy * size);
@@ -79,7 +79,7 @@ vec4 filtered_tile(Footprint f) {
   return sum / samples;
 }
 
-// The tile's light multiplied with alpha, and alpha. U and V are given as phases.
+// The tile's premultiplied light and alpha. U and V are phases.
 vec4 tile_light(vec3 figure_color, Footprint f) {
   vec4 tile = filtered_tile(f);
   if (!tile_is_figure) return tile;
@@ -91,8 +91,9 @@ vec4 tile_light(vec3 figure_color, Footprint f) {
 
 vec3 with_tile(vec3 surface, vec4 tile) { return tile.rgb + (1.0 - tile.a) * surface; }
 
-// A quarter more than the phase over 2 pi: `texture_coordinate` of pattern/texture_waves.h. Where a
-// phase is undefined, tiles are mixed up beyond all limits. False where there are no waves.
+// The phase over 2 pi plus a quarter: `texture_coordinate` of pattern/texture_waves.h. Where a
+// phase is undefined or changes too fast, the footprint is large: the tile's mean. False without
+// waves.
 bool footprint_at(SurfacePoint p, vec2 shift, out Footprint footprint) {
   const float kMostTiles = 4.0;
   TextureFragment f = texture_at(p);

@@ -1,4 +1,4 @@
-// What the visibility pass saw in a pixel: four samples, two by two, whose middle is its centre.
+// The visibility pass at a pixel: two by two samples around its centre.
 
 uniform usampler2D visible;       // one more than the number of the triangle, 0: nothing
 uniform sampler2D visible_depth;  // nothing: 1
@@ -9,7 +9,7 @@ const vec4 kSampleY = vec4(0.25, 0.25, -0.25, -0.25);
 
 vec4 shares(bvec4 chosen) { return mix(vec4(0.0), vec4(1.0), chosen); }
 
-// The middle of the samples whose share is 1, from the pixel's centre.
+// The mean position of the samples with share 1, from the pixel's centre.
 vec2 middle_of(vec4 share) {
   return vec2(dot(share, kSampleX), dot(share, kSampleY)) / dot(share, vec4(1.0));
 }
@@ -20,7 +20,7 @@ uvec4 triangles_here() {
   return textureGather(visible, samples_of_pixel() / vec2(textureSize(visible, 0)));
 }
 
-// Of the four samples so many samples further.
+// The depths of four samples at an offset in samples.
 vec4 depths_around(vec2 offset) {
   return textureGather(visible_depth,
                        (samples_of_pixel() + offset) / vec2(textureSize(visible_depth, 0)));

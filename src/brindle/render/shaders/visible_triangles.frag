@@ -1,7 +1,7 @@
-// One more than the number of the triangle that is seen, counted through all surfaces. What lies behind
-// a triangle that is not seen here is seen instead.
+// One more than the number of the visible triangle among all surfaces. Where a triangle is
+// discarded, those behind it become visible.
 
-uniform int first_triangle;  // of those drawn at once
+uniform int first_triangle;  // of the triangles in this draw call
 uniform int first_number;    // of the surface
 
 layout(location = 0) out uint visible;

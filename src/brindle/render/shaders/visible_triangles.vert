@@ -1,13 +1,13 @@
-// Which triangle is seen where: places alone.
+// Positions only, to find visible triangles.
 
 layout(location = 0) in vec3 vertex_position;
 
 uniform mat4 view_from_world;
 uniform mat4 clip_from_view;
 uniform vec4 tile;    // scale and offset of clip coordinates: the part of the picture being drawn
-uniform vec3 origin;  // taken off every position: a surface far from zero keeps its digits
+uniform vec3 origin;  // subtracted from positions, to keep precision far from zero
 
-uniform vec4 slice;   // of positions less `origin`: what it makes positive is not seen
+uniform vec4 slice;   // for positions relative to `origin`: positive ones are cut away
 
 void main() {
   vec3 position = vertex_position - origin;
