@@ -1,4 +1,4 @@
-// Puts the package together: node web/build.mjs BUILD_FOLDER. Shaders are the library's own files.
+// Builds the package: node web/build.mjs BUILD_FOLDER. Shaders are the library's own files.
 import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +13,7 @@ const page = join(build, 'page');
 
 const text = (file) => readFileSync(file, 'utf8');
 const loaders = { '.js': 'js', '.css': 'css' };
-// Programs without their comments and long names; anything else as it is.
+// Minifies programs; leaves other files unchanged.
 const small = (code, loader = 'js') => transformSync(code, { loader, minify: true, target: 'es2022' }).code;
 function copySmall(from, to) {
   const loader = loaders[extname(from)];
@@ -26,9 +26,9 @@ const prologue = `#version 300 es
 precision highp float;
 precision highp int;
 `;
-// Comments are for readers of the sources.
+// Removes comments.
 const stripped = (glsl) => glsl.replace(/\/\/[^\n]*/g, '').replace(/[ \t]+$/gm, '').replace(/\n{2,}/g, '\n').replace(/^\n/, '');
-// The library's sources for textures, with textures of WebGL in the place of buffers.
+// The library's texture shaders, with WebGL textures instead of buffers.
 const source = (name) => text(join(root, `src/brindle/render/shaders/${name}.glsl`));
 function exchanged(code, ...pairs) {
   for (const [from, to] of pairs) {
@@ -50,7 +50,7 @@ function texturePattern() {
 const shader = (...parts) => stripped(prologue + parts.join('\n'));
 
 function shaders() {
-  // Joined by CMake, as they are installed for other renderers.
+  // Joined by CMake, as installed for other renderers.
   const [vertex, fragment] = ['vertex', 'fragment'].map((stage) => text(join(build, `brindle/shaders/300es/pattern_${stage}.glsl`)));
   const all = {
     patternVertex: stripped(vertex),
@@ -77,9 +77,9 @@ for (const name of readdirSync(join(here, 'package'))) cpSync(join(here, 'packag
 const manifest = JSON.parse(text(join(here, 'package/package.json')));
 writeFileSync(join(out, 'package.json'), `${JSON.stringify({ ...manifest, version: version() }, null, 2)}\n`);
 cpSync(join(root, 'LICENSE'), join(out, 'LICENSE'));
-// A module as the package has it: emscripten's loader, its WebAssembly, and that in a program.
+// A module of the package: emscripten's loader, its WebAssembly, and the same embedded in a script.
 function putModule(from, to) {
-  // All entries hand the WebAssembly over; bundlers would look for the file that emscripten names here.
+  // All entries pass the WebAssembly; bundlers would search for the file that emscripten names here.
   const namesFile = /new URL\(["'](module|stripes)\.wasm["'],\s*import\.meta\.url\)\.(toString\(\)|href)/;
   const loader = text(join(build, `${from}.js`));
   if (!namesFile.test(loader)) throw new Error(`${from}.js does not name ${from}.wasm as it did; see web/build.mjs`);

@@ -1,4 +1,4 @@
-// The picture of the page in its documentation: node web/picture.mjs --output FILE.png
+// Draws the page's picture for its documentation: node web/picture.mjs --output FILE.png
 import { writeFileSync } from 'node:fs';
 import puppeteer from 'puppeteer-core';
 import { serve } from './serve.mjs';

@@ -1,4 +1,4 @@
-// Serves a folder on this computer alone: node web/serve.mjs FOLDER [PORT]
+// Serves a folder on localhost only: node web/serve.mjs FOLDER [PORT]
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, resolve } from 'node:path';

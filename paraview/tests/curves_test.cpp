@@ -1,4 +1,4 @@
-// What `Brindle Curves` and `Brindle Samples` make of a surface.
+// Results of `Brindle Curves` and `Brindle Samples`.
 #include <numbers>
 
 #include <brindle/samples.h>
@@ -12,7 +12,7 @@ namespace {
 
 TEST(BrindleCurves, AreTheLibrarysCurves) {
   const auto data = swirling("torus,resolution=40");
-  // An array that says where a point is: curves then carry where they are.
+  // An array of positions, to compare with the points of curves.
   data->GetPointData()->AddArray(vectors_by("place", data->GetNumberOfPoints(), [&](vtkIdType i) {
     double p[3];
     data->GetPoint(i, p);

@@ -1,4 +1,4 @@
-// What filters refuse, and how they end.
+// Errors and cancellation of filters.
 #include <limits>
 #include <random>
 
@@ -68,7 +68,7 @@ TEST(BrindleStripes, RefusesSurfacesThatAreNone) {
   auto out_of_range = polygons_of(make_shape("sphere,resolution=12"));
   out_of_range->GetPolys()->InsertNextCell({0, 1, 1000000});
   EXPECT_NE(message(out_of_range).find("1000000"), std::string::npos);
-  out_of_range->GetPolys()->InsertNextCell({0, 1, 2, 3});  // which VTK cuts into triangles
+  out_of_range->GetPolys()->InsertNextCell({0, 1, 2, 3});  // VTK triangulates it
   EXPECT_NE(message(out_of_range).find("1000000"), std::string::npos);
 
   auto points = polygons_of(make_shape("sphere,resolution=12"));
@@ -81,14 +81,14 @@ TEST(BrindleStripes, RefusesSurfacesThatAreNone) {
   EXPECT_NE(message(polygons_of(flat)).find("area"), std::string::npos);
 }
 
-// One word of why nothing is seen, and the surface all the same.
+// One warning with the reason, and the surface unchanged.
 TEST(BrindleStripes, WarnsWhereNothingHasAWave) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(polygons_of(make_shape("plane,resolution=12")));
   filter->SetField(kDirection);
   filter->SetStripes(4);
   Errors errors(*filter), warnings(*filter, vtkCommand::WarningEvent);
-  for (const double across : {0.0, 1.0}) {  // straight up, and aslant
+  for (const double across : {0.0, 1.0}) {  // exactly normal, and oblique
     warnings.messages.clear();
     filter->SetDirection(across, 0, 1);
     filter->Update();
@@ -98,7 +98,7 @@ TEST(BrindleStripes, WarnsWhereNothingHasAWave) {
   }
 }
 
-// What the library says of the same waves, in ParaView's words, and its figures; once an update.
+// The library's warnings and metrics for the same waves, in ParaView's terms, once per update.
 TEST(BrindleFilters, WarnOfStripesThatAreTooFine) {
   const auto data = swirling("torus,resolution=40");
   const Surface surface = make_surface(make_shape("torus,resolution=40"));
@@ -147,7 +147,7 @@ TEST(BrindleStripes, WarnsOfBranchesAndOfMissingWaves) {
             std::string::npos)
       << warnings.messages[0];
 
-  // Directions by chance: nearly every triangle has a branch.
+  // Random directions: nearly every triangle has a branch.
   data = swirling("torus,resolution=40");
   std::mt19937 random(1);
   const auto any = [&] { return static_cast<float>(random() % 2001) / 1000 - 1; };
@@ -167,7 +167,7 @@ TEST(BrindleStripes, WarnsOfBranchesAndOfMissingWaves) {
       << warnings.messages[1];
 }
 
-// Of the waves across, too, and what is said of both is said once.
+// Also for the crossing waves, without repeating common warnings.
 TEST(BrindleSamples, WarnOfWavesAcross) {
   const auto data = swirling("torus,resolution=40");
   vtkDataArray& vectors = *data->GetPointData()->GetArray("v");

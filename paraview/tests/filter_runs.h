@@ -1,4 +1,4 @@
-/// Runs of the filters, and the library's own of the same.
+/// Runs of the filters, and the library's equivalents.
 #pragma once
 
 #include <string>
@@ -61,12 +61,12 @@ inline double figure(vtkPolyData& output, const char* name) {
   return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
-/// Whether a warning says what the library's does, but for the remedies.
+/// Whether a warning equals the library's, except for remedies.
 inline bool says_the_same(const std::string& warning, const std::string& of_library) {
   return warning.find(of_library.substr(0, of_library.find(';'))) != std::string::npos;
 }
 
-/// What a filter says, once, of an input or a setting that cannot be; its output is then empty.
+/// The single error of a filter for an invalid input or setting; its output is then empty.
 inline std::string only_error(vtkBrindleFilter& filter) {
   Errors errors(filter);
   filter.Update();

@@ -1,4 +1,4 @@
-// Icons in a process that has loaded Qt, as ParaView's client has.
+// Icons in a process with Qt, like ParaView's client.
 #include <QFile>
 #include <fstream>
 #include <iterator>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// What the filters name as their icons.
+/// The icons that the filters name.
 std::vector<std::string> named_icons() {
   std::ifstream file(BRINDLE_FILTERS);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -26,7 +26,7 @@ std::vector<std::string> named_icons() {
 
 bool exists(const std::string& resource) { return QFile::exists(QString::fromStdString(resource)); }
 
-// The plugin alone is loaded: it brings the icons that its filters name.
+// Loading the plugin also loads the icons of its filters.
 TEST(Icons, ComeWithThePlugin) {
   const std::vector<std::string> icons = named_icons();
   ASSERT_EQ(icons.size(), 3u);

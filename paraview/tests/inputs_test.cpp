@@ -1,4 +1,4 @@
-// What filters take: grids, blocks, polygons, arrays of any type.
+// Inputs of filters: grids, blocks, polygons, arrays of any type.
 #include <algorithm>
 #include <cmath>
 
@@ -70,7 +70,7 @@ TEST(BrindleStripes, TakesBlocksForOneSurface) {
   const Surface surface = make_surface(whole);
   auto data = polygons_of(whole);
   add_swirl(*data, 0);
-  // One pattern, as of the whole: both blocks' points at one place have one phase.
+  // One pattern over both blocks: points at one position have one phase.
   for (std::size_t v = 0; v < n; ++v) {
     ASSERT_EQ(std::isnan(phases[v]), std::isnan(phases[v + n]));
     if (!std::isnan(phases[v])) {
@@ -136,7 +136,7 @@ TEST(BrindleStripes, FollowsFrequenciesOfAnArray) {
   EXPECT_NEAR(*high / *low, 4, 1e-4);
 }
 
-// Whatever type numbers have, they are those numbers.
+// Numbers of any type give the same result.
 TEST(BrindleStripes, TakesFieldsOfAnyType) {
   const auto data = polygons_of(make_shape("sphere,resolution=16"));
   const vtkIdType rows = data->GetNumberOfPoints();
@@ -165,7 +165,7 @@ TEST(BrindleStripes, TakesFieldsOfAnyType) {
   }
 }
 
-// As programs leave behind that change points and forget arrays.
+// Left by programs that change points but not arrays.
 TEST(BrindleStripes, LeavesShortArraysOut) {
   const auto data = swirling("sphere,resolution=12");
   data->GetPointData()->AddArray(vectors_by("short", 5, [](vtkIdType) { return Vec3(1, 0, 0); }));
@@ -217,12 +217,12 @@ TEST(BrindleStripes, CutsPolygonsAndLeavesLinesOut) {
   EXPECT_EQ(output.GetCellData()->GetArray("cell")->GetComponent(0, 0), 1) << "0 is the line";
 }
 
-// Quadrangles and larger polygons are cut as the library cuts those of files; strips are taken
-// apart, all wound alike.
+// Quadrangles and larger polygons are triangulated as by the library; strips are split with
+// consistent winding.
 TEST(BrindleStripes, CutsPolygonsAsTheLibraryDoes) {
   const Mesh torus = make_shape("torus,resolution=12");
   auto data = polygons_of(torus);
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {  // no quadrangle is flat
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {  // makes quadrangles non-planar
     double p[3];
     data->GetPoint(i, p);
     data->GetPoints()->SetPoint(i, p[0] + 0.03 * std::sin(7.0 * double(i)), p[1], p[2]);

@@ -1,4 +1,4 @@
-/// Patterns over pieces, and what the library says of them.
+/// Patterns over partitions, and the library's equivalents.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace brindle::paraview {
 
-/// A pattern of the whole from what ranks have of it.
+/// A pattern of the whole surface from the ranks' outputs.
 inline StripePattern whole_pattern(const Mesh& whole, vtkPolyData& output) {
   StripePattern pattern;
   pattern.waves.positions = whole.positions;
@@ -39,8 +39,8 @@ inline StripePattern whole_pattern(const Mesh& whole, vtkPolyData& output) {
   return pattern;
 }
 
-/// Every vertex has one phase, wave, frequency and branch flag, whichever rank is asked, and the
-/// figures are those of the whole.
+/// Every vertex has one phase, wave, frequency and branch flag on all ranks, and metrics are those
+/// of the whole.
 inline void expect_one_pattern(const Mesh& whole, vtkPolyData& output) {
   for (const char* name : {"phase", "sin_phase", "direction", "frequency", "valid", "branch"}) {
     const Gathered gathered(whole.vertex_count(), output, name);
@@ -74,7 +74,7 @@ inline void lay_swirl(vtkBrindleStripes& filter, vtkPolyData* data, float angle 
   filter.Update();
 }
 
-/// What the library makes of the pieces itself, frame by frame.
+/// The library's results for the partitions, frame by frame.
 class Twin {
  public:
   Twin(const Pieces& pieces, std::vector<std::uint64_t> numbers, float slack = 0)
@@ -87,7 +87,7 @@ class Twin {
     return last_.solution.z;
   }
 
-  /// The next frame, of the swirl turned about the normals.
+  /// The next frame, with the swirl turned about the normals.
   StripePattern pattern(float angle, float turn = 0) {
     std::vector<Vec3> vectors;
     for (const Vec3& p : pieces_.own.positions) vectors.push_back(swirl(p, angle));

@@ -1,4 +1,4 @@
-/// Surfaces that ranks hold together, in VTK's form.
+/// Distributed surfaces in VTK's form.
 #pragma once
 
 #include <algorithm>
@@ -23,9 +23,9 @@
 namespace brindle::paraview {
 
 inline constexpr const char* kShape = "torus,resolution=40";
-inline constexpr double kCoarse = 20;  // stripes that it carries
+inline constexpr double kCoarse = 20;  // number of stripes that it resolves
 
-/// Made once: all ranks take part in that.
+/// A singleton, because its creation is collective.
 inline const Ranks& ranks() {
   static const Ranks all(MPI_COMM_WORLD);
   return all;
@@ -40,13 +40,13 @@ inline double sum(double value) {
   return total;
 }
 
-/// Which rank has a triangle.
+/// The rank of each triangle.
 struct Cut {
   const char* name;
   std::function<std::vector<int>(const Mesh& mesh)> ranks_of;
 };
 
-/// Which slab across the x axis every triangle is in.
+/// The slab, perpendicular to the x axis, of every triangle.
 inline std::vector<int> slabs(const Mesh& mesh, int count) {
   const BoundingBox box = bounding_box(mesh);
   const float width = (box.upper.x() - box.lower.x()) / static_cast<float>(count);
@@ -89,7 +89,7 @@ inline const std::vector<Cut>& cuts() {
   return all;
 }
 
-/// What `work` does where no other rank is known of.
+/// Runs `work` as a single process.
 inline void alone(const std::function<void()>& work) {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   vtkMultiProcessController::SetGlobalController(nullptr);
@@ -97,7 +97,7 @@ inline void alone(const std::function<void()>& work) {
   vtkMultiProcessController::SetGlobalController(controller);
 }
 
-/// Which of so many pieces of a file a rank reads, as readers deal them.
+/// The pieces of a file that a rank reads, distributed as by VTK's readers.
 inline std::vector<int> dealt(int pieces) {
   std::vector<int> own;
   for (int p = pieces * rank() / rank_count(); p < pieces * (rank() + 1) / rank_count(); ++p) {
@@ -106,12 +106,12 @@ inline std::vector<int> dealt(int pieces) {
   return own;
 }
 
-/// A mesh and this rank's piece of it, whose points are those that its triangles use; of one rank
-/// in the order of the whole.
+/// A mesh and this rank's partition, with the points of its triangles; on one rank, in the order of
+/// the whole.
 struct Pieces {
   Mesh whole;
   Mesh own;
-  std::vector<std::uint64_t> ids;  ///< of own vertices in the whole
+  std::vector<std::uint64_t> ids;  ///< global numbers of own vertices
 
   Pieces(const char* shape, const Cut& cut) : Pieces(make_shape(shape), cut) {}
   Pieces(Mesh mesh, const Cut& cut) : whole(std::move(mesh)) {
@@ -142,7 +142,7 @@ struct Pieces {
     std::iota(ids.begin(), ids.end(), std::uint64_t{0});
   }
 
-  /// With the array `whole`, numbers in the whole; if asked for as VTK's global ids.
+  /// With the array `whole` of global numbers; optionally as VTK's global ids.
   vtkSmartPointer<vtkPolyData> polygons(bool with_ids = false) const {
     auto data = polygons_of(own);
     vtkNew<vtkIdTypeArray> numbers;
@@ -154,7 +154,7 @@ struct Pieces {
   }
 };
 
-/// The same data with a layer of ghosts, as ParaView's Ghost Cells makes it.
+/// The same data with a layer of ghosts, as from ParaView's Ghost Cells.
 template <class Data>
 vtkSmartPointer<Data> with_ghosts(Data* data) {
   vtkNew<vtkGhostCellsGenerator> generator;
@@ -174,10 +174,10 @@ inline long ghost_count(vtkDataSet& data) {
   return count;
 }
 
-/// A row of numbers for every vertex of a whole, from the ranks that have it.
+/// A row of numbers for every global vertex, from all ranks that have it.
 class Gathered {
  public:
-  /// Takes rows of the output's point array; they must be the same wherever a vertex is.
+  /// Adds rows of the output's point array, which must agree at shared vertices.
   Gathered(std::size_t vertices, vtkDataSet& output, const char* name) : known(vertices) {
     std::vector<Row> rows;
     vtkDataArray* numbers = output.GetPointData()->GetArray("whole");
@@ -201,8 +201,8 @@ class Gathered {
 
   std::vector<std::array<float, 3>> values;
   std::vector<char> known;
-  std::size_t shared = 0;     ///< rows of vertices that were known already
-  std::size_t different = 0;  ///< of these, those with other bits
+  std::size_t shared = 0;     ///< rows of vertices that were already known
+  std::size_t different = 0;  ///< of these, with different bits
 
   std::vector<float> first() const {
     std::vector<float> numbers;

@@ -1,4 +1,4 @@
-// Curves and samples of pieces.
+// Curves and samples of partitions.
 #include <array>
 #include <map>
 #include <numbers>
@@ -25,13 +25,13 @@ Place place_of(vtkPolyData& data, vtkIdType point) {
 
 Place place_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// A place that one rank names.
+/// A position named by a rank.
 struct Named {
   Place place;
   int rank;
 };
 
-/// What all ranks name, and who does.
+/// All positions, with the ranks that name them.
 std::map<Place, std::vector<int>> all_named(const std::vector<Named>& own) {
   const Ranks all = ranks();
   std::map<Place, std::vector<int>> named;
@@ -42,8 +42,8 @@ std::map<Place, std::vector<int>> all_named(const std::vector<Named>& own) {
   return named;
 }
 
-/// A process that is alone numbers vertices as its points are, ranks those of the whole: rounding
-/// follows the numbers.
+/// A single process numbers vertices by its points, ranks by global numbers; rounding depends on
+/// the order.
 Pieces pieces_numbered_alike(const Cut& cut) {
   Pieces pieces(kShape, cut);
   if (rank_count() > 1) return pieces;
@@ -52,7 +52,7 @@ Pieces pieces_numbered_alike(const Cut& cut) {
   return pieces;
 }
 
-/// A piece with arrays that say where they are: of points the place, of cells whose they are.
+/// A partition with arrays of its points' positions and its cells' ranks.
 vtkSmartPointer<vtkPolyData> marked(const Pieces& pieces, bool ghosts) {
   auto data = pieces.polygons(true);
   data->GetPointData()->AddArray(vectors_by("place", data->GetNumberOfPoints(), [&](vtkIdType i) {
@@ -76,7 +76,7 @@ void run(vtkBrindleFilter& filter, vtkPolyData* data) {
   EXPECT_TRUE(errors.messages.empty()) << errors.messages[0];
 }
 
-/// The input's arrays are those of where a point is, in this rank's own triangles.
+/// Arrays at points are those of the input, in this rank's own triangles.
 void expect_arrays_of_places(vtkPolyData& output) {
   if (output.GetNumberOfPoints() == 0) return;
   const std::vector<float> places = numbers(output, "place");
@@ -91,7 +91,7 @@ void expect_arrays_of_places(vtkPolyData& output) {
   EXPECT_EQ(std::ranges::count(owners, float(rank())), output.GetNumberOfPoints());
 }
 
-/// A surface that this process has alone, with the phases that ranks have found together.
+/// The whole surface in one process, with the ranks' phases.
 class Alone {
  public:
   explicit Alone(const Mesh& mesh) : mesh_(mesh) {
@@ -100,7 +100,7 @@ class Alone {
     surface_.emplace(SurfacePiece{mesh, std::move(numbers), {}}, MPI_COMM_SELF);
   }
 
-  /// What ranks have of a pattern of the whole, to the bit.
+  /// The whole pattern from the ranks' parts, bit for bit.
   StripePattern gathered(const Pieces& pieces, const StripePattern& own) const {
     const auto data = pieces.polygons();
     const auto rows = data->GetNumberOfPoints();
@@ -129,7 +129,7 @@ class Alone {
     return whole_curves(part(pattern), options).curves;
   }
 
-  /// Where lines of the whole end, and how often.
+  /// Ends of the whole's lines, with counts.
   std::map<Place, std::size_t> ends(const StripePattern& pattern) const {
     const StripeCurves curves = this->curves(pattern);
     std::map<Place, std::size_t> ends;
@@ -151,7 +151,7 @@ class Alone {
     return length;
   }
 
-  /// All samples, in the order in which ranks have their triangles, without doubles.
+  /// All samples without doubles, in the order of the ranks' triangles.
   std::vector<Sample> samples(const StripePattern& u, const StripePattern& v,
                               const std::vector<int>& rank_of_triangle) const {
     std::vector<Sample> all = wave_samples(part(u), part(v));
@@ -170,7 +170,7 @@ class Alone {
   std::optional<DistributedSurface> surface_;
 };
 
-/// How many of this rank's lines have that direction to their right, as seen from outside.
+/// The number of this rank's lines with that direction to their right, seen from outside.
 vtkIdType lines_left_of(vtkPolyData& output, const Eigen::Vector3d& direction) {
   vtkIdType count = 0;
   vtkNew<vtkIdList> points;
@@ -185,7 +185,7 @@ vtkIdType lines_left_of(vtkPolyData& output, const Eigen::Vector3d& direction) {
   return count;
 }
 
-/// Ends of this rank's open lines. None of its lines has one point alone.
+/// Ends of this rank's open lines, none of which has a single point.
 std::vector<Named> ends_of(vtkPolyData& output) {
   std::vector<Named> ends;
   vtkDataArray* closed = output.GetCellData()->GetArray("closed");
@@ -201,8 +201,8 @@ std::vector<Named> ends_of(vtkPolyData& output) {
   return ends;
 }
 
-// Where a line meets a border, one on another rank does, at the same place to the bit; all other
-// ends are those of lines of the whole.
+// At borders, lines of two ranks end at the same bits; all other ends are those of the whole's
+// lines.
 TEST(RankCurves, EndTogetherAtBorders) {
   std::size_t met = 0;
   for (const Cut& cut : cuts()) {
@@ -234,7 +234,7 @@ TEST(RankCurves, EndTogetherAtBorders) {
   EXPECT_EQ(met > 1000, rank_count() > 1) << met;
 }
 
-// Lines of one pattern: together as long as those of the whole, ghosts or not, with arrays.
+// Lines of one pattern: the total length of the whole's, with or without ghosts, with arrays.
 TEST(RankCurves, AreThoseOfOnePattern) {
   for (const Cut& cut : cuts()) {
     const Pieces pieces = pieces_numbered_alike(cut);
@@ -256,7 +256,7 @@ TEST(RankCurves, AreThoseOfOnePattern) {
   }
 }
 
-/// Lengths of lines, the shortest first; below 0 those of closed ones.
+/// Sorted lengths of lines, negative for closed ones.
 std::vector<double> sorted_lengths(const StripeCurves& curves) {
   std::vector<double> lengths;
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {
@@ -277,7 +277,7 @@ std::vector<double> sorted_lengths(vtkPolyData& output) {
   return lengths;
 }
 
-/// The input's arrays at points of whole lines. Says which ranks they come from.
+/// The input's arrays at points of whole lines, with the ranks that they come from.
 void expect_arrays_of_ranks(vtkPolyData& output, std::set<float>& ranks) {
   const std::vector<float> places = numbers(output, "place"), owners = numbers(output, "owner");
   ranks.insert(owners.begin(), owners.end());
@@ -294,7 +294,7 @@ struct Asked {
   double minimum_length;
 };
 
-// Lines that need the whole are those of one process that has the same phases, and on one rank.
+// Lines that need the whole equal those of one process with the same phases, on one rank.
 TEST(RankCurves, WholeOnesAreThoseOfOneProcess) {
   std::set<float> seen;
   for (const Cut& cut : cuts()) {
@@ -346,7 +346,7 @@ TEST(RankCurves, HaveWavesToTheirLeft) {
   }
 }
 
-// Beside vertices without a wave, lines end; of those that only touch a border, nothing is left.
+// Lines end beside vertices without a wave, and do not degenerate where they only touch a border.
 TEST(RankCurves, OfHolesHaveNoLinesOfOnePoint) {
   for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
@@ -365,7 +365,7 @@ TEST(RankCurves, OfHolesHaveNoLinesOfOnePoint) {
   }
 }
 
-// Samples of one pattern: each on one rank, where those of the whole are, to the bit.
+// Samples of one pattern: each on one rank, with the bits of the whole's.
 TEST(RankSamples, AreThoseOfTheWholeEachOnOneRank) {
   for (const Cut& cut : cuts()) {
     const Pieces pieces = pieces_numbered_alike(cut);

@@ -1,4 +1,4 @@
-// What comes to ranks.
+// Inputs of ranks.
 #include <unordered_map>
 
 #include <vtkMultiBlockDataSet.h>
@@ -10,7 +10,7 @@
 namespace brindle::paraview {
 namespace {
 
-// A layer of what other ranks have changes nothing, and stays what it was.
+// A layer of ghosts does not change the result, and stays unchanged.
 TEST(RankGhosts, AreSeenAndNotCounted) {
   for (const std::size_t which : {0u, 1u}) {
     for (const double slack : {0.0, 0.25}) {
@@ -46,7 +46,7 @@ TEST(RankGhosts, AreSeenAndNotCounted) {
   }
 }
 
-/// A beam of hexahedra, cut across for the ranks, with numbers of its points in the whole.
+/// A beam of hexahedra, cut across the ranks, with global point numbers.
 vtkSmartPointer<vtkUnstructuredGrid> beam() {
   constexpr int kLong = 24, kSide = 8;
   const int first = kLong * rank() / rank_count(), last = kLong * (rank() + 1) / rank_count();
@@ -84,7 +84,7 @@ double own_cells(vtkPolyData& data) {
   return static_cast<double>(data.GetNumberOfCells() - ghost_count(data));
 }
 
-// One rank splits the beam at its edges; several say that they do not, once.
+// One rank splits the beam at its edges; several report once that they do not.
 TEST(RankGrids, AreToldOfCreases) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(beam());
@@ -100,7 +100,7 @@ TEST(RankGrids, AreToldOfCreases) {
   EXPECT_EQ(sum(static_cast<double>(told)), rank_count() > 1 ? 1 : 0);
 }
 
-// The surface of a grid is that of the whole, and not the walls between ranks.
+// The surface of a grid is that of the whole, without internal faces between ranks.
 TEST(RankGrids, HaveTheSurfaceOfTheWhole) {
   const double faces = 2.0 * (8 * 8 + 2 * 8 * 24);
   const auto check = [&](vtkDataObject* data) {
@@ -130,7 +130,7 @@ TEST(RankGrids, HaveTheSurfaceOfTheWhole) {
   }
 }
 
-// So is that of images in pieces, as sources give them.
+// The same for distributed images, as from sources.
 TEST(RankGrids, OfImagesHaveNoWalls) {
   vtkNew<vtkRTAnalyticSource> source;
   source->SetWholeExtent(-8, 8, -4, 4, -4, 4);
@@ -144,8 +144,8 @@ TEST(RankGrids, OfImagesHaveNoWalls) {
   EXPECT_EQ(sum(own_cells(*filter->GetOutput())), 2 * faces);
 }
 
-/// Slabs of the beam as a file has them in pieces: each with points of its own, numbered anew if
-/// asked for as global ids that go criss-cross.
+/// Slabs of the beam as pieces of a file, each with its own points, optionally with shuffled global
+/// ids.
 vtkSmartPointer<vtkUnstructuredGrid> beam_in_pieces(const std::vector<int>& pieces, bool ids) {
   constexpr int kPieces = 4, kLong = 24, kSide = 8, kRow = (kSide + 1) * (kSide + 1);
   vtkNew<vtkPoints> points;
@@ -191,8 +191,7 @@ void lay_level(vtkBrindleStripes& filter, vtkDataObject* data) {
   EXPECT_TRUE(errors.messages.empty()) << errors.messages[0];
 }
 
-/// What ranks have together is the pattern that one process lays over all: surface, phases,
-/// figures.
+/// The ranks together have the pattern of one process: surface, phases, metrics.
 void expect_pattern_of_one(std::size_t vertices, vtkDataObject* own, vtkDataObject* all) {
   vtkNew<vtkBrindleStripes> one, many;
   alone([&] { lay_level(*one, all); });
@@ -208,7 +207,7 @@ void expect_pattern_of_one(std::size_t vertices, vtkDataObject* own, vtkDataObje
         static_cast<std::size_t>(whole.GetPointData()->GetArray("whole")->GetComponent(i, 0));
     const auto phase =
         static_cast<float>(whole.GetPointData()->GetArray("phase")->GetComponent(i, 0));
-    const float told = phases.values[vertex][0];  // none where walls were
+    const float told = phases.values[vertex][0];  // none at internal faces
     wrong += told != phase && !(std::isnan(told) && std::isnan(phase));
   }
   EXPECT_EQ(wrong, 0u);
@@ -220,7 +219,7 @@ void expect_pattern_of_one(std::size_t vertices, vtkDataObject* own, vtkDataObje
 
 const std::vector<int> kAllPieces = {0, 1, 2, 3};
 
-// Pieces of a file have no walls between them, and one pattern, however many ranks read them.
+// Pieces of a file have no internal faces and one pattern, on any number of ranks.
 TEST(RankPieces, OfAGridAreOneOnAnyNumberOfRanks) {
   for (const bool ids : {false, true}) {
     SCOPED_TRACE(ids ? "ids" : "no ids");
@@ -232,7 +231,7 @@ TEST(RankPieces, OfAGridAreOneOnAnyNumberOfRanks) {
   }
 }
 
-/// Slabs of a shape as a file has them in pieces, which overlap if asked for.
+/// Slabs of a shape as pieces of a file, optionally overlapping.
 vtkSmartPointer<vtkPolyData> shape_in_pieces(const Mesh& mesh, const std::vector<int>& pieces,
                                              bool ids, bool overlap) {
   const std::vector<int> slab = slabs(mesh, 4), fine = slabs(mesh, 16);
@@ -281,7 +280,7 @@ TEST(RankPieces, OfASurfaceAreOneOnAnyNumberOfRanks) {
   }
 }
 
-// Of ids that say nothing of the whole one rank tells, once.
+// One rank reports invalid global ids, once.
 TEST(RankPieces, WithWrongIdsAreTaken) {
   const Pieces pieces(kShape, cuts()[0]);
   const auto data = pieces.polygons();
@@ -313,7 +312,7 @@ vtkSmartPointer<vtkUnstructuredGrid> shell_on_a_cube() {
   return grid;
 }
 
-// What all ranks have of a shell is there once; it is no wall.
+// A shell that all ranks have is kept once; it is no internal face.
 TEST(RankPieces, KeepShellsOnce) {
   vtkNew<vtkBrindleStripes> filter;
   lay_level(*filter, shell_on_a_cube());
@@ -324,7 +323,7 @@ TEST(RankPieces, KeepShellsOnce) {
 TEST(RankBlocks, AreOneSurface) {
   const Pieces pieces(kShape, cuts()[1]);
   vtkNew<vtkMultiBlockDataSet> blocks;
-  // A rank's triangles in two blocks, of which one may be empty.
+  // A rank's triangles in two blocks, one of which may be empty.
   for (unsigned b : {0u, 1u}) {
     Pieces half = pieces;
     std::erase_if(half.own.triangles, [&](const Triangle& t) { return t[0] % 2 != b; });
@@ -342,7 +341,7 @@ TEST(RankBlocks, AreOneSurface) {
   expect_one_pattern(pieces.whole, *filter->GetOutput());
 }
 
-// Ghosts of some blocks, between ranks and between blocks of one rank, and none of others.
+// Some blocks have ghosts, between ranks and between blocks of one rank; others have none.
 TEST(RankBlocks, HaveGhostsOrNot) {
   const Pieces pieces(kShape, cuts()[0]);
   vtkNew<vtkMultiBlockDataSet> blocks;

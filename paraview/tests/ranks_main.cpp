@@ -1,4 +1,4 @@
-// Runs all tests on every rank, as ParaView does with its filters; the first rank prints.
+// Runs all tests on every rank, as ParaView runs its filters; the first rank prints.
 #include <cstdio>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Ranks when time goes on, and when something is wrong.
+// Ranks over time, and errors.
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -43,14 +43,14 @@ TEST_F(RankSeries, GoingBackStartsAfresh) {
   EXPECT_EQ(filter->GetPatternsFollowed(), 2);
 }
 
-// Whatever only one rank has seen, all do: a mesh read again, moved points, a time nobody else has.
+// A change on one rank is a change on all: a mesh read again, moved points, a new time.
 TEST_F(RankSeries, WhatIsNewToOneRankIsNewToAll) {
   show(0, 0);
   if (rank() == 0) data->ShallowCopy(pieces.polygons());
   show(1, 0.1f);
   EXPECT_EQ(filter->GetSurfacesMade(), 1) << "read again with the same numbers";
   EXPECT_EQ(filter->GetPatternsFollowed(), 1);
-  // All copies of a vertex move, wherever they are; on ranks without it nothing does.
+  // Moves all copies of a vertex, on the ranks that have it.
   const auto found = std::ranges::find(pieces.ids, 100u);
   if (found != pieces.ids.end()) {
     Pieces moved = pieces;
@@ -64,7 +64,7 @@ TEST_F(RankSeries, WhatIsNewToOneRankIsNewToAll) {
   expect_one_pattern(pieces.whole, *filter->GetOutput());
 }
 
-/// How far phases moved from one output to the next, in radians, on average.
+/// The mean change of phases between two outputs, in radians.
 double phase_step(const Pieces& pieces, vtkPolyData& before, vtkPolyData& after) {
   const std::size_t count = pieces.whole.vertex_count();
   const Gathered a(count, before, "phase"), b(count, after, "phase");
@@ -80,7 +80,7 @@ double phase_step(const Pieces& pieces, vtkPolyData& before, vtkPolyData& after)
   return steps / static_cast<double>(count);
 }
 
-// Cells that are dealt to ranks anew, as a filter does at every time: stripes go on.
+// Cells are redistributed at every time, as by a filter: stripes continue.
 TEST(RankSeriesDealtAnew, FollowsIdsOrPlacesOrSaysSo) {
   for (const bool moved : {false, true}) {
     for (const bool ids : {false, true}) {
@@ -126,7 +126,7 @@ WaveSet waves_of_swirl(const Surface& surface, float stripes) {
           constant_frequency_field(frequency, surface.mesh.vertex_count())};
 }
 
-// The first rank says once what one process says of the whole; all ranks have its figures.
+// The first rank prints one process's warnings for the whole, once; all ranks have its metrics.
 TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
   const char* kTorus = "torus,resolution=40";
   for (const Cut& cut : cuts()) {
@@ -136,7 +136,7 @@ TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
       const Surface surface = make_surface(pieces.whole);
       const WaveSet waves = waves_of_swirl(surface, stripes);
       const WaveFigures figures = measure_waves(surface, waves);
-      // Ranks solve apart and count branches of their own; what is said of them begins alike.
+      // Ranks have their own solution and branches; the beginning of the warning is common.
       const std::string warning = "stripes begin or end in";
       vtkNew<vtkBrindleStripes> filter;
       Errors warnings(*filter, vtkCommand::WarningEvent);
@@ -156,7 +156,7 @@ TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
   }
 }
 
-/// What yields is that of the library: phases, frequencies, those asked for, and the figures.
+/// The spacing tolerance equals the library's: phases, chosen and requested frequencies, metrics.
 void expect_yielding(vtkPolyData& output, Twin& twin, const StripePattern& pattern) {
   const PatternQuality quality = twin.measure().quality;
   if (output.GetNumberOfPoints() == 0) return;
@@ -190,7 +190,7 @@ TEST(RankSlack, IsTheLibrarysBitForBit) {
   }
 }
 
-// What slack is for.
+// The purpose of slack.
 TEST(RankSlack, LeavesFewerBranches) {
   const Pieces pieces(kShape, cuts()[0]);
   vtkNew<vtkBrindleStripes> stiff, yielding;
@@ -202,7 +202,7 @@ TEST(RankSlack, LeavesFewerBranches) {
   EXPECT_LT(figure(*yielding->GetOutput(), "branches"), figure(*stiff->GetOutput(), "branches"));
 }
 
-// Two ranks' points part: cells are as they were, but the surface is another one.
+// Points shared by two ranks separate: the same cells, but another surface.
 TEST_F(RankSeries, SurfacesThatTearAreOthers) {
   show(0, 0);
   Pieces torn = pieces;
@@ -265,7 +265,7 @@ TEST(RankErrors, OfOneRankAreEverybodys) {
   runs();
 }
 
-// What is so of all vertices is said once, and so is of how many it is.
+// A warning about all vertices, with their number, is printed once.
 TEST(RankErrors, WithoutAnyWaveOneRankWarns) {
   const Pieces pieces("plane,resolution=20", cuts()[0]);
   vtkNew<vtkBrindleStripes> filter;
@@ -305,7 +305,7 @@ TEST(RankErrors, NothingIsNoErrorAndPointsAloneAre) {
   has(only_error(*filter), "polygons");
 }
 
-// Points without cells on one rank are no reason to refuse what another has.
+// Points without cells on one rank do not reject another's surface.
 TEST(RankErrors, PointsBesideASurfaceAreNone) {
   const Pieces pieces(kShape, cuts()[5]);
   const auto data = pieces.polygons();

@@ -1,4 +1,4 @@
-// Patterns over pieces: every test runs on all ranks.
+// Patterns over partitions: every test runs on all ranks.
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -23,7 +23,7 @@ TEST(GlobalNumbers, AreThoseOfPlacesOrIds) {
     EXPECT_TRUE(by_id.by_id);
     EXPECT_FALSE(by_id.ids_refused);
 
-    // One number a vertex of the whole, and no number twice.
+    // A unique number per global vertex.
     const auto data = pieces.polygons();
     vtkNew<vtkDoubleArray> numbers;
     numbers->SetName("number");
@@ -37,7 +37,7 @@ TEST(GlobalNumbers, AreThoseOfPlacesOrIds) {
   }
 }
 
-// Ids of a rank alone, as programs leave them behind, say nothing of the whole.
+// Local ids, as left by some programs, are not global.
 TEST(GlobalNumbers, DoNotTrustIdsThatAreNotOfTheWhole) {
   const Pieces pieces("sphere,resolution=24", cuts()[0]);
   const std::vector<std::uint64_t> by_place = numbers_by_place(pieces);
@@ -45,7 +45,7 @@ TEST(GlobalNumbers, DoNotTrustIdsThatAreNotOfTheWhole) {
   std::iota(own.begin(), own.end(), 0);
   const std::vector<std::int64_t> same(own.size(), 7), negative(own.size(), -1);
   for (const auto& ids : {own, same, negative}) {
-    if (rank_count() == 1 && ids == own) continue;  // which is the whole
+    if (rank_count() == 1 && ids == own) continue;  // the whole
     const PointNumbers numbers = global_numbers(ranks(), {pieces.own.positions, ids}, 1);
     EXPECT_EQ(numbers.of_points, by_place);
     EXPECT_TRUE(numbers.ids_refused);
@@ -53,7 +53,7 @@ TEST(GlobalNumbers, DoNotTrustIdsThatAreNotOfTheWhole) {
   }
 }
 
-// Points at one place are one vertex, as in one process, whatever ids they have.
+// Points at one position are one vertex, as in one process, whatever their ids.
 TEST(GlobalNumbers, PlacesJoinWhatIdsPutApart) {
   const Pieces pieces("sphere,resolution=24", cuts()[1]);
   std::vector<std::int64_t> ids;
@@ -72,7 +72,7 @@ TEST(GlobalNumbers, PlacesJoinWhatIdsPutApart) {
   EXPECT_EQ(gathered.shared > 0, rank_count() > 1);
 }
 
-// Points that one program wrote twice, differently rounded, are one vertex by their ids.
+// Points that a program rounded differently are one vertex by their ids.
 TEST(GlobalNumbers, IdsJoinWhatRoundingPutsApart) {
   Pieces pieces("sphere,resolution=24", cuts()[0]);
   for (Vec3& p : pieces.own.positions) p *= 1 + 1e-7f * static_cast<float>(rank());
@@ -122,7 +122,7 @@ TEST(RankStripes, OfOneRankAreThoseOfOneProcess) {
       stripe_pattern(surface, tangent_directions(vectors, surface.normals), frequency).solution.z);
 }
 
-/// Arrays that know of no border: of points and cells, vectors, tensors and numbers.
+/// Arrays independent of borders: of points and cells, vectors, tensors and numbers.
 void add_arrays(vtkPolyData& data) {
   const auto place = [&](vtkIdType i) {
     double p[3];
@@ -226,7 +226,7 @@ TEST(RankStripes, HaveOnePhaseWhereverTheWavesComeFrom) {
   }
 }
 
-// Frequencies and directions of cells are those that one process finds in the whole.
+// Frequencies and directions from cells equal those of one process.
 TEST(RankStripes, HaveTheWavesOfOneProcess) {
   const Mesh mesh = make_shape("trefoil,resolution=24");
   const Pieces all(
@@ -268,7 +268,7 @@ TEST(RankStripes, HaveTheWavesOfOneProcess) {
   }
 }
 
-/// Whether the output's point is a vertex of the whole with a wave, and no barycentre.
+/// Whether the output's point is a global vertex with a wave, not a barycentre.
 bool is_wavy_vertex(const Mesh& whole, vtkPolyData& output, vtkIdType point) {
   vtkPointData& data = *output.GetPointData();
   const auto v = static_cast<std::size_t>(data.GetArray("whole")->GetComponent(point, 0));
@@ -276,7 +276,7 @@ bool is_wavy_vertex(const Mesh& whole, vtkPolyData& output, vtkIdType point) {
   return place == whole.positions[v] && data.GetArray("valid")->GetComponent(point, 0) != 0;
 }
 
-/// What U shows at vertices that triangles use is the phase there. Returns how many there are.
+/// U at vertices in triangles shows their phase. Returns the number of such vertices.
 std::size_t expect_shown_phases(const Mesh& whole, vtkPolyData& output) {
   std::set<vtkIdType> used;
   vtkNew<vtkIdList> corners;
@@ -297,7 +297,7 @@ std::size_t expect_shown_phases(const Mesh& whole, vtkPolyData& output) {
   return compared;
 }
 
-// What is drawn on both sides of a border is one stripe: phases are one, and U shows them.
+// Both sides of a border draw one stripe: phases agree, and U shows them.
 TEST(RankStripes, TextureCoordinatesAgreeAtBorders) {
   for (const Cut& cut : cuts()) {
     const Pieces pieces("trefoil,resolution=24", cut);

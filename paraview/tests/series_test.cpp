@@ -37,7 +37,7 @@ class Series : public testing::Test {
     choose(*filter, 0, "v");
   }
 
-  /// The vectors of an angle, at a time; below 0: at none.
+  /// Shows the vectors of an angle at a time; below 0: without time.
   void show(double time, float angle) {
     add_swirl(*data, angle);
     data->Modified();
@@ -49,7 +49,7 @@ class Series : public testing::Test {
     filter->Update();
   }
 
-  /// What the vectors of an angle give by themselves.
+  /// Expects the result of an angle on its own.
   void expect_alone(float angle) {
     expect_phases(*filter->GetOutput(),
                   stripe_pattern(surface, waves_at(surface, angle)).solution.z);
@@ -93,7 +93,7 @@ TEST_F(Series, PropertiesAndInputsWithoutTimeStartAfresh) {
   EXPECT_EQ(filter->GetPatternsFollowed(), 0);
 }
 
-/// With a memory the field of the time before counts, also where phases stand alone.
+/// With a memory, the last time's field has a weight, also if phases do not continue.
 TEST_F(Series, FieldsRememberThoseOfTheTimeBefore) {
   filter->SetTimeAnchor(0);
   filter->SetFieldDetail(1);
@@ -116,7 +116,7 @@ TEST_F(Series, FieldsRememberThoseOfTheTimeBefore) {
     last = seen_after(last, angle);
     if (step == 0) first = last;
     expect_field(last);
-    show(step, angle);  // what is shown again stays
+    show(step, angle);  // showing it again changes nothing
     expect_field(last);
   }
   show(0, 0);
@@ -129,7 +129,7 @@ TEST_F(Series, WithoutAnchorEveryStepStandsAlone) {
   expect_alone(0.2f);
 }
 
-/// A sphere that beats, with noise of its own at every step: smooth fields found anew turn freely.
+/// A pulsating sphere with new noise at every step: smooth fields from scratch turn arbitrarily.
 Mesh beating(int step) {
   Mesh mesh = make_shape("sphere,resolution=20");
   std::mt19937 random(static_cast<unsigned>(step));
@@ -141,7 +141,7 @@ Mesh beating(int step) {
   return mesh;
 }
 
-/// The smooth field of a step that follows the steps before, as the library has it.
+/// The library's smooth field of a step that continues the earlier ones.
 DirectionField followed_field(int last_step, int curvature) {
   DirectionField directions;
   std::optional<Surface> before;
@@ -159,8 +159,7 @@ DirectionField followed_field(int last_step, int curvature) {
   return directions;
 }
 
-/// Of points that stand where a vertex of `mesh` does: texture coordinates split some, and add
-/// others.
+/// At points that coincide with a vertex of `mesh`: texture coordinates copy some and add others.
 void expect_directions(vtkDataSet& output, const Mesh& mesh, const DirectionField& expected,
                        double tolerance_deg) {
   vtkDataArray* found = output.GetPointData()->GetArray("direction");
@@ -235,7 +234,7 @@ TEST_P(MovingSeries, WhatIsShownAgainStays) {
 INSTANTIATE_TEST_SUITE_P(Fields, MovingSeries, testing::Values(0, 1),
                          [](const auto& test) { return test.param == 0 ? "smooth" : "curvature"; });
 
-// A change of the output alone neither lays a new pattern nor breaks the series.
+// Changing only the output's form neither makes a new pattern nor interrupts the series.
 TEST_F(Series, FormsOfTheOutputDoNotMatter) {
   StripeAnimator animator(surface);
   for (const int step : {0, 1, 2}) {
@@ -287,7 +286,7 @@ TEST_F(Series, StepsThatFailAreForgotten) {
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-// Both patterns of samples follow: points move a little where the field does.
+// Both patterns of samples continue: points move little if the field does.
 TEST(SampleSeries, SamplesMoveLittle) {
   const Surface surface = make_surface(make_shape(kShape));
   const auto moved = [&](double anchor) {

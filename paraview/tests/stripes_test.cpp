@@ -1,4 +1,4 @@
-// What `Brindle Stripes` makes of a surface.
+// Results of `Brindle Stripes`.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -168,7 +168,7 @@ TEST(BrindleStripes, CountsDataOfCellsAsTheyAreAndByTheirWeights) {
     const std::vector<Vec3>& p = surface.mesh.positions;
     Vec3 vector = swirl((p[a] + p[b] + p[c]) / 3, 0);
     if (t % 2 == 0) vector = -vector;
-    if (t % 5 == 0) vector = Vec3(1, 2, 3);  // counts nothing
+    if (t % 5 == 0) vector = Vec3(1, 2, 3);  // weight zero
     weights->InsertNextValue(t % 5 == 0 ? 0 : 2);
     measured.directions.push_back(vector.cast<double>().stableNormalized().cast<float>());
     measured.confidence.push_back(t % 5 == 0 ? 0.0f : 2.0f);
@@ -255,7 +255,7 @@ TEST(BrindleStripes, MakesFieldsAsTheLibraryDoes) {
   }
 }
 
-// One stripe is one unit of U, its middle at 1/2, whichever way its wave runs.
+// One stripe is one unit of U, with its middle at 1/2, for either sign of the wave.
 TEST(BrindleStripes, TextureCoordinatesAreLinearPhases) {
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(swirling("trefoil,resolution=24"));
@@ -278,7 +278,7 @@ TEST(BrindleStripes, TextureCoordinatesAreLinearPhases) {
     ASSERT_EQ(uv.GetComponent(p, 1), 0.5);
     if (std::isnan(sines[static_cast<std::size_t>(p)])) continue;
     const double phase = 2 * std::numbers::pi * (uv.GetComponent(p, 0) - 0.25);
-    // At barycentres of split triangles U is the mean, and the phase what the surface shows.
+    // At barycentres of split triangles U is the mean, and the phase follows U.
     if (output.GetPointData()->GetArray("branch")->GetComponent(p, 0) > 0) continue;
     ASSERT_NEAR(std::sin(phase), sines[static_cast<std::size_t>(p)], 2e-4);
     ++compared;
@@ -319,7 +319,7 @@ TEST(BrindleStripes, KeepsTheInputsPointsArraysAndShape) {
   }
   EXPECT_NEAR(area(output), area(*data), 1e-9 * area(*data));
   EXPECT_EQ(output.GetCellData()->GetArray("cell")->GetNumberOfTuples(), output.GetNumberOfCells());
-  // A copied point has its original's rows: the label and the word say the same.
+  // A copied point has its original's rows, of numbers and of text.
   for (vtkIdType i = 0; i < output.GetNumberOfPoints(); ++i) {
     const int label =
         static_cast<int>(output.GetPointData()->GetArray("label")->GetComponent(i, 0));
@@ -328,7 +328,7 @@ TEST(BrindleStripes, KeepsTheInputsPointsArraysAndShape) {
   }
 }
 
-// Points that stand at one place with arrays of their own: a texture's seam, a crease's normals.
+// Points at one position with their own arrays: a texture's seam, a crease's normals.
 TEST(BrindleStripes, RunsAcrossSeamsAndKeepsBothSides) {
   const Mesh whole = make_shape("sphere,resolution=20");
   Mesh cut = whole;

@@ -1,4 +1,4 @@
-/// Surfaces in VTK's form, and what a filter makes of them.
+/// Surfaces in VTK's form, and results of filters.
 #pragma once
 
 #include <cmath>
@@ -48,7 +48,7 @@ inline vtkSmartPointer<vtkPolyData> polygons_of(const Mesh& mesh) {
   return data;
 }
 
-/// An array with a row for every tuple of `like`, made from its number.
+/// An array with a row for each of `rows`, computed from its number.
 inline vtkSmartPointer<vtkDataArray> vectors_by(const char* name, vtkIdType rows,
                                                 const std::function<Vec3(vtkIdType)>& vector) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -61,7 +61,7 @@ inline vtkSmartPointer<vtkDataArray> vectors_by(const char* name, vtkIdType rows
   return array;
 }
 
-/// A vector field that turns with `angle`, at any point of space.
+/// A vector field in space that turns with `angle`.
 inline Vec3 swirl(const Vec3& p, float angle) {
   return {std::cos(angle) - p.y(), std::sin(angle) + p.x(), 0.5f + p.z()};
 }
@@ -85,7 +85,7 @@ inline void set_time(vtkDataObject& data, double time) {
   data.GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
 }
 
-/// Errors of a filter, in the order in which they came.
+/// Errors of a filter, in order.
 class Errors {
  public:
   explicit Errors(vtkObject& of, unsigned long event = vtkCommand::ErrorEvent) : of_(of) {
@@ -122,7 +122,7 @@ inline std::vector<float> numbers(vtkDataSet& data, const char* name) {
   return result;
 }
 
-/// The first points of an output have these phases, bit for bit.
+/// Expects these phases at the first points of an output, bit for bit.
 inline void expect_phases(vtkDataSet& output, std::span<const Complex> z) {
   const std::vector<float> phases = numbers(output, "phase");
   ASSERT_GE(phases.size(), z.size());
