@@ -8,7 +8,7 @@ namespace brindle {
 ImplicitFunction hare();
 Mesh hare_mesh(float edge_length, const Progress& progress = {});
 
-/// The black parts of its eyes in a pen drawing.
+/// The black parts of its eyes in a pen drawing, and the white reflections in them.
 Mesh hare_pupils(float edge_length, const Progress& progress = {});
 Mesh hare_glints(float edge_length, const Progress& progress = {});
 

@@ -26,7 +26,7 @@ Mesh make_named_shape(const SurfaceOptions& options, const Progress& progress) {
   } catch (const Cancelled&) {
     throw;
   } catch (const TooLarge&) {
-    throw;  // a misspelt parameter: the shape exists
+    throw;  // correct usage, but too little memory
   } catch (const Error& error) {
     throw CLI::ValidationError("MESH", error.what());
   }
@@ -75,7 +75,7 @@ void refuse_points(const SurfaceOptions& options, const std::string& command) {
 }
 
 std::string describe_kind(const SurfaceOptions& options) {
-  // For CSV files, this is the normal case.
+  // CSV files never have faces.
   const bool given = options.points || is_shape(options) || lower_extension(options.mesh) == ".csv";
   return given ? "" : shown(options.mesh) + " has no faces: its vertices are taken for points\n";
 }

@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// The folder of a path, or the current folder if that no longer exists.
+// The innermost existing folder of a path, or the current folder.
 fs::path existing_folder(fs::path folder) {
   std::error_code error;
   while (!folder.empty() && !fs::is_directory(folder, error) && folder != folder.parent_path()) {

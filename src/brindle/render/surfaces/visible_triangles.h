@@ -74,7 +74,7 @@ class VisibleTriangles {
   VisibleTriangles();
 
   /// Draws the surfaces for a light of at most `largest` pixels, of which the part fills some.
-  /// Interactive pictures skip the hidden side of closed surfaces, which takes half of the
+  /// Interactive pictures skip the hidden side of closed surfaces, which saves half of the
   /// time. Calls `pause` after each surface. Throws Error if the driver has no samples for so many
   /// pixels.
   void draw(VisibleSamples& samples, std::span<const DrawnSurface> surfaces, const Camera& camera,
