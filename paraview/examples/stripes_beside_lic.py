@@ -65,14 +65,14 @@ def rank_count():
 
 
 def in_pieces(surface):
-    """The surface in pieces, one a rank, with the number of the rank at their points."""
+    """The surface in partitions, one per rank, with the rank's number at their points."""
     pieces = pv.RedistributeDataSet(Input=surface)
     pieces.GenerateGlobalCellIds = 0
     return pv.ProcessIdScalars(Input=pieces)
 
 
 def moving_vectors(options):
-    """A surface with an array of vectors, velocity, that change with time."""
+    """A surface with the array velocity, vectors that change with time."""
     if options.surface:
         surface = pv.OpenDataFile(options.surface)
     else:
@@ -144,7 +144,7 @@ def milliseconds(work):
 
 
 def measure(view, repeats):
-    """A first picture, then medians: of another side, and of another time."""
+    """The time of a first picture, then medians for another view and for another time."""
     camera = view.GetActiveCamera()
 
     def turned():
@@ -165,7 +165,7 @@ def measure(view, repeats):
 
 
 def aim(view, bounds, options):
-    """From a direction, at a distance at which the surface fills the picture."""
+    """A view direction, at a distance at which the surface fills the picture."""
     middle = [(low + high) / 2 for low, high in zip(bounds[::2], bounds[1::2])]
     away = [float(c) for c in options.look_from.split(",")]
     size = math.dist(bounds[::2], bounds[1::2])

@@ -23,7 +23,7 @@ RIM = np.array([0.36, 0.22, 0.11])
 
 
 class Ball:
-    """A ball seen aslant: latitude and longitude at fine points of a square of `size` pixels."""
+    """An oblique ball: latitude and longitude at fine points of a square of `size` pixels."""
 
     def __init__(self, size):
         self.size = size
@@ -40,7 +40,7 @@ class Ball:
         self.longitude = np.arctan2(x, z)
 
     def pixels(self, marked, ground):
-        """The ball in one colour with marks in another, an edge, and nothing around it."""
+        """The ball in one colour with marks in another, an edge, and a transparent background."""
         color = np.where(marked[..., None], DARK, ground * self.light[..., None])
         rim = max(1.0, self.size / 28) / self.radius
         color = np.where((self.r > 1 - rim)[..., None], RIM, color)
@@ -56,7 +56,7 @@ def stripes(ball):
 
 
 def curves(ball):
-    """Lines as wide as a pixel at least: the slope of the phase is found by differences."""
+    """Lines at least one pixel wide; the slope of the phase is a finite difference."""
     phase = PERIODS * ball.latitude / np.pi
     slope = np.hypot(*np.gradient(phase)) * FINE
     width = max(1.15, ball.size / 18)
@@ -65,7 +65,7 @@ def curves(ball):
 
 
 def samples(ball):
-    """Dots on every parallel, as far from each other as parallels are."""
+    """Dots on every parallel, spaced like the parallels."""
     step = np.pi / PERIODS
     row = np.round(ball.latitude / step)
     around = np.maximum(np.round(2 * np.pi * np.cos(row * step) / step), 1)
@@ -89,7 +89,7 @@ def png(pixels):
 
 
 def ico(images):
-    """Pictures of several sizes in one file, of which Qt takes what fits."""
+    """Images of several sizes in one file, from which Qt selects."""
     head = struct.pack("<HHH", 0, 1, len(images))
     begin = len(head) + 16 * len(images)
     for size, data in images:
@@ -99,7 +99,7 @@ def ico(images):
 
 
 def sheet(icons):
-    """All icons in all sizes, one size beside the other, on white."""
+    """All icons in all sizes, side by side, on white."""
     gap = SIZES[0] // 2
     width = sum(SIZES) + gap * (len(SIZES) + 1)
     rows = []

@@ -90,7 +90,7 @@ def check_filters(plugin):
 
 
 def check_tool(tool, folder):
-    """The same file, in ParaView and by the tool."""
+    """The same file in ParaView and in the tool."""
     path = os.path.join(folder, "swirl.vtp")
     pv.SaveData(path, proxy=pv.Triangulate(Input=swirl()))
     report = os.path.join(folder, "tool.json")
@@ -114,7 +114,7 @@ def check_tool(tool, folder):
 
 
 def check_series(folder):
-    """Steps of files, each read anew: cells that stay, vectors that turn."""
+    """A series of files, each read again: constant cells, turning vectors."""
     with open(os.path.join(folder, "run.pvd"), "w") as index:
         index.write('<VTKFile type="Collection" version="0.1"><Collection>\n')
         for step in range(4):
@@ -155,7 +155,7 @@ def pixels(view, folder, name):
 
 
 def flat_view(stripes, height):
-    """Looks straight at a plane; what is seen is `height` high."""
+    """Looks at a plane at right angles, with a visible height of `height`."""
     view = pv.CreateView("RenderView")
     view.ViewSize = SIZE
     view.Background = [0.5, 0, 0]
@@ -177,14 +177,14 @@ def flat_view(stripes, height):
 
 
 def bars(row):
-    """Places along a row where it passes from light to dark or back, between pixels."""
+    """Sub-pixel positions of changes between light and dark along a row."""
     level = row.astype(float) / 255 - 0.5
     places = np.nonzero(np.sign(level[:-1]) != np.sign(level[1:]))[0]
     return places + level[places] / (level[places] - level[places + 1])
 
 
 def check_picture(folder):
-    """A plane has stripes that are known: bars of half a period each."""
+    """A plane has known stripes: bars of half a period each."""
     plane = pv.Plane(XResolution=200, YResolution=200, Origin=[-2, -2, 0], Point1=[2, -2, 0],
                      Point2=[-2, 2, 0])
     stripes = BrindleStripes(Input=plane, Field="Direction", Direction=[1, 0, 0], Frequency=8)
@@ -220,7 +220,7 @@ def check_picture(folder):
 
 
 def complaints(work):
-    """What ParaView says while `work` is done, which is also where its Python prints to."""
+    """ParaView's output during `work`, and that of its Python."""
     said = vtkStringOutputWindow()
     before = vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(said)
@@ -230,7 +230,7 @@ def complaints(work):
 
 
 def check_without_coordinates(folder):
-    """The representation on surfaces that know nothing of stripes."""
+    """The representation on surfaces without stripes."""
     plane = pv.Plane()
     plain = BrindleStripes(Input=plane, TextureCoordinates=0)
     for source, what in ((plain, "without coordinates"), (plane, "of another source")):
@@ -243,7 +243,7 @@ def check_without_coordinates(folder):
 
 
 def check_errors():
-    """A message, nothing to show, and no harm."""
+    """An error message, an empty output and no crash."""
     stripes = BrindleStripes(Input=pv.Sphere(), Field="Direction", Direction=[0, 0, 0])
     said, _ = complaints(stripes.UpdatePipeline)
     check("0,0,0" in said, "a direction of no length is refused: " + said.strip().splitlines()[-1][-80:])
@@ -254,7 +254,7 @@ def check_errors():
 
 
 def check_state(folder):
-    """A session comes back from a file."""
+    """A session is restored from a file."""
     plane = pv.Plane(XResolution=60, YResolution=60)
     stripes = BrindleStripes(Input=plane, Field="Direction", Direction=[1, 0, 0], Stripes=12)
     view, shown = flat_view(stripes, 1.5)

@@ -33,7 +33,7 @@ def rank_count():
 
 
 def parts(source):
-    """A surface in pieces, which the ranks hold, with the number of the rank at its points."""
+    """A distributed surface with the rank's number at its points."""
     pieces = pv.RedistributeDataSet(Input=pv.Triangulate(Input=source))
     pieces.GenerateGlobalCellIds = 0
     return pv.ProcessIdScalars(Input=pieces)
@@ -44,7 +44,7 @@ def array(data, name):
 
 
 def check_shared_points(folder):
-    """Points at one place have one phase, whichever ranks have them; of files in pieces."""
+    """Points at one position have one phase on all ranks; also for partitioned files."""
     path = os.path.join(folder, f"pieces_{rank_count()}.pvtp")
     torus = parts(pv.Superquadric(Toroidal=1, ThetaResolution=256, PhiResolution=128))
     pv.SaveData(path, proxy=BrindleStripes(Input=torus, TextureCoordinates=0))
@@ -68,7 +68,7 @@ def check_shared_points(folder):
 
 
 def check_curves():
-    """Curves that need the whole surface are whole, longer than those in parts, and on one rank."""
+    """Curves that need the whole surface are whole, longer than cut ones, and on one rank."""
     torus = parts(pv.Superquadric(Toroidal=1, ThetaResolution=128, PhiResolution=64))
     field = pv.Calculator(Input=torus, ResultArrayName="v",
                           Function="coordsY*iHat-coordsX*jHat+0.4*kHat")
@@ -123,26 +123,26 @@ def draw_striped(source, view):
 
 
 def bars(row):
-    """Places along a row where it passes from light to dark or back, between pixels."""
+    """Sub-pixel positions of changes between light and dark along a row."""
     level = row.astype(float) / 255 - 0.5
     places = np.nonzero(np.sign(level[:-1]) != np.sign(level[1:]))[0]
     return places + level[places] / (level[places] - level[places + 1])
 
 
 def rows_of_bars(image):
-    """Borders of bars in some rows of a picture, without those at its sides."""
+    """Edges of bars in some rows of a picture, without those at its sides."""
     return [bars(image[y])[1:-1] for y in range(0, SIZE[1], 40)]
 
 
 def farthest_from_one_shift(rows, others, width):
-    """By how many bars the borders in two pictures lie apart, but for a shift of all."""
+    """The largest distance, in bars, between the edges in two pictures, up to a common shift."""
     moves = np.concatenate([(a[:8] - b[:8]) / width for a, b in zip(rows, others)])
     turns = np.exp(2j * np.pi * moves)
     return np.abs(np.angle(turns / turns.mean())).max() / (2 * np.pi)
 
 
 def check_plane(options):
-    """Straight bars of known width run on over the borders, and are those of one rank."""
+    """Straight bars of known width continue across borders, as on one rank."""
     plane = parts(pv.Plane(XResolution=120, YResolution=90, Origin=[-2, -1.5, 0],
                            Point1=[2, -1.5, 0], Point2=[-2, 1.5, 0]))
     stripes = BrindleStripes(Input=plane, Field="Direction", Direction=[3, 1, 0], Frequency=8)
@@ -168,7 +168,7 @@ def check_plane(options):
 
 
 def check_picture(options):
-    """What several ranks draw of their pieces, one draws of the same pieces in a file."""
+    """Several ranks draw their partitions as one rank draws the same pieces of a file."""
     path = os.path.join(options.folder, "torus.pvtp")
     if options.against:
         stripes = pv.OpenDataFile(path)

@@ -20,7 +20,7 @@ def check(good, what):
 
 
 def start_server():
-    """A server on a port that was free just now, and that port."""
+    """A server on a free port, and that port."""
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
         port = probe.getsockname()[1]
@@ -33,7 +33,7 @@ def start_server():
 
 
 def words_of(work):
-    """What ParaView says meanwhile, on either side."""
+    """ParaView's output meanwhile, on both sides."""
     said, window = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(said)
     work()
