@@ -28,8 +28,8 @@ constexpr const char* kToolExamples = R"(Examples:
   brindle sample horse.ply --output samples.csv
   brindle info horse.ply
 
-'brindle COMMAND --help' tells more of each command. All end with 0 if the job is done, 1 if it
-failed, 2 if the command line is wrong and 130 if Ctrl-C ended it (143 for SIGTERM,
+'brindle COMMAND --help' describes each command. All end with 0 if the job is done, 1 if it failed,
+2 if the command line is wrong and 130 if Ctrl-C ended it (143 for SIGTERM,
 129 for SIGHUP).)";
 
 int fail(int code, const std::string& message) {
@@ -37,13 +37,13 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
-// " (did you mean 'NAME'?)" of a mistyped word, or nothing.
+// " (did you mean 'NAME'?)" for a mistyped word, or "".
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
   const std::string meant = nearest(word, known);
   return meant.empty() ? "" : " (did you mean '" + meant + "'?)";
 }
 
-// Of the first option in `words` that `app` does not know.
+// For the first unknown option in `words`.
 std::string option_suggestion(const CLI::App& app, const std::vector<std::string>& words) {
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_options()) {
@@ -56,7 +56,7 @@ std::string option_suggestion(const CLI::App& app, const std::vector<std::string
   return "";
 }
 
-// CLI11 names what it does not know from the last word to the first.
+// CLI11 lists unknown words from last to first.
 std::string words_of(const CLI::ParseError& error, const std::vector<std::string>& unknown) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
   std::string words;
@@ -64,7 +64,7 @@ std::string words_of(const CLI::ParseError& error, const std::vector<std::string
   return "not expected:" + words;
 }
 
-// What is wrong with the command line whose first word is `first`, and where help is.
+// Explains a wrong command line, whose first word is `first`, and refers to help.
 std::string explanation(const CLI::ParseError& error, const std::vector<Command>& commands,
                         const CLI::App& app, const std::string& first) {
   std::string names;
@@ -142,7 +142,7 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace brindle::tool
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit is to be a message, not the end
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   brindle::tool::leave_out_blas_threads(argv);
   try {
     return brindle::tool::parse_and_run(argc, argv);

@@ -1,4 +1,4 @@
-/// What rank 0 alone does for all.
+/// Work of rank 0 on behalf of all.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,10 @@
 
 namespace brindle::tool {
 
-/// Collective. As `Communicator::together`, with wrong usage staying wrong usage: then all ranks
-/// throw CLI::ValidationError.
+/// Collective. As `Communicator::together`, but CLI::ValidationError on one rank is thrown on all.
 void together_as_used(Communicator& ranks, const std::function<void()>& work);
 
-/// The same of what rank 0 does and the others wait for.
+/// The same for work on rank 0 that the others wait for.
 void on_first_rank(Communicator& ranks, const std::function<void()>& work);
 
 }  // namespace brindle::tool

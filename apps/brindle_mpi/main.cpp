@@ -26,8 +26,8 @@ namespace {
 
 enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2 };
 
-/// Whether all ranks come here within some time. What one rank alone throws leaves the others
-/// waiting for it elsewhere; that is rare, and a rank that comes late on a busy machine is not.
+/// Whether all ranks fail within some time. An exception on a single rank leaves the others waiting
+/// elsewhere, which is rare; late ranks on a busy machine are not.
 bool all_have_failed() {
   constexpr auto kPatience = std::chrono::seconds(60);
   MPI_Request request;
@@ -41,7 +41,7 @@ bool all_have_failed() {
   return done != 0;
 }
 
-/// Of one rank alone; ends the others where they wait.
+/// For a failure on one rank: ends the waiting others.
 ExitCode fail_alone(ExitCode code, const std::string& message) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -50,7 +50,7 @@ ExitCode fail_alone(ExitCode code, const std::string& message) {
   return code;
 }
 
-/// One message, whoever fails.
+/// Prints one message, whichever ranks fail.
 ExitCode fail(ExitCode code, const std::string& message) {
   if (!all_have_failed()) return fail_alone(code, message);
   int rank = 0;
@@ -59,8 +59,8 @@ ExitCode fail(ExitCode code, const std::string& message) {
   return code;
 }
 
-/// What many ranks do together they tell each other of as an Error (`Communicator::together`).
-/// Whatever else is thrown is one rank's.
+/// Collective operations raise an error of one rank on all, as Error (`Communicator::together`).
+/// Other exceptions belong to one rank.
 ExitCode run(const Command& command) {
   try {
     command.run();
@@ -78,13 +78,13 @@ ExitCode run(const Command& command) {
   }
 }
 
-/// "stripe " once that was asked for.
+/// "stripe " after the command stripe.
 std::string help_of(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? "" : commands.front()->get_name() + " ";
 }
 
-/// What this rank's words are, whether or not they are understood.
+/// The words of this rank, valid or not.
 struct Parsed {
   Request request;
   std::optional<CLI::Success> asked_for_help;
@@ -136,9 +136,9 @@ ExitCode parse_and_run(int argc, char** argv) {
 }  // namespace brindle::tool
 
 int main(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond its limit is to be a message, not the end
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   brindle::tool::leave_out_blas_threads(argv);
-  // Other threads work between messages; they send none.
+  // Other threads run between messages, but send none.
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   int code = brindle::tool::kFailed;

@@ -26,7 +26,7 @@ LoadedSurface load_whole(const SurfaceOptions& options, JobListener& listener) {
   refuse_points(options, "stripe");
   listener.stage("loading " + options.mesh);
   SurfaceOptions coarse = options;
-  coarse.subdivide = 0;  // what ranks do with their pieces
+  coarse.subdivide = 0;  // ranks subdivide their partitions
   LoadedSurface loaded = load_mesh(coarse, listener.progress());
   listener.note(describe(loaded));
   return loaded;
@@ -34,7 +34,7 @@ LoadedSurface load_whole(const SurfaceOptions& options, JobListener& listener) {
 
 using Position = std::array<float, 3>;
 
-/// What travels of a piece, a list per rank each.
+/// Parts of partitions to send, one list per rank.
 struct PackedPieces {
   std::vector<std::vector<std::uint64_t>> ids, triangle_ids;
   std::vector<std::vector<Position>> positions;
@@ -57,20 +57,20 @@ PackedPieces pack_pieces(const Mesh& mesh, std::size_t ranks) {
   return packed;
 }
 
-/// What is asked for of what a file has.
+/// The requested arrays of a file.
 DataArrays wanted_of(DataArrays arrays, const WantedArrays& wanted, const std::string& file) {
   DataArrays named = named_arrays(arrays, wanted.names, file);
   return wanted.all ? std::move(arrays) : std::move(named);
 }
 
-/// Rows that ranks have of the whole, a list per rank.
+/// Rows of the whole mesh on each rank.
 std::vector<std::vector<Index>> rows_of_ranks(const std::vector<std::vector<std::uint64_t>>& ids) {
   std::vector<std::vector<Index>> rows;
   for (const auto& list : ids) rows.emplace_back(list.begin(), list.end());
   return rows;
 }
 
-/// Nothing for shapes that are made whole alone.
+/// Empty for shapes that can only be made as a whole.
 std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOptions& options) {
   if (!is_shape(options)) return std::nullopt;
   try {
@@ -84,7 +84,7 @@ std::optional<ReadPiece> make_piece(const Communicator& ranks, const SurfaceOpti
   }
 }
 
-/// Rank 0 reads or makes the whole and sends the others their pieces.
+/// Rank 0 reads or makes the whole mesh and sends partitions to the others.
 ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const WantedArrays& wanted,
                     JobListener& listener) {
   PackedPieces packed(static_cast<std::size_t>(ranks.size()));
@@ -149,7 +149,7 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const W
     read = read_pvtp_pieces(ranks, options.mesh, wanted, listener);
     read.piece.triangle_ids = ranks.numbers_of(read.piece.mesh.triangle_count());
   } else if (auto made = make_piece(ranks, options)) {
-    wanted_of({}, wanted, options.mesh);  // shapes have none
+    wanted_of({}, wanted, options.mesh);  // shapes have no arrays
     read = std::move(*made);
     read.piece.triangle_ids = ranks.numbers_of(read.piece.mesh.triangle_count());
   } else {

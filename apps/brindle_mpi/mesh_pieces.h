@@ -1,4 +1,4 @@
-/// The pieces of a mesh that ranks read, make, or get from rank 0.
+/// Partitions of a mesh that ranks read, make or receive from rank 0.
 #pragma once
 
 #include <cstddef>
@@ -15,32 +15,31 @@
 namespace brindle::tool {
 
 struct ReadPiece {
-  std::string file;    ///< or shape, as messages call it
-  SurfacePiece piece;  ///< numbers are those of the whole mesh
-  /// Whether vertices have the numbers that the mesh's file or the shape gives them; a .pvtp
-  /// without ids gives none.
+  std::string file;    ///< or shape, for messages
+  SurfacePiece piece;  ///< with global numbers
+  /// Whether vertices have the numbers of the mesh's file or shape; false for a .pvtp without ids.
   bool numbered = true;
-  /// Per vertex the number that the mesh's file or the shape gives it, -1 for those that are added;
-  /// none if it gives none.
+  /// Per vertex, its number in the mesh's file or shape, -1 for added vertices; empty without
+  /// numbers.
   std::vector<std::int64_t> original_ids = {};
   std::size_t vertices_joined = 0;
-  int subdivided = 0;                ///< times
-  std::vector<Index> vertex_of_row;  ///< on rank 0, as LoadedMesh has it; none if subdivided
-  std::vector<Index> partners;       ///< on rank 0, as Preparation has it
-  DataArrays arrays = {};            ///< those asked for: a row per vertex, and per triangle
+  int subdivided = 0;                ///< number of subdivisions
+  std::vector<Index> vertex_of_row;  ///< on rank 0, as in LoadedMesh; empty if subdivided
+  std::vector<Index> partners;       ///< on rank 0, as in Preparation
+  DataArrays arrays = {};            ///< requested arrays, per vertex and per triangle
 };
 
-/// Arrays of the mesh's file that are asked for.
+/// Requested arrays of the mesh's file.
 struct WantedArrays {
-  std::vector<std::string> names;  ///< NAME, points/NAME or cells/NAME: they must be there
-  bool all = false;                ///< and all others, but those that mark ghosts
+  std::vector<std::string> names;  ///< NAME, points/NAME or cells/NAME; must exist
+  bool all = false;                ///< also all others, except for ghost markers
 };
 
-/// Collective. Ranks read the pieces of a .pvtp and make their parts of shapes that can be made in
-/// parts (`make_shape_part`). Any other mesh rank 0 reads or makes, cuts along a Hilbert curve and
-/// sends. Pieces are then subdivided. Throws on all ranks CLI::ValidationError for a shape that is
-/// not spelt right, and Error for a file that cannot be read, has no triangles, or lacks one of the
-/// arrays asked for.
+/// Collective. Ranks read the pieces of a .pvtp, or make their partitions of a shape
+/// (`make_shape_part`). Rank 0 reads or makes any other mesh, partitions it along a Hilbert curve
+/// and sends the partitions, which are then subdivided. Throws on all ranks: CLI::ValidationError
+/// for a misspelt shape, Error for a file that cannot be read, has no triangles or lacks a
+/// requested array.
 ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const WantedArrays& wanted,
                      JobListener& listener);
 

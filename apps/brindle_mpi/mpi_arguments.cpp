@@ -18,10 +18,8 @@ constexpr const char* kForOneProcess =
 
 void add_bounds_options(CLI::App& command, std::size_t& plan_below) {
   command
-      .add_option(
-          "--plan-below", plan_below,
-          "of a surface with fewer vertices rank 0 solves alone, so that the pattern is that of "
-          "one process; it needs the room of the whole for that")
+      .add_option("--plan-below", plan_below,
+                  "solve smaller surfaces, in vertices, on rank 0, as one process does")
       ->type_name("N")
       ->capture_default_str();
 }
@@ -33,17 +31,16 @@ void add_mpi_options(CLI::App& command, MpiArguments& arguments) {
   add_bounds_options(command, arguments.plan_below);
   command
       .add_option("-o,--output", arguments.output,
-                  "the mesh with its phases: one .vtp a rank, and a .pvtp that names them")
+                  "the mesh with its phases: a .pvtp that names one .vtp per rank")
       ->type_name("FILE.pvtp");
   command.add_option("--report", arguments.report, "write the report here")->type_name("FILE.json");
   command
       .add_option("--frames", arguments.frames,
-                  "then solve so many frames, each with directions turned by a degree, and report "
-                  "what they take; files have the pattern before")
+                  "then measure N frames, each turned by a degree; no files have them")
       ->type_name("N")
       ->check(CLI::Range(0, 10000));
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
-  // Told apart from what there is not at all.
+  // Known, to be rejected with a reason.
   for (const char* flag : {"--uv", "--cross"}) command.add_flag(flag)->group("");
   for (const char* option : {"--texture", "--previous"}) command.add_option(option)->group("");
 }
@@ -82,7 +79,7 @@ std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surf
   if (is_pvtp(surface.mesh)) {
     for (UsedFile& file : files_of_pvtp(ranks, surface.mesh)) inputs.push_back(std::move(file));
   }
-  // Of these every rank reads the whole.
+  // Every rank reads these completely.
   std::vector<std::filesystem::path> of_all;
   for (const UsedFile& file : inputs) {
     if (file.option == "--field-mesh") of_all.push_back(file.path);

@@ -1,4 +1,4 @@
-/// What `brindle-mpi stripe` is asked for.
+/// Arguments of `brindle-mpi stripe`.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace brindle::tool {
 
-/// Those of `brindle stripe` that many processes have, and `frames`.
+/// The options of `brindle stripe` that work on many processes, and `frames`.
 struct MpiArguments {
   SurfaceOptions surface;
   WaveOptions waves;
@@ -23,7 +23,7 @@ struct MpiArguments {
   std::size_t plan_below = DistributedOptions().plan_below;
   std::string output;  ///< .pvtp; empty: none
   std::string report;  ///< .json; empty: none
-  int frames = 0;      ///< that are measured after the pattern is made
+  int frames = 0;      ///< measured after the pattern is made
   bool quiet = false;
 };
 
@@ -41,7 +41,7 @@ void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
 /// surface in one process.
 void check_mpi_options(const CLI::App& command, const MpiArguments& arguments);
 
-/// Collective. All files that are read, those that a .pvtp names among them.
+/// Collective. All input files, including those of a .pvtp.
 std::vector<UsedFile> mpi_inputs(Communicator& ranks, const SurfaceOptions& surface,
                                  const WaveOptions& waves, const SolvingOptions& solving);
 

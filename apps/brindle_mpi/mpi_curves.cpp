@@ -40,36 +40,36 @@ constexpr const char* kMpiCurvesExamples = R"(Examples:
   mpirun -n 8 brindle-mpi curves scan.ply --min-length 2% --output long.csv --report long.json
   mpirun -n 4 brindle-mpi curves scan.ply --offset 0.5 --tube-radius 0.3% --output gaps.glb
 
-Rank 0 follows the stripes' centre lines over the whole surface and writes one file by its
-extension: .obj .ply .vtp .csv, of tubes also .gltf .glb. In a .pvtp every rank has the parts of
-lines in its own triangles, cut at borders: where one is, border_edge has the numbers of the edge's
-vertices in the whole, and border_crossing counts along it; elsewhere both are -1.)";
+Rank 0 traces the stripes' centre lines over the whole surface and writes one file by its extension:
+.obj .ply .vtp .csv, and of tubes .gltf .glb. In a .pvtp, every rank has the parts of lines in its
+own triangles. At cuts, border_edge has the global numbers of the edge's vertices and
+border_crossing counts the cuts along it; elsewhere both are -1.)";
 
 struct MpiCurvesArguments : PatternArguments, TracingOptions {};
 
-/// One of U and V, on rank 0.
+/// U or V, on rank 0.
 struct JoinedFamily {
   std::string name;
   StripeCurves curves;
   CurveEnds ends{};              ///< of all curves
-  std::size_t short_curves = 0;  ///< left out
-  std::size_t jogs = 0;          ///< edges that moved curves do not cross straight
+  std::size_t short_curves = 0;  ///< number left out
+  std::size_t jogs = 0;          ///< edges at which moved curves have a jog
   double energy = 0;
   std::size_t branches = 0, field_singularities = 0;
   CurveLengths lengths = {};              ///< before lines were reshaped
   std::optional<CurveSpacing> spacing{};  ///< of all curves
-  bool yields = false;                    ///< whether frequencies do
+  bool yields = false;                    ///< with a spacing tolerance
   std::optional<CurveCoverage> coverage{};
-  MakingFigures loops{};  ///< of the whole surface, and how the pattern winds round them
+  MakingFigures loops{};  ///< of the whole surface, with winding numbers
 };
 
-/// One of U and V as a rank has it.
+/// U or V on a rank.
 struct CutFamily {
   std::string name;
   PieceCurves curves;
 };
 
-/// The border that a line ends at, for every point.
+/// The border edge at each point's line end.
 std::vector<DataArray> border_arrays(const PieceCurves& curves) {
   std::vector<std::int64_t> edges(2 * curves.lines.points.size(), -1);
   std::vector<std::int32_t> crossings(curves.lines.points.size(), -1);
@@ -90,7 +90,7 @@ std::vector<DataArray> border_arrays(const PieceCurves& curves) {
 /// Collective.
 void write_cut_families(Communicator& ranks, const std::string& path, const Mesh& mesh,
                         const std::vector<CutFamily>& families) {
-  // As `write_polylines` has them.
+  // As in `write_polylines`.
   DataArrays announced;
   announced.points = border_arrays({});
   announced.points.push_back(make_data_array("normal", std::span<const Vec3>()));
@@ -107,7 +107,7 @@ void write_cut_families(Communicator& ranks, const std::string& path, const Mesh
                });
 }
 
-/// Collective. What is known of a family without joining it.
+/// Collective. The report of a family without joining it.
 nlohmann::ordered_json to_json(Communicator& ranks, const CutFamily& family,
                                const SolvedPattern& solved) {
   const CurveLengths lengths = curve_lengths(family.curves.lines);
@@ -239,7 +239,7 @@ void write_joined(const MpiCurvesArguments& arguments, const std::vector<JoinedF
   write_polylines(arguments.output, lines);
 }
 
-/// On rank 0. Families are joined, or there are none.
+/// On rank 0. Families are joined, or empty.
 void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
           const std::vector<JoinedFamily>& families, const PiecePatterns& patterns,
           const nlohmann::ordered_json& report) {
@@ -263,7 +263,7 @@ void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
   if (!arguments.report.empty()) print_written(std::cout, arguments.report);
 }
 
-/// Collective. The loops of the whole and the windings of a pattern, on rank 0.
+/// Collective. The loops of the surface and the winding numbers of a pattern, on rank 0.
 MakingFigures loops_of(const GatheredSurface& whole, const PiecePattern& of_piece) {
   GatheredPattern gathered = gathered_pattern(whole, of_piece);
   MakingFigures figures;
@@ -281,10 +281,10 @@ MakingFigures loops_of(const GatheredSurface& whole, const PiecePattern& of_piec
   return figures;
 }
 
-/// What is made of the curves of all ranks.
+/// The result of all ranks.
 struct MadeCurves {
-  std::vector<JoinedFamily> joined;  ///< on rank 0, unless pieces are written
-  nlohmann::ordered_json report;     ///< of families, by their names
+  std::vector<JoinedFamily> joined;  ///< on rank 0, unless partitions are written
+  nlohmann::ordered_json report;     ///< of families, by name
 };
 
 MadeCurves make_curves(Communicator& ranks, PiecePatterns& patterns,

@@ -53,7 +53,7 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
   for (int n = 1; n <= count; ++n) {
     const float radians = static_cast<float>(n) * std::numbers::pi_v<float> / 180;
     turned.directions = rotated(waves.directions, surface.normals(), radians);
-    ranks.any(false);  // all begin together
+    ranks.any(false);  // synchronizes the ranks
     Stopwatch watch;
     const FrameResult frame =
         animator.frame({turned.positions, turned.directions, turned.frequencies});

@@ -1,4 +1,4 @@
-/// What a run over many processes reports beside what one process does.
+/// Metrics of parallel runs, in addition to those of one process.
 #pragma once
 
 #include <iosfwd>
@@ -15,34 +15,34 @@ namespace brindle::tool {
 struct RankFigures {
   int ranks = 1;
   std::size_t distributed_levels = 0;
-  std::size_t vertices_most = 0;  ///< that one rank owns
+  std::size_t vertices_most = 0;  ///< largest number of owned vertices
   double vertices_mean = 0;
   std::size_t ghosts = 0;
   std::uint64_t bytes_sent = 0, messages_sent = 0;
   double waiting_milliseconds_mean = 0, waiting_milliseconds_most = 0;
-  std::size_t memory_peak_most = 0;  ///< bytes; 0 where the system does not tell
+  std::size_t memory_peak_most = 0;  ///< bytes; 0 if the system does not report it
 };
 
 struct FrequencyTraffic {
   std::uint64_t bytes = 0, halo_bytes = 0;
 };
 
-/// Of frames that were measured one after the other. Means are over ranks.
+/// Of consecutive measured frames. Means are over ranks.
 struct FrameFigures {
   int count = 0;
   double milliseconds = 0;                    ///< the median frame, on the slowest rank
-  double bytes_sent = 0;                      ///< a frame, by all ranks
-  std::uint64_t halo_bytes = 0;               ///< of these what sweeps have to send at least
-  std::optional<FrequencyTraffic> frequency;  ///< a frame, by all ranks: of frequencies that yield
-  double waiting_milliseconds = 0;            ///< a frame
-  double imbalance = 1;  ///< time without waiting of the busiest rank over the mean
+  double bytes_sent = 0;                      ///< per frame, on all ranks
+  std::uint64_t halo_bytes = 0;               ///< of these, the least that sweeps have to send
+  std::optional<FrequencyTraffic> frequency;  ///< per frame, on all ranks, by the spacing tolerance
+  double waiting_milliseconds = 0;            ///< per frame
+  double imbalance = 1;  ///< busy time of the busiest rank relative to the mean
 };
 
 /// Collective.
 RankFigures rank_figures(Communicator& ranks, const DistributedSurface& surface,
                          const DistributedStripeAnimator& animator);
 
-/// Collective. Solves so many frames on from `waves`, whose directions turn by a degree a frame
+/// Collective. Solves `frames` frames starting from `waves`; directions turn by a degree per frame
 /// about the normals.
 FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surface,
                             DistributedStripeAnimator& animator, const WaveSet& waves, int count);
@@ -50,7 +50,7 @@ FrameFigures measure_frames(Communicator& ranks, const DistributedSurface& surfa
 nlohmann::ordered_json to_json(const RankFigures& figures);
 nlohmann::ordered_json to_json(const FrameFigures& figures);
 
-/// Lines for people.
+/// As text.
 void print_ranks(std::ostream& out, const RankFigures& figures);
 void print_frames(std::ostream& out, const FrameFigures& figures);
 

@@ -34,17 +34,17 @@ constexpr const char* kMpiSampleExamples = R"(Examples:
   mpirun -n 8 brindle-mpi sample scan.ply --report samples.json
 
 Rank 0 finds the samples of the whole surface, leaves out those too near to others and writes one
-file by its extension: .csv .ply .vtp. Of several ranks each sample has the rank whose triangle it
-lies in, numbered as in that rank's piece. Of a .pvtp every rank writes its own samples.)";
+file by its extension: .csv .ply .vtp. With several ranks, each sample has the rank of its triangle
+and the triangle's number in that rank's partition. In a .pvtp, every rank writes its own.)";
 
 struct MpiSampleArguments : PatternArguments {
   float min_distance = kDoubleShare;
 };
 
 struct GatheredSamples {
-  std::vector<Sample> own;         ///< of this rank, those that are left
-  std::vector<Sample> samples;     ///< on rank 0: of all ranks
-  std::vector<std::int32_t> rank;  ///< whose triangle a sample lies in
+  std::vector<Sample> own;         ///< kept samples of this rank
+  std::vector<Sample> samples;     ///< on rank 0: those of all ranks
+  std::vector<std::int32_t> rank;  ///< with the triangle of each sample
   std::size_t doubles = 0;         ///< left out, on all ranks
   std::optional<SampleSpacing> spacing;
 };
@@ -69,7 +69,7 @@ GatheredSamples gather_samples(Communicator& ranks, const PiecePatterns& pattern
 /// Collective.
 void write_sample_pieces(Communicator& ranks, const std::string& path, const Mesh& mesh,
                          std::span<const Sample> own) {
-  // As `write_samples` has them.
+  // As in `write_samples`.
   DataArrays announced;
   for (const char* name : {"normal", "direction_u", "direction_v", "barycentric"}) {
     announced.points.push_back({name, NumberType::float32, 3, {}});

@@ -6,7 +6,7 @@
 
 namespace brindle::tool {
 
-/// `ranks` must live until the command has run, which is collective.
+/// `ranks` must outlive the command's run, which is collective.
 Command add_mpi_sample_command(CLI::App& app, Communicator& ranks);
 
 }  // namespace brindle::tool

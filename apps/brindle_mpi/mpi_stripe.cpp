@@ -40,15 +40,15 @@ constexpr const char* kMpiExamples = R"(Examples:
   mpirun -n 4 brindle-mpi stripe scan.ply --field wind.csv --output wind.pvtp
   mpirun -n 4 brindle-mpi stripe flow.vtp --field array:flow --frequency-by array:speed
 
-Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula; of other meshes
-rank 0 reads the whole and sends the others their pieces. Each rank writes one, FILE_0.vtp and on,
-with phase (radians; not a number where there is no wave, and valid is 0), its sine, direction,
-frequency, branch, global_id (the number in the whole mesh) and original_id (the number in MESH) at
-every vertex, branch and corner_phase of every triangle, and all arrays that MESH has; FILE.pvtp names them. Rows of files belong to vertices
-in the order of these numbers. With --slack, frequency is the one chosen and
-frequency_wanted the one asked for. Where one rank fails, all end with 1 and one message.)";
+Ranks read the pieces of a .pvtp and make their parts of shapes that have a formula. Other meshes
+are read by rank 0, which sends the others their partitions. Each rank writes FILE_RANK.vtp, and
+FILE.pvtp names them. Vertices have phase (radians; NaN where valid is 0: no wave), its sine,
+direction, frequency, branch, global_id (the number in the whole mesh) and original_id (the number
+in MESH); triangles have branch and corner_phase; all arrays of MESH are kept. Rows of files belong
+to vertices in the order of these numbers. With --slack, frequency is the chosen one and
+frequency_wanted the requested one. If a rank fails, all end with 1 and one message.)";
 
-/// On all ranks or none.
+/// The same on all ranks.
 bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweeps > 0; }
 
 Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& waves,
@@ -71,7 +71,7 @@ Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& wave
   return report;
 }
 
-/// What the piece's file has of the pattern.
+/// The pattern's arrays of a partition's file.
 DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<CornerPhases> corners,
                      const std::vector<float>& branches) {
   DataArrays arrays;
@@ -82,7 +82,7 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
   }
   add_waves(arrays.points, {waves, wanted, frame.z, ""}, std::numeric_limits<float>::quiet_NaN(),
             branches);
-  // Pieces without a vertex have all arrays, too.
+  // Partitions without vertices have all arrays, too.
   if (has_yielded(frame) && wanted.empty()) {
     arrays.points.push_back(make_data_array("frequency_wanted", 1, wanted));
   }
@@ -132,7 +132,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
   std::optional<FrameFigures> frames;
   {
     ProgressDisplay display(arguments.quiet || ranks.rank() != 0);
-    // Ctrl-C reaches one rank or all: where one has heard of it, all end here.
+    // Ctrl-C may reach any number of ranks; stages synchronize the cancellation.
     const auto stage = [&](const char* name) { enter_stage(ranks, display, name); };
     Stopwatch watch;
     WantedArrays wanted = wanted_arrays(arguments.waves);
@@ -168,7 +168,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
       const std::vector<float> branches =
           flags_of_all(ranks, read, branches_at_vertices(read.piece.mesh, measures.corners));
       DataArrays own = arrays_of(w, frame, std::move(measures.corners), branches);
-      if (waves.figures.detail) {  // pieces without a vertex have it, too
+      if (waves.figures.detail) {  // partitions without vertices have it, too
         own.points.push_back(make_data_array("agreement", 1, waves.agreement));
       }
       copy_from_partners(ranks, surface, read, own.points);

@@ -28,13 +28,13 @@
 namespace brindle::tool {
 namespace {
 
-/// The piece as functions want it that take rows of arrays vertex by vertex.
+/// The partition as a Surface, for functions that take rows vertex by vertex.
 Surface with_normals(const DistributedSurface& surface, const ReadPiece& read) {
   const std::span<const Vec3> normals = surface.normals();
   return {{read.piece.mesh.positions, {}}, nullptr, {normals.begin(), normals.end()}};
 }
 
-/// Own vertices and ghosts, whose rows are not numbers: each counts once, for its owner.
+/// Own vertices and ghosts; rows with NaN are counted once, by the owner.
 DataArray rows_of_nodes(const RankSurface& own, const DataArray& array) {
   const auto columns = static_cast<std::size_t>(array.components);
   const std::vector<double> rows = doubles_of(array.view());
@@ -47,7 +47,7 @@ DataArray rows_of_nodes(const RankSurface& own, const DataArray& array) {
   return make_data_array(array.name, array.components, of_nodes);
 }
 
-/// Directions run alike within a rank, and are the owner's at borders.
+/// Directions are aligned within a rank; ghosts have the owner's.
 PieceField tensor_field(Communicator& ranks, const DistributedSurface& surface,
                         const DataArray& array, const ArrayOptions& options) {
   const RankSurface& own = surface.rank_surface();
@@ -99,7 +99,7 @@ PieceField array_field(Communicator& ranks, const DistributedSurface& surface,
   return field;
 }
 
-/// Of a file that names its columns: the field, and frequencies if it has them.
+/// Named columns: the field, and frequencies if there are any.
 PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
                          const ReadPiece& read, const WaveOptions& options,
                          const std::vector<DataArray>& columns) {
@@ -111,7 +111,7 @@ PieceField columns_field(Communicator& ranks, const DistributedSurface& surface,
   return field;
 }
 
-/// Of a file of vectors, and of frequencies behind them.
+/// Unnamed columns: vectors, then frequencies.
 PieceField rows_field(Communicator& ranks, const DistributedSurface& surface,
                       const std::vector<DataArray>& columns) {
   PieceField field;
@@ -126,9 +126,9 @@ PieceField rows_field(Communicator& ranks, const DistributedSurface& surface,
 
 /// On rank 0.
 struct FieldColumns {
-  std::vector<DataArray> columns;  ///< the field, then its frequencies
-  bool named = false;              ///< an array that may be a tensor, or vectors
-  bool of_globe = false;           ///< towards the east and the north
+  std::vector<DataArray> columns;  ///< the field, then frequencies
+  bool named = false;              ///< an array that may be a tensor or vectors
+  bool of_globe = false;           ///< east and north components
 };
 
 FieldColumns read_columns(const WaveOptions& options, const ReadPiece& read, std::size_t vertices) {
@@ -151,7 +151,7 @@ FieldColumns read_columns(const WaveOptions& options, const ReadPiece& read, std
   return result;
 }
 
-/// Of a globe that all pieces are a part of.
+/// For a globe, of which all partitions are a part.
 DataArray piece_globe_vectors(Communicator& ranks, const ReadPiece& read,
                               const DataArray& east_north) {
   GlobeRadii radii = globe_radii(read.piece.mesh);
@@ -178,7 +178,7 @@ PieceField file_field(Communicator& ranks, const DistributedSurface& surface, co
   return columns_field(ranks, surface, read, options, columns);
 }
 
-/// What rank 0 reads, on all ranks.
+/// Strokes read by rank 0, on all ranks.
 std::vector<FieldStroke> strokes_of(Communicator& ranks, const std::string& path) {
   std::vector<double> numbers;
   ranks.throw_on_all([&] {

@@ -1,4 +1,4 @@
-/// Direction fields of the pieces of a surface, before they are turned and get frequencies.
+/// Direction fields of partitions, before they are turned and get frequencies.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +17,14 @@
 
 namespace brindle::tool {
 
-/// Of the piece's vertices; counts are of all ranks.
+/// Of the partition's vertices; counts are over all ranks.
 struct PieceField : FoundField {
-  /// Of the mesh's file or another one; refers to the surface and to what was read.
+  /// Of the mesh's file or another one; refers to the surface and to the read data.
   std::shared_ptr<const PieceArrays> arrays = {};
-  FieldData data = {};  ///< what it was made of, if it was measured: rows of the piece
+  FieldData data = {};  ///< its source, if it was measured: rows of the partition
 };
 
-/// Collective. What `make_base_field` makes of the whole.
+/// Collective. As `make_base_field`, for partitions.
 PieceField make_piece_field(Communicator& ranks, const DistributedSurface& surface,
                             const ReadPiece& read, const WaveOptions& options);
 

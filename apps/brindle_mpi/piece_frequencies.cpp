@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kBy = "--frequency-by";
 
-/// What frequencies follow: an array as it is, or a number per vertex of the piece.
+/// Values that frequencies follow: an array, or a number per vertex of the partition.
 DataArray frequency_values(Communicator& ranks, const DistributedSurface& surface,
                            const ReadPiece& read, const ArrayOptions& options,
                            const PieceArrays& arrays) {

@@ -1,4 +1,4 @@
-/// Frequencies of the pieces of a surface.
+/// Frequencies of partitions.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace brindle::tool {
 
-/// Collective. Gives a field the frequencies that the options ask for, NaN where there are none, as
-/// `make_waves` does.
+/// Collective. Sets a field's frequencies by the options, NaN if there are none, as `make_waves`
+/// does.
 void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& surface,
                               const ReadPiece& read, const WaveOptions& options, PieceField& field);
 

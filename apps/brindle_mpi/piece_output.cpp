@@ -28,7 +28,7 @@ void put_arrays(OutputStream& out, std::string_view element, std::span<const Dat
 
 void write_index(const fs::path& pvtp, int ranks, const Eigen::Vector3d& origin,
                  const DataArrays& arrays) {
-  check_name_in_xml(pvtp);  // pieces are called like it
+  check_name_in_xml(pvtp);  // pieces have the same name
   write_file(pvtp, [&](OutputStream& out) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PPolyData\" version=\"1.0\" "
            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n";
@@ -43,8 +43,7 @@ void write_index(const fs::path& pvtp, int ranks, const Eigen::Vector3d& origin,
   });
 }
 
-/// The pieces that an older .pvtp of this name has beyond those of so many ranks, as a run of more
-/// ranks leaves them behind.
+/// Pieces that an older .pvtp of this name lists beyond `ranks`, left by a run with more ranks.
 std::vector<fs::path> older_pieces(const fs::path& pvtp, int ranks) {
   std::error_code ignored;
   if (!fs::exists(pvtp, ignored)) return {};
@@ -52,9 +51,9 @@ std::vector<fs::path> older_pieces(const fs::path& pvtp, int ranks) {
   try {
     for (const fs::path& piece : read_pvtp(pvtp).pieces) named.insert(piece.lexically_normal());
   } catch (const Error&) {
-    return {};  // none of ours
+    return {};  // not written by Brindle
   }
-  // None of another name, whatever the list says.
+  // Ignores other names in the list.
   std::vector<fs::path> older;
   for (int r = ranks; r < ranks + static_cast<int>(named.size()); ++r) {
     const fs::path piece = piece_path(pvtp, r);
@@ -112,7 +111,7 @@ void write_pieces(Communicator& ranks, const fs::path& pvtp, const Eigen::Vector
     const std::vector<fs::path> older = older_pieces(pvtp, ranks.size());
     write_index(pvtp, ranks.size(), origin, arrays);
     for (const fs::path& old : older) {
-      std::error_code ignored;  // it is in nobody's way
+      std::error_code ignored;  // a leftover file does no harm
       fs::remove(old, ignored);
     }
   });

@@ -1,4 +1,4 @@
-/// A mesh in pieces as VTK has it: a .pvtp that names a .vtp a rank.
+/// VTK's partitioned meshes: a .pvtp that lists one .vtp per rank.
 #pragma once
 
 #include <filesystem>
@@ -14,28 +14,28 @@
 
 namespace brindle::tool {
 
-/// The ranks' files of `pvtp`: FILE_0.vtp and on, beside it.
+/// The file of a rank: FILE_0.vtp and so on, beside `pvtp`.
 std::filesystem::path piece_path(const std::filesystem::path& pvtp, int rank);
 
-/// The .pvtp and all its pieces, as outputs; also those of an older .pvtp of this name, of a run
-/// with more ranks, which go when the new one is written.
+/// The .pvtp and all its pieces as outputs, including pieces of an older .pvtp with more ranks,
+/// which are removed when the new one is written.
 std::vector<UsedFile> files_of_pieces(const std::string& pvtp, int ranks);
 
-/// Throws Error on all ranks, as `write_pieces` would, if the place of a file is no good.
+/// Throws Error on all ranks, as `write_pieces` would, if a file cannot be written.
 void check_pieces(Communicator& ranks, const std::filesystem::path& pvtp);
 
-/// All ranks write their pieces into files without names (output_file.h); once all have, pieces get
-/// theirs, and rank 0 writes the .pvtp last. Where one rank fails, all throw, and what stood there
-/// stays, but for pieces if it is giving names that fails; a rank that is killed leaves nothing
-/// behind. All ranks have arrays of the same names and types.
+/// Each rank writes its piece to an unnamed file (output_file.h). Once all are complete, they are
+/// named, and rank 0 writes the .pvtp last. If a rank fails, all throw and existing files stay,
+/// except for pieces if the naming itself fails; a killed rank leaves no files. All ranks have
+/// arrays of the same names and types.
 void write_pieces(Communicator& ranks, const std::filesystem::path& pvtp, const Mesh& mesh,
                   const DataArrays& arrays);
 
-/// Writes a piece, a .vtp, into a stream; the path is for messages.
+/// Writes a .vtp piece to a stream; the path is for messages.
 using PieceWriter = std::function<void(OutputStream&, const std::filesystem::path&)>;
 
-/// The same for any pieces with points about `origin`; `arrays`, which may have no rows, have the
-/// names and types of theirs.
+/// The same for any pieces with points relative to `origin`; `arrays`, whose rows are ignored, have
+/// the names and types of theirs.
 void write_pieces(Communicator& ranks, const std::filesystem::path& pvtp,
                   const Eigen::Vector3d& origin, const DataArrays& arrays,
                   const PieceWriter& write);

@@ -29,7 +29,7 @@ std::optional<float> frequency_of_v(const PatternArguments& arguments, double di
   return frequency_of_stripes(*arguments.stripes_v, static_cast<float>(diagonal));
 }
 
-/// U's waves turned, with V's own frequency if it has one.
+/// U's waves turned by 90 degrees, with V's own frequency if given.
 WaveSet waves_of_v(const WaveSet& u, const DistributedSurface& surface,
                    std::optional<float> frequency) {
   FrequencyField own;

@@ -1,4 +1,4 @@
-/// One or two patterns over the pieces of a surface: what `brindle-mpi curves` and `sample` share.
+/// One or two patterns over partitions, for `brindle-mpi curves` and `sample`.
 #pragma once
 
 #include <optional>
@@ -29,29 +29,29 @@ struct PatternArguments {
   bool quiet = false;
 };
 
-/// All options; `what` says what --output is, `files` which extensions it has.
+/// All options; `what` is the help of --output, `files` its metavariable.
 void add_pattern_options(CLI::App& command, PatternArguments& arguments, const std::string& what,
                          const std::string& files);
 
-/// Whether --output is a .pvtp, of which every rank writes a piece.
+/// Whether --output is a .pvtp, for which every rank writes a piece.
 bool writes_pieces(const PatternArguments& arguments);
 
-/// Throws CLI::ValidationError for options without effect and for files that would get into each
-/// other's way, Error on all ranks if one could not be written.
+/// Throws CLI::ValidationError for options without effect and for conflicting files, Error on all
+/// ranks if a file cannot be written.
 void check_pattern_options(const CLI::App& command, const PatternArguments& arguments,
                            Communicator& ranks);
 
-/// A solved pattern of a piece.
+/// A solved pattern of a partition.
 struct SolvedPattern {
-  WaveSet waves;                      ///< with the frequencies chosen
-  FrequencyField frequencies_wanted;  ///< where they are others; else empty
+  WaveSet waves;                      ///< with the chosen frequencies
+  FrequencyField frequencies_wanted;  ///< the requested ones if different; else empty
   std::vector<Complex> z;
   double energy = 0;
   PatternQuality quality;
-  std::optional<FrequencyChange> frequency_change;  ///< with slack
+  std::optional<FrequencyChange> frequency_change;  ///< with a spacing tolerance
 };
 
-/// With slack: what has become of the frequencies, as `name`.
+/// With a spacing tolerance: adds the change of frequencies as `name`.
 void add_frequency_change(const SolvedPattern& solved, const char* name,
                           nlohmann::ordered_json& json);
 
@@ -69,19 +69,19 @@ struct PiecePatterns {
   }
 };
 
-/// Collective. Reads, lays and solves the patterns asked for; V is U turned by 90 degrees.
+/// Collective. Reads and solves the requested patterns; V is U turned by 90 degrees.
 PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& arguments,
                                   bool with_u, bool with_v, ProgressDisplay& display);
 
-/// Collective. Keys of reports: the surface, the waves, what ranks sent, and how long it took.
+/// Collective. Keys of reports: surface, waves, traffic and times.
 nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& patterns,
                                double extract_milliseconds);
 
-/// On rank 0. Where the report comes from, then its keys, to its file.
+/// On rank 0. Writes the invocation and the report's keys.
 void write_pattern_report(const CLI::App& command, const PatternArguments& arguments,
                           const nlohmann::ordered_json& report);
 
-/// On rank 0: a line for people on ranks.
+/// On rank 0: a line of text about ranks.
 void print_pattern_ranks(std::ostream& out, const nlohmann::ordered_json& report);
 
 }  // namespace brindle::tool

@@ -91,7 +91,7 @@ std::vector<std::uint8_t> used_own(const DistributedSurface& surface) {
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
                         const ReadPiece& read, std::vector<DataArray>& arrays) {
   const auto size = static_cast<std::size_t>(ranks.size());
-  // Vertices of rank 0 that no triangle uses, and for which vertices others stand.
+  // Vertices of rank 0 without triangles that were joined with others.
   std::vector<Index> joined;
   std::vector<std::uint64_t> asked;
   for (Index v = 0; v < read.piece.vertex_ids.size() && !read.partners.empty(); ++v) {

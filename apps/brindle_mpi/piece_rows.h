@@ -1,4 +1,4 @@
-/// Rows of files that stand for vertices, at the vertices of pieces.
+/// File rows of vertices, distributed to partitions.
 #pragma once
 
 #include <cstddef>
@@ -17,37 +17,37 @@
 
 namespace brindle::tool {
 
-/// Collective. Rank 0 reads a file whose rows stand for the vertices of the whole: `rows` returns
-/// arrays of a row for each. Returns those of the piece's vertices. Throws on all ranks what `rows`
-/// throws, Error for a piece whose vertices have no numbers that a file could mean, or numbers
-/// beyond the rows. `option` names the file.
+/// Collective. Rank 0 reads a file with rows for the vertices of the whole mesh: `rows` returns
+/// arrays with a row each. Returns those of the partition's vertices. Throws on all ranks what
+/// `rows` throws, and Error for vertices without file numbers or with numbers beyond the rows.
+/// `option` names the file.
 std::vector<DataArray> piece_rows(Communicator& ranks, const ReadPiece& read,
                                   const std::string& option, const std::string& file,
                                   const std::function<std::vector<DataArray>()>& rows);
 
-/// An array at the vertices of a piece.
+/// An array at the vertices of a partition.
 struct ArrayAtVertices {
   DataArray array;                 ///< a row per vertex of the piece
-  std::size_t rows_nonfinite = 0;  ///< of all ranks, as the array was read
-  /// As it was read, a row per triangle of the piece, if it is one of the mesh's own cells.
+  std::size_t rows_nonfinite = 0;  ///< of all ranks, in the array as read
+  /// The original rows per triangle of the partition, if it is a cell array of the mesh.
   std::optional<DataArray> of_cells = std::nullopt;
 };
 
-/// Where arrays come from: the mesh's file, or another one that every rank reads (--field-mesh).
+/// Arrays of the mesh's file, or of another one that every rank reads (--field-mesh).
 class PieceArrays {
  public:
   /// Collective. Throws Error on all ranks if the other file cannot be read.
   PieceArrays(Communicator& ranks, const DistributedSurface& surface, const ReadPiece& read,
               const ArrayOptions& options);
 
-  /// Collective. The array NAME, points/NAME or cells/NAME; that of cells moved to the vertices.
-  /// Throws Error on all ranks if there is no such array.
+  /// Collective. The array NAME, points/NAME or cells/NAME; cell arrays are transferred to the
+  /// vertices. Throws Error on all ranks if there is none.
   ArrayAtVertices array(const std::string& name) const;
 
   /// Collective. As `ArraySource::drop_too_far`, on all ranks.
   std::optional<std::size_t> drop_too_far(DirectionField& directions) const;
 
-  /// Whether the other file's mesh is near enough to a vertex; without another file all are.
+  /// Whether the other file's mesh is near enough to a vertex; true without another file.
   bool is_near(Index vertex) const { return !other_ || other_->is_near(vertex); }
 
   /// Lines for the user about the other file.
@@ -61,19 +61,19 @@ class PieceArrays {
   std::unique_ptr<ArraySource> other_;
 };
 
-/// Collective. As `copy_from_partners` of array_rows.h, where the partners on rank 0 may be
-/// others'.
+/// Collective. As `copy_from_partners` of array_rows.h; partners on rank 0 may belong to other
+/// ranks.
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
                         const ReadPiece& read, std::vector<DataArray>& arrays);
 
-/// Collective. For every vertex of the piece the greatest flag, 0 or 1, that a rank has for it.
+/// Collective. For each vertex of the partition, the largest flag, 0 or 1, of all ranks.
 std::vector<float> flags_of_all(Communicator& ranks, const ReadPiece& read,
                                 std::vector<float> flags);
 
-/// Those of the piece's vertices that this rank owns and that have neighbours.
+/// Own vertices of this rank that have neighbours.
 std::vector<std::uint8_t> used_own(const DistributedSurface& surface);
 
-/// Rows of the vertices that this rank owns.
+/// Rows of own vertices.
 DataArray own_rows(const DistributedSurface& surface, const DataArray& array);
 
 }  // namespace brindle::tool

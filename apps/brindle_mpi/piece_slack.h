@@ -1,4 +1,4 @@
-/// How far the frequencies of a piece may yield.
+/// Spacing tolerance of partitions.
 #pragma once
 
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace brindle::tool {
 
-/// Collective. Rank 0 reads the file of --calm, whose rows are those of the whole mesh, or of its
-/// file where rank 0 has read one, and tells the others what it says of their vertices. Throws on
-/// all ranks what `make_slack` and `piece_rows` throw.
+/// Collective. Rank 0 reads the file of --calm, with rows of the whole mesh or, if rank 0 read one,
+/// of its file, and distributes the rows. Throws on all ranks what `make_slack` and `piece_rows`
+/// throw.
 Slack piece_slack(Communicator& ranks, const SlackOptions& options, const ReadPiece& read,
                   std::size_t vertices_of_all);
 

@@ -16,7 +16,7 @@ namespace brindle::tool {
 
 WantedArrays wanted_arrays(const WaveOptions& options) {
   WantedArrays wanted;
-  if (!options.arrays.mesh.empty()) return wanted;  // they are of another file
+  if (!options.arrays.mesh.empty()) return wanted;  // arrays are from another file
   if (is_array(options.field)) wanted.names.push_back(parse_array("--field", options.field));
   const ArrayOptions& arrays = options.arrays;
   if (!arrays.frequency.empty()) wanted.names.push_back(arrays.frequency);

@@ -1,4 +1,4 @@
-/// Waves of the pieces of a surface, before they have phases.
+/// Waves of partitions, without phases.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,26 @@
 
 namespace brindle::tool {
 
-/// Waves of the piece's vertices, and what they took.
+/// Waves of the partition's vertices, and the time spent.
 struct PieceWaves {
   WaveSet waves;
   WaveReport figures;
-  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, on all ranks
-  std::vector<float> agreement;  ///< of a measured field's data; empty without --field-detail
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, over all ranks
+  std::vector<float>
+      agreement;  ///< coherence of a measured field's data; empty without --field-detail
   double milliseconds = 0;
 };
 
-/// The arrays that the options take waves from.
+/// The arrays that the waves' options use.
 WantedArrays wanted_arrays(const WaveOptions& options);
 
-/// Collective. As the options ask for; notes what is wrong with them.
+/// Collective. Makes the waves of the options and notes likely mistakes.
 PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surface,
                             const ReadPiece& read, const WaveOptions& options,
                             JobListener& listener);
 
-/// Collective. How phases are found, slack and all; throws what `piece_slack` throws.
+/// Collective. Options of the solver, including the spacing tolerance; throws what `piece_slack`
+/// throws.
 DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& solving,
                                     std::size_t plan_below, const ReadPiece& read,
                                     const DistributedSurface& surface);

@@ -31,12 +31,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What Brindle, VTK and other programs call the numbers of points in the whole.
+/// Names of global point numbers in Brindle, VTK and other programs.
 constexpr std::array<std::string_view, 6> kIdNames = {
     "global_id", "globalpointids", "globalnodeids", "globalnodeid", "vtkglobalids", "globalids"};
 
-/// Vertices of one number farther apart than this, over the diagonal, are two: wrong numbers. What
-/// programs round differently on two pieces is far nearer.
+/// Relative to the diagonal: vertices of one number that are farther apart are an error. Rounding
+/// differences between pieces are far smaller.
 constexpr double kMostTorn = 1e-4;
 
 std::string lower(std::string text) {
@@ -75,8 +75,8 @@ std::vector<std::uint64_t> numbers_of(const fs::path& piece, const DataArray& id
   return numbers;
 }
 
-/// For every triangle whether another piece has it: VTK's type of ghosts has a bit for these, and
-/// once had their layer instead.
+/// Whether another piece has the triangle: a bit in VTK's ghost types, or a layer number in older
+/// files.
 std::vector<std::uint8_t> ghosts_of(std::span<const DataArray> cells, std::size_t triangles) {
   constexpr double kDuplicate = 1;
   std::vector<std::uint8_t> ghosts(triangles);
@@ -99,7 +99,7 @@ std::vector<std::uint8_t> ghosts_of(std::span<const DataArray> cells, std::size_
       "export the pieces again");
 }
 
-/// Throws Error unless arrays differ in their rows alone.
+/// Throws Error unless arrays differ only in their rows.
 void check_alike(const std::string& path, std::span<const DataArray> arrays,
                  std::span<const DataArray> others) {
   for (const DataArray& array : arrays) {
@@ -117,12 +117,12 @@ void check_alike(const std::string& path, const DataArrays& arrays, const DataAr
   check_alike(path, others.cells, arrays.cells);
 }
 
-/// What visualisation programs mark ghosts by; pieces that are written have none.
+/// Names of ghost arrays; written pieces have none.
 bool marks_ghosts(std::string_view name) {
   return name == "vtkGhostType" || name == "vtkGhostLevels";
 }
 
-/// Those that are asked for, of one piece, in the same order as of all pieces.
+/// The requested arrays of one piece, in the same order for all pieces.
 DataArrays wanted_of(const DataArrays& arrays, const PieceList& list, const WantedArrays& wanted,
                      const fs::path& path) {
   DataArrays chosen = named_arrays(arrays, wanted.names, path.string());
@@ -130,7 +130,7 @@ DataArrays wanted_of(const DataArrays& arrays, const PieceList& list, const Want
   const auto add = [](std::vector<DataArray>& to, const DataArray& array) {
     if (find_array(to, array.name) == nullptr) to.push_back(array);
   };
-  // They are there: `check_piece_arrays` has seen to that.
+  // `check_piece_arrays` has checked that they exist.
   for (const PieceArray& announced : list.points) {
     if (!marks_ghosts(announced.name)) {
       add(chosen.points, *find_array(arrays.points, announced.name));
@@ -142,21 +142,21 @@ DataArrays wanted_of(const DataArrays& arrays, const PieceList& list, const Want
   return chosen;
 }
 
-/// The pieces of one rank, one behind the other.
+/// The concatenated pieces of one rank.
 struct RankRows {
   std::vector<Eigen::Vector3d> exact;  ///< coordinates of all rows
-  std::vector<std::uint64_t> ids;      ///< of all rows, or none
-  std::vector<std::uint32_t> piece;    ///< that a row is of, by its number in the .pvtp
-  std::vector<std::uint8_t> in_ghost;  ///< by row: a ghost triangle uses it
+  std::vector<std::uint64_t> ids;      ///< of all rows, or empty
+  std::vector<std::uint32_t> piece;    ///< of each row, by its number in the .pvtp
+  std::vector<std::uint8_t> in_ghost;  ///< by row: used by a ghost triangle
   std::vector<Triangle> triangles;     ///< of rows, without ghosts
   std::size_t ghosts = 0;
-  std::optional<fs::path> with_ids, without_ids;  ///< one piece of each sort
+  std::optional<fs::path> with_ids, without_ids;  ///< an example of each kind
   std::string left_out;
-  DataArrays arrays;  ///< those asked for: a row per row, and per triangle
-  bool any = false;   ///< whether there is a piece with points
+  DataArrays arrays;  ///< requested arrays, per row and per triangle
+  bool any = false;   ///< whether any piece has points
 };
 
-/// The first of a rank's pieces: ranks get them in contiguous runs.
+/// The first of a rank's pieces: ranks get contiguous runs.
 std::size_t first_piece(std::size_t pieces, int rank, int ranks) {
   return pieces * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks);
 }
@@ -205,7 +205,7 @@ class PieceReader {
     }
   }
 
-  /// Of what not all pieces have nobody can make one array.
+  /// Notes arrays that not all pieces have, which cannot be joined.
   void note_unannounced(const fs::path& path, const DataArrays& arrays) {
     const DataArray* ids = find_ids(list_, arrays.points);
     const auto note = [&](std::span<const DataArray> of_piece, std::span<const PieceArray> known) {
@@ -251,7 +251,7 @@ class PieceReader {
     rows_.ids.insert(rows_.ids.end(), numbers.begin(), numbers.end());
   }
 
-  /// Returns the numbers that triangles have in the piece.
+  /// Returns the piece's numbers of the triangles.
   std::vector<Index> add_triangles(const RawMesh& raw, Index first) {
     std::vector<Index> kept;
     const auto ghosts = ghosts_of(raw.arrays.cells, raw.mesh.triangle_count());
@@ -276,7 +276,7 @@ class PieceReader {
   RankRows rows_;
 };
 
-/// Either all pieces have ids or none.
+/// All pieces have ids, or none.
 bool have_ids(Communicator& ranks, const RankRows& rows) {
   const bool any = ranks.any(rows.with_ids.has_value());
   ranks.throw_on_all([&] {
@@ -288,9 +288,9 @@ bool have_ids(Communicator& ranks, const RankRows& rows) {
   return any;
 }
 
-/// Where the floats of all ranks have their zero: as if one process had read all pieces.
+/// The common origin of all ranks, as for one process that read all pieces.
 Eigen::Vector3d common_origin(Communicator& ranks, std::span<const Eigen::Vector3d> exact) {
-  std::array<double, 6> corners;  // lower, and upper turned round
+  std::array<double, 6> corners;  // lower corner and negated upper corner
   corners.fill(std::numeric_limits<double>::infinity());
   for (const Eigen::Vector3d& p : exact) {
     if (!(p.array().abs() <= kLargestCoordinate).all()) continue;
@@ -311,7 +311,7 @@ Eigen::Vector3d common_origin(Communicator& ranks, std::span<const Eigen::Vector
   return origin_near(box);
 }
 
-/// Those of ranks without pieces have no rows.
+/// Ranks without pieces get arrays without rows.
 void agree_on_arrays(Communicator& ranks, const std::string& path, RankRows& rows) {
   const DataArrays own = {heads_of(rows.arrays.points), heads_of(rows.arrays.cells)};
   DataArrays agreed = agreed_heads(ranks, own);
@@ -336,7 +336,7 @@ void refuse_torn(Communicator& ranks, const PieceReader& reader, const RankRows&
               "Global Ids, or leave the array out");
 }
 
-/// For every row the first with its id.
+/// For every row, the first one with its id.
 std::vector<Index> first_rows(const std::vector<std::uint64_t>& ids) {
   std::vector<Index> order(ids.size()), first(ids.size());
   std::iota(order.begin(), order.end(), Index{0});
@@ -349,10 +349,10 @@ std::vector<Index> first_rows(const std::vector<std::uint64_t>& ids) {
   return first;
 }
 
-/// Lets triangles use the first of all rows with one id, and leaves rows that are a vertex of this
-/// rank: used, or alone and in no triangle at all. Numbers of these rows go to `kept`. Several
-/// ranks know vertices by their ids alone; one rank, which counts them, has them in that order if
-/// `by_id` says so, so that the pattern is the same.
+/// Lets triangles use the first row with each id, and keeps the rows that are vertices of this
+/// rank: those in triangles, or isolated ones that no triangle of any kind uses. `kept` receives
+/// their numbers. Several ranks identify vertices by id alone; a single rank numbers them in the
+/// order of ids if `by_id`, so that the pattern is the same.
 SurfacePiece joined_piece(Mesh mesh, const RankRows& rows, bool by_id, std::vector<Index>& kept) {
   const std::vector<Index> first = first_rows(rows.ids);
   std::vector<std::uint8_t> wanted(first.size());
@@ -380,10 +380,10 @@ SurfacePiece joined_piece(Mesh mesh, const RankRows& rows, bool by_id, std::vect
   return piece;
 }
 
-/// Leaves out triangles that other ranks have, too, without saying that they are ghosts. Returns
-/// how many; `kept` loses them.
+/// Removes triangles that other ranks also have without a ghost marker. Returns their number, and
+/// removes them from `kept`.
 std::size_t drop_repeated(Communicator& ranks, SurfacePiece& piece, std::vector<Index>& kept) {
-  if (ranks.size() == 1) return 0;  // the repair has left them out
+  if (ranks.size() == 1) return 0;  // the mesh repair removed them
   const std::vector<std::uint8_t> repeated = repeated_triangles(piece, MPI_COMM_WORLD);
   std::size_t left = 0;
   for (std::size_t t = 0; t < repeated.size(); ++t) {
@@ -408,7 +408,7 @@ MeshRepair sum_of(Communicator& ranks, const MeshRepair& own) {
   return sum;
 }
 
-/// All ranks' text on rank 0.
+/// The text of all ranks, on rank 0.
 std::string gathered_text(Communicator& ranks, const std::string& own) {
   std::string text;
   for (const auto& bytes : ranks.gather(std::as_bytes(std::span(own)))) {
@@ -447,8 +447,8 @@ std::vector<UsedFile> files_of_pvtp(Communicator& ranks, const std::string& path
   ranks.throw_on_all([&] {
     const std::vector<fs::path> pieces = read_pvtp(path).pieces;
     for (const fs::path& piece : pieces) files.push_back({"MESH", piece});
-    // Nobody reads another's pieces. So each looks at the next one as well: then two neighbours
-    // that see different pieces have one that both know.
+    // Each rank reads only its pieces, and checks the first one of the next rank: if two neighbours
+    // see different files, they then differ in a file that both see.
     const std::size_t end = first_piece(pieces.size(), ranks.rank() + 1, ranks.size());
     for (std::size_t p = first_piece(pieces.size(), ranks.rank(), ranks.size()); p < end; ++p) {
       looked_at.push_back(pieces[p]);

@@ -9,7 +9,7 @@
 namespace brindle::tool {
 namespace {
 
-/// What travels of an array before its rows; the name follows.
+/// The header of a sent array; its name and rows follow.
 struct Head {
   std::uint64_t name_length = 0;
   std::int32_t components = 1;

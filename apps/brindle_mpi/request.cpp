@@ -32,7 +32,7 @@ std::string words_of(int argc, char** argv) {
   return words;
 }
 
-/// Ends what belongs together; no word has it.
+/// A separator that no word contains.
 constexpr char kEnd = '\0';
 
 std::string key_of(const CLI::App& command) {
@@ -93,7 +93,7 @@ std::string groups_of(const std::vector<std::vector<std::byte>>& keys,
   return text;
 }
 
-/// Mixes eight bytes at a time, so that reading takes longer than this.
+/// Mixes eight bytes at a time, faster than files are read.
 class Digest {
  public:
   void add(std::span<const char> bytes) {
@@ -113,14 +113,14 @@ class Digest {
   std::uint64_t state_ = 0x2545f4914f6cdd1du;
 };
 
-/// A file as a rank sees it.
+/// A file as seen by a rank.
 struct SeenFile {
   std::string name;
   std::uint64_t size = 0;
   std::uint64_t digest = 0;  ///< of all that is in it
 };
 
-/// Nothing for what is no file, or cannot be read: that is for the reader to say.
+/// Empty for what is no readable file; its reader reports the error.
 std::optional<SeenFile> seen_file(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return std::nullopt;
@@ -156,7 +156,7 @@ std::vector<std::byte> packed(const std::vector<SeenFile>& files) {
   return bytes;
 }
 
-/// Who sees what, by the files' names.
+/// The ranks' views of each file, by name.
 std::map<std::string, std::vector<RankFile>> files_of(
     const std::vector<std::vector<std::byte>>& of_ranks) {
   std::map<std::string, std::vector<RankFile>> seen;
@@ -174,7 +174,7 @@ std::map<std::string, std::vector<RankFile>> files_of(
   return seen;
 }
 
-/// Of the first file that is not the same everywhere; nothing if all are.
+/// Describes the first file that differs between ranks; empty if there is none.
 std::string difference(const std::map<std::string, std::vector<RankFile>>& seen) {
   for (const auto& [name, files] : seen) {
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<int>> kinds;

@@ -1,4 +1,4 @@
-/// What ranks are asked for, and what they read, which must be the same everywhere.
+/// Checks that all ranks have the same command line and input files.
 #pragma once
 
 #include <filesystem>
@@ -11,26 +11,25 @@
 
 namespace brindle::tool {
 
-/// The words that one rank was started with.
+/// The command line of a rank.
 struct Request {
-  std::string key;    ///< what must be the same: options in one order, and the version
-  std::string words;  ///< as they were given
+  std::string key;    ///< must be the same: options in a fixed order, and the version
+  std::string words;  ///< as given
 };
 
-/// Of words that were understood: `app` has parsed them. Options that concern one rank alone
-/// (--threads, --quiet, --stall-limit) may differ.
+/// For a valid command line, parsed by `app`. Options of one rank alone (--threads, --quiet,
+/// --stall-limit) may differ.
 Request request_of(const CLI::App& app, int argc, char** argv);
 
-/// Of words that were not.
+/// For an invalid command line.
 Request request_of(int argc, char** argv);
 
-/// Collective. Throws CLI::ValidationError on all ranks, with which rank has which words, unless
-/// all have the same request.
+/// Collective. Throws CLI::ValidationError on all ranks, with the ranks and their words, unless all
+/// have the same request.
 void check_same_request(Communicator& ranks, const Request& own);
 
-/// Collective. Throws CLI::ValidationError on all ranks, naming the file and who sees what, if two
-/// ranks see different files of one name. What is not there, or can be read only once as pipes can,
-/// does not count.
+/// Collective. Throws CLI::ValidationError on all ranks, with the file and the ranks, if two ranks
+/// see different files of one name. Ignores missing files and pipes.
 void check_same_files(Communicator& ranks, const std::vector<std::filesystem::path>& own);
 
 }  // namespace brindle::tool

@@ -17,7 +17,7 @@ namespace {
 
 std::atomic<const char*> stage_now{"beginning"};
 
-/// Ranks begin to wait one after the other, and each has something to say.
+/// Time for all waiting ranks to print their message.
 constexpr std::chrono::seconds kMoment(2);
 
 double seconds_of(std::chrono::steady_clock::duration time) {
@@ -41,8 +41,7 @@ double seconds_of(std::chrono::steady_clock::duration time) {
 
 void add_stall_option(CLI::App& command, double& seconds) {
   command
-      .add_option("--stall-limit", seconds,
-                  "end with a message if a rank has to wait so long for others; 0: never")
+      .add_option("--stall-limit", seconds, "stop if a rank waits longer for the others; 0: never")
       ->envname("BRINDLE_STALL_LIMIT")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9))

@@ -1,4 +1,4 @@
-/// Ranks that wait for each other too long.
+/// Detects ranks that wait for each other too long.
 #pragma once
 
 #include <stop_token>
@@ -11,19 +11,17 @@
 
 namespace brindle::tool {
 
-/// --stall-limit, and BRINDLE_STALL_LIMIT in the environment, which holds where the option is not
-/// given.
+/// --stall-limit, with BRINDLE_STALL_LIMIT in the environment as its default.
 void add_stall_option(CLI::App& command, double& seconds);
 
-/// Seconds that a rank waits at most, unless it is told otherwise.
+/// The default limit of waiting, in seconds.
 constexpr double kStallLimit = 900;
 
-/// Collective. Where all ranks are from now on, for the display and for who watches.
+/// Collective. Names the stage of all ranks, for the display and the watch.
 void enter_stage(Communicator& ranks, JobListener& listener, const char* name);
 
-/// While it lives, a thread looks whether this rank has waited for others longer than a limit.
-/// Then it says where, waits a moment, as others may have something to say as well, and ends all
-/// ranks with the exit code 1. A limit of 0: no end.
+/// RAII: a thread checks whether this rank has waited for others longer than the limit. If so, it
+/// prints where, lets other ranks do the same, and ends all ranks with exit code 1. 0: no limit.
 class StallWatch {
  public:
   StallWatch(int rank, double seconds);
@@ -36,7 +34,7 @@ class StallWatch {
 
   const int rank_;
   const double seconds_;
-  std::jthread watcher_;  // last: stops before what it reads goes
+  std::jthread watcher_;  // declared last: stops before its members are destroyed
 };
 
 }  // namespace brindle::tool

@@ -18,12 +18,12 @@ namespace {
 using Point = Eigen::Vector3d;
 
 constexpr double kVesselWall = 0.28;     // mm
-constexpr double kDomeWall = 0.16;       // mm, thinner where it bulges
+constexpr double kDomeWall = 0.16;       // mm, thinner at the bulge
 constexpr double kLeastCurvature = 0.2;  // 1 / mm
-constexpr double kAveraged = 0.12;       // mm, over which curvatures are averaged
+constexpr double kAveraged = 0.12;       // mm, averaging length of curvatures
 const Point kDome(0.25, 0.1, 4.2);
 
-/// A vessel along a quadratic curve, of short pieces.
+/// A vessel along a quadratic curve, from short segments.
 ImplicitFunction vessel(const Point& from, const Point& bend, const Point& to, double radius_from,
                         double radius_to) {
   constexpr int kPieces = 40;
@@ -40,7 +40,7 @@ ImplicitFunction vessel(const Point& from, const Point& bend, const Point& to, d
   return CapsuleUnion(pieces, kBlend);
 }
 
-/// Where a vessel ends, and which way.
+/// The end of a vessel and its direction.
 struct End {
   Point at, outwards;
 };
@@ -50,7 +50,8 @@ struct Wall {
   std::vector<End> ends;
 };
 
-// The daughters' radii follow Murray's law. The bulge is of ellipsoids, whose curvature is smooth.
+// Radii of the daughters follow Murray's law. The bulge consists of ellipsoids, whose curvature is
+// smooth.
 Wall make_wall() {
   const Point root(-0.9, 0.5, -8.5), fork(0, 0, 0.2);
   const Point left(-8.2, -1.2, -0.6), right(7.6, 1.8, 1.2);

@@ -1,4 +1,4 @@
-/// A molecule in water whose atoms are charged. Nanometres, elementary charges, kT/e.
+/// A molecule with charged atoms in water. Nanometres, elementary charges, kT/e.
 #pragma once
 
 #include <span>
@@ -10,7 +10,8 @@
 
 namespace brindle {
 
-/// At this distance two elementary charges in water of 25 degrees repel each other with kT.
+/// The Bjerrum length of water at 25 degrees Celsius: two elementary charges at this distance have
+/// the energy kT.
 constexpr double kBjerrumLength = 0.7;
 
 struct PointCharge {
@@ -18,7 +19,7 @@ struct PointCharge {
   double charge = 0;
 };
 
-/// One charge in every atom; together they are 0.
+/// One charge per atom; their sum is 0.
 std::vector<PointCharge> charges_of_molecule();
 
 /// Coulomb's law: kBjerrumLength times the sum of charge / distance.

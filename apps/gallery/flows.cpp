@@ -20,7 +20,7 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-constexpr double kCalm = 0.16;  // inside of this radius a vortex turns like a wheel
+constexpr double kCalm = 0.16;  // within this radius a vortex rotates rigidly
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 ImplicitFunction pebble_function() {
@@ -30,7 +30,7 @@ ImplicitFunction pebble_function() {
                  0.07);
 }
 
-/// Round an axis of the vortex, slower and slower far outside.
+/// Rotation about an axis, decaying outside the core.
 Point whirl(const Point& core, const Point& at, const Point& normal) {
   const Point arm = at - core;
   return normal.cross(arm) / (arm.squaredNorm() + kCalm * kCalm);
@@ -55,7 +55,7 @@ std::array<Point, 2> vortex_cores(int number) {
     for (int k = 0; k < 40; ++k) p -= surface(p) * level_curvature(surface, p, 1e-3).normal;
     return p;
   };
-  // Each on a circle of its own, so that they come nearer and part again.
+  // Each on its own circle, so that they approach and part.
   return {
       on_surface({1.4, -0.45 + 0.3 * elementary::cos(turn), 0.35 + 0.28 * elementary::sin(turn)}),
       on_surface({0.35 + 0.2 * elementary::sin(turn), -1.3, 0.15 - 0.25 * elementary::cos(turn)})};

@@ -7,14 +7,14 @@
 
 namespace brindle {
 
-/// Two vortices of opposite senses that travel round a pebble, at step `number` of kVortexSteps:
-/// the mesh with `velocity`, `speed` and `near`, the distance from the nearer core; and a ball at
-/// each core, where there is no velocity and `core` is 0 or 1. Elsewhere `core` is not a number.
+/// Step `number` of kVortexSteps of two counter-rotating vortices on a pebble: the mesh with
+/// `velocity`, `speed` and `near`, the distance from the nearer core; and a ball at each core,
+/// where the velocity is zero and `core` is 0 or 1. Elsewhere `core` is NaN.
 GalleryFile vortex_step(int number, const Mesh& pebble);
 Mesh vortex_pebble(double detail, const Progress& progress = {});
 constexpr int kVortexSteps = 60;
 
-/// Places of both cores at a step.
+/// Positions of both cores at a step.
 std::array<Eigen::Vector3d, 2> vortex_cores(int number);
 
 /// `velocity` and `speed` on a hare: an Arnold-Beltrami-Childress flow along its surface.

@@ -25,7 +25,7 @@ std::optional<Place> place_in(const std::string& word) {
                word.substr(equals + 1, end - equals - 1)};
 }
 
-/// Parted at spaces, but for those in single quotes.
+/// Splits at spaces outside single quotes.
 std::vector<std::string> words_in(const std::string& line) {
   std::vector<std::string> words;
   bool inside = false, begun = false;
@@ -55,7 +55,7 @@ std::string filled(const Place& place, const GalleryChoice& choice) {
   return (std::filesystem::path(choice.folder) / place.value).string();
 }
 
-/// Whether it belongs to data that users have replaced.
+/// Whether it belongs to data that the user replaced.
 bool is_left_out(const Place& place, const GalleryChoice& choice) {
   return (place.role == "part" && !choice.surface.empty()) ||
          (place.role == "own" && !choice.values.empty());
@@ -76,7 +76,7 @@ std::vector<std::string> filled_words(const GalleryPicture& picture, const Galle
     if (const auto place = place_in(word)) {
       if (is_left_out(*place, choice)) {
         const bool flag = place->value.starts_with("--");
-        if (!flag) words.pop_back();  // the option that it is the value of
+        if (!flag) words.pop_back();  // the option of this value
         continue;
       }
       word.replace(place->begin, place->end - place->begin, filled(*place, choice));

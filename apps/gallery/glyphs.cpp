@@ -9,9 +9,9 @@
 namespace brindle {
 namespace {
 
-constexpr float kSpacing = 0.0055f;  // mm for each kPa
+constexpr float kSpacing = 0.0055f;  // mm per kPa
 
-/// Samples per mm, so far apart as the stress is large, but neither too near nor too far.
+/// Samples per mm: spacing proportional to the stress, within limits.
 float frequency_of(float stress) { return 1 / std::clamp(kSpacing * stress, 0.25f, 1.5f); }
 
 std::span<const float> floats_of(const GalleryFile& file, std::string_view name) {
@@ -19,8 +19,8 @@ std::span<const float> floats_of(const GalleryFile& file, std::string_view name)
   return {reinterpret_cast<const float*>(array.bytes.data()), array.bytes.size() / sizeof(float)};
 }
 
-/// Rows x,y,z,frequency,frequency_v: the direction of the first stress, and samples so far apart
-/// along both directions as the stresses are large.
+/// Rows x,y,z,frequency,frequency_v: the direction of the first stress, and spacings proportional
+/// to the stresses in both directions.
 std::string stress_field(const GalleryFile& wall, const std::vector<Vec3>& directions) {
   const std::span<const float> first = floats_of(wall, "first"), second = floats_of(wall, "second");
   std::string text = "x,y,z,frequency,frequency_v\n";

@@ -7,7 +7,7 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-/// A part on both sides: `side` is 1 on the left and -1 on the right.
+/// A symmetric pair of parts: `side` is 1 on the left and -1 on the right.
 template <class Part>
 void add_pair(std::vector<ImplicitFunction>& parts, const Part& part) {
   for (const double side : {1.0, -1.0}) parts.push_back(part(side));
@@ -40,7 +40,7 @@ void add_head(std::vector<ImplicitFunction>& parts) {
   });
 }
 
-/// An ear is hollow towards the side.
+/// An ear, hollow on its outer side.
 ImplicitFunction ear(double side) {
   const Eigen::Matrix3d turn = turned(-13 * side, -24, 0);
   const Point middle(0.27, 0.17 * side, 1.88);

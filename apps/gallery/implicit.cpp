@@ -17,7 +17,7 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-/// Of two values: -blend * log(exp(-a / blend) + exp(-b / blend)).
+/// Smooth minimum: -blend * log(exp(-a / blend) + exp(-b / blend)).
 double smooth_minimum(double a, double b, double blend) {
   return std::min(a, b) - blend * elementary::log(1 + elementary::exp(-std::abs(a - b) / blend));
 }

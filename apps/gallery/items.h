@@ -1,4 +1,4 @@
-/// The items of the gallery, each made by the source of its name.
+/// The items of the gallery, one source file each.
 #pragma once
 
 #include "gallery/gallery.h"

@@ -12,7 +12,7 @@ std::vector<GalleryFile> make_liver(double detail, const Progress& progress) {
           {"needle.vtp", needle_mesh(detail, progress.part(0.9, 1)), {}, {}}};
 }
 
-/// Ten stripes over the distance from the needle's tip, at least 8 mm, per millimetre.
+/// Ten stripes over the distance from the needle's tip, at least 8 mm, in stripes per millimetre.
 GalleryPicture needle_picture(const std::string& name, const std::string& what,
                               const std::string& tip) {
   return {name,

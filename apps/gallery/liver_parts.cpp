@@ -15,7 +15,7 @@ using Point = Eigen::Vector3d;
 const Point kTumour(-48, -14, 12);
 const BoundingBox kBody{{-125, -85, -100}, {125, 85, 85}};
 
-// What lies above the hollow, slanting lower side.
+// Above the hollow, slanting lower side.
 double above_stomach(const Point& p) {
   const Point down = Point(0.42, -0.25, -0.87).normalized();
   const double bent = 0.0016 * (p.x() - 35) * (p.x() - 35);  // hollow under the left lobe
@@ -43,7 +43,7 @@ ImplicitFunction liver_tumour() {
 
 std::vector<Capsule> liver_vessels() {
   const ImplicitFunction hull = liver_hull(), tumour = liver_tumour();
-  // The hull's values are a part of the distance: this is some millimetres below its surface.
+  // The hull's values are less than the distance: this is some millimetres below its surface.
   const auto inside = [&](const Point& p) { return hull(p) < -7 && tumour(p) > 7; };
   const std::vector<Point> places =
       scattered_places(kBody.lower.cast<double>(), kBody.upper.cast<double>(), 230, 11, inside);

@@ -1,5 +1,5 @@
-/// A liver: its hull, the vessels and a tumour in it, and a needle that comes in. Millimetres; x to
-/// the patient's left, y to the back, z up.
+/// A liver: hull, vessels, a tumour and a needle. Millimetres; x to the patient's left, y to the
+/// back, z up.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ ImplicitFunction liver_hull();
 ImplicitFunction liver_tumour();
 std::vector<Capsule> liver_vessels();
 
-/// A needle whose tip is at the origin; it comes from the front, above.
+/// A needle with its tip at the origin, from the front and above.
 Mesh needle_mesh(double detail, const Progress& progress = {});
 
 Mesh liver_hull_mesh(double detail, const Progress& progress = {});

@@ -14,7 +14,7 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-/// A disc about z between two heights, its rims rounded by `fillet`.
+/// A disc about z between two heights, with rims rounded by `fillet`.
 ImplicitFunction rounded_disc(double radius, double lower, double upper, double fillet) {
   const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
   return [=](const Point& p) {
@@ -29,8 +29,7 @@ ImplicitFunction endless_bar(const Point& through, const Point& along, double ra
   return [=](const Point& p) { return (p - through).cross(along).norm() - radius; };
 }
 
-/// An upright wall from the axis outwards whose top slants from `high` at radius `from` to 0 at
-/// `to`.
+/// A radial wall whose top slants from `high` at radius `from` to 0 at `to`.
 ImplicitFunction rib(double angle, double half_width, double from, double to, double high) {
   const Point along(elementary::cos(angle), elementary::sin(angle), 0),
       side(-elementary::sin(angle), elementary::cos(angle), 0);

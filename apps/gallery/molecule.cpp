@@ -9,7 +9,7 @@
 namespace brindle {
 namespace {
 
-constexpr double kNanometres = 0.6;  // a unit of the built-in molecule
+constexpr double kNanometres = 0.6;  // per unit of the built-in molecule
 
 MoleculeShape molecule_shape() { return {.atoms = 26, .seed = 5}; }
 
@@ -24,7 +24,7 @@ std::vector<PointCharge> charges_of_molecule() {
   double sum = 0;
   std::uint64_t drawn = 0;
   for (const Capsule& atom : molecule_atoms(molecule_shape())) {
-    // Sides differ, as they do where a molecule binds to others.
+    // The sides differ, as at a binding site.
     const double side = atom.a.x() + 0.6 * atom.a.z();
     const double of_side = random_number(17, drawn++);
     const double own = 2 * random_number(17, drawn++) - 1;

@@ -20,7 +20,7 @@ namespace {
 using Point = Eigen::Vector3d;
 using Cell = std::array<int, 3>;
 
-/// The faces between voxels that are in and those that are not, as two triangles each.
+/// The faces between inner and outer voxels, as two triangles each.
 class VoxelFaces {
  public:
   VoxelFaces(const ImplicitFunction& function, double voxel) : function_(function), voxel_(voxel) {}
@@ -43,7 +43,7 @@ class VoxelFaces {
     const Point middle = voxel_ * (Point(cell[0], cell[1], cell[2]) + Point::Constant(0.5));
     std::uint64_t place = 0;
     for (const int along : cell) place = 2048 * place + static_cast<std::uint64_t>(along + 1024);
-    // The noise of a scan.
+    // Noise of a scan.
     return function_(middle) + 0.35 * voxel_ * (random_number(8, place) - 0.5) < 0;
   }
 
@@ -83,7 +83,7 @@ std::vector<GalleryFile> make_rough(double detail, const Progress& progress) {
   const std::array<Mesh, 4> meshes = {
       incomplete_mesh(detail, progress.part(0, 0.6)), non_manifold_mesh(detail),
       segmented_mesh(detail, progress.part(0.6, 1)), noisy_mesh(detail)};
-  // All are equally high, and stand side by side on the same ground.
+  // Equally high, side by side on one ground.
   constexpr float kHeight = 2.2f, kGap = 0.28f;
   float left = 0;
   for (Mesh mesh : meshes) {
@@ -101,7 +101,7 @@ std::vector<GalleryFile> make_rough(double detail, const Progress& progress) {
 
 Mesh incomplete_mesh(double detail, const Progress& progress) {
   Mesh mesh = hare_mesh(static_cast<float>(0.026 / detail), progress);
-  // Where a scanner did not look, and single triangles that it lost.
+  // Holes of a scan, and single missing triangles.
   const std::array<std::pair<Vec3, float>, 5> holes = {{{{0.5f, -0.2f, 0.55f}, 0.2f},
                                                         {{-0.25f, -0.5f, 0.55f}, 0.24f},
                                                         {{0.6f, 0.26f, 1.3f}, 0.13f},
@@ -146,7 +146,7 @@ Mesh segmented_mesh(double detail, const Progress& progress) {
       for (int z = -reach; z < reach; ++z) faces.add({x, y, z});
     }
   }
-  return subdivide(std::move(faces.mesh), 1);  // else stripes are finer than the triangles
+  return subdivide(std::move(faces.mesh), 1);  // otherwise, stripes are finer than the triangles
 }
 
 Mesh noisy_mesh(double detail) {

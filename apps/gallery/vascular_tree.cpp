@@ -15,7 +15,7 @@ using Point = Eigen::Vector3d;
 struct Node {
   Point at;
   int parent = -1;
-  int leaves = 0;  // of the tree behind it
+  int leaves = 0;  // in its subtree
 };
 
 class Growth {
@@ -49,7 +49,7 @@ class Growth {
     }
   }
 
-  // Every node that is the nearest of some places moves towards them by a step.
+  // Moves each node that is nearest to some points towards these by a step.
   bool grow() {
     std::vector<Point> pull(nodes_.size(), Point::Zero());
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -68,7 +68,7 @@ class Growth {
     return nodes_.size() > before;
   }
 
-  // Vessels bend, they do not kink.
+  // Vessels bend without kinks.
   Point heading(std::size_t node, const Point& pull) const {
     Point direction = pull.normalized();
     const int parent = nodes_[node].parent;
@@ -87,16 +87,16 @@ class Growth {
     nearest_.resize(kept);
   }
 
-  // Branches of a few pieces, which reach for a place beside the way.
+  // Removes short branches, which reach for a point beside a vessel.
   void drop_stubs() {
-    constexpr int kStub = 4;                     // pieces
-    std::vector<int> longest(nodes_.size(), 0);  // pieces behind a node
+    constexpr int kStub = 4;                     // segments
+    std::vector<int> longest(nodes_.size(), 0);  // segments behind a node
     for (std::size_t i = nodes_.size(); i-- > 1;) {
       longest[nodes_[i].parent] = std::max(longest[nodes_[i].parent], longest[i] + 1);
     }
     std::vector<int> number(nodes_.size(), -1);
     std::vector<Node> kept;
-    std::vector<char> continued(nodes_.size(), 0);  // a child is the way on
+    std::vector<char> continued(nodes_.size(), 0);  // nodes whose vessel continues in a child
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       Node node = nodes_[i];
       if (node.parent >= 0) {
@@ -140,7 +140,7 @@ class Growth {
 
   const VascularTree& tree_;
   std::vector<Point> places_;
-  std::vector<int> nearest_;  // node of every place
+  std::vector<int> nearest_;  // node of every point
   std::vector<Node> nodes_;
 };
 
@@ -154,7 +154,7 @@ std::vector<Capsule> grow_vessels(const VascularTree& tree, const std::vector<Po
   };
   std::vector<Capsule> vessels;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    // A branch begins as thick as it is.
+    // A branch starts with its own radius.
     const double thick = radius(nodes[i]);
     vessels.push_back({nodes[nodes[i].parent].at, nodes[i].at, thick, thick});
   }

@@ -1,4 +1,4 @@
-/// Stresses in the wall of a vessel under pressure.
+/// Stresses in the wall of a pressurized vessel.
 #pragma once
 
 #include <array>
@@ -15,18 +15,14 @@ struct MembraneStress {
   double first = 0, second = 0;
 };
 
-/// Of pressure p inside of a wall of thickness t with principal curvatures k1 >= k2, in units of
-/// the pressure. Equilibrium across the wall asks for
-///
-///   first * k1 + second * k2 = p / t    (Laplace),
-///
-/// and for what is left open the wall is taken for a shell of revolution whose parallels run along
-/// the larger curvature, as they do around a vessel:
-///
-///   second = p / (2 t k1),    first = second * (2 - k2 / k1).
-///
+/// For internal pressure p, wall thickness t and principal curvatures k1 >= k2, in units of the
+/// pressure. Equilibrium across the wall requires
+///    first * k1 + second * k2 = p / t    (Laplace).
+/// The wall is treated as a shell of revolution whose parallels follow the larger curvature, as
+/// around a vessel:
+///    second = p / (2 t k1),    first = second * (2 - k2 / k1).
 /// A sphere of radius r has p r / (2 t) in all directions, a tube p r / t around and half of it
-/// along. `k1` counts as not smaller than `least_curvature`, above 0: flat walls would tear.
+/// along. `k1` is at least `least_curvature`, above 0: flat walls would have infinite stress.
 MembraneStress membrane_stress(double pressure, double thickness, double k1, double k2,
                                double least_curvature);
 

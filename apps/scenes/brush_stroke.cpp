@@ -14,11 +14,11 @@ namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-/// Shortest ways over edges (Dijkstra 1959).
+/// Shortest paths along edges (Dijkstra 1959).
 struct ShortestWays {
   std::vector<float> distance;   ///< to the nearest source, or kUnreached
-  std::vector<Index> before;     ///< the vertex before this one; a source has itself
-  std::vector<Index> source_of;  ///< number of the nearest source
+  std::vector<Index> before;     ///< the previous vertex; sources have themselves
+  std::vector<Index> source_of;  ///< index of the nearest source
   Index farthest = 0;            ///< the last vertex reached
 };
 
@@ -74,11 +74,12 @@ std::vector<Index> longest_path(const Surface& surface) {
   return path;
 }
 
-/// Ways over edges zigzag; averages over about one radius of the brush do not.
+/// Smooths zigzag edge paths by averages over about one brush radius.
 std::vector<Vec3> smoothed(std::vector<Vec3> points, float length, float radius) {
   const auto count = static_cast<float>(points.size());
-  const float window = length > 0 ? radius / length * count : 0;  // points in a radius
-  const auto rounds = static_cast<int>(window * window / 2);      // they spread as their root
+  const float window = length > 0 ? radius / length * count : 0;  // points per radius
+  const auto rounds =
+      static_cast<int>(window * window / 2);  // their width grows as the square root
   std::vector<Vec3> last;
   for (int round = 0; round < std::min(rounds, 1000); ++round) {
     last = points;

@@ -21,14 +21,14 @@ namespace {
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 constexpr float kDegree = kTurn / 360;
 
-constexpr float kZoomGrowth = 1.01f;    // of the frequency, a frame
-constexpr float kVortexRadius = 0.05f;  // calm inside of a vortex, share of the diagonal
-constexpr float kWobbleHeight = 0.01f;  // share of the diagonal
-constexpr float kWobbleLength = 0.5f;   // of the travelling wave, share of the diagonal
-constexpr float kWobbleFrames = 60;     // a period
-constexpr float kBrushRadius = 0.04f;   // share of the diagonal
+constexpr float kZoomGrowth = 1.01f;    // of the frequency, per frame
+constexpr float kVortexRadius = 0.05f;  // of the rigid core of a vortex, relative to the diagonal
+constexpr float kWobbleHeight = 0.01f;  // relative to the diagonal
+constexpr float kWobbleLength = 0.5f;   // of the travelling wave, relative to the diagonal
+constexpr float kWobbleFrames = 60;     // per period
+constexpr float kBrushRadius = 0.04f;   // relative to the diagonal
 constexpr float kBrushWeight = 2;       // in the middle of the stroke
-constexpr float kBrushFrames = 120;     // a stroke
+constexpr float kBrushFrames = 120;     // per stroke
 
 constexpr std::array<std::string_view, 5> kNames{"zoom", "vortices", "rotate", "wobble", "brush"};
 
@@ -51,8 +51,8 @@ void set_directions(SceneFrame& frame, const VectorAt& vector_at) {
   });
 }
 
-/// Two cores on opposite sides of the ellipsoid in the bounding box. Their orbits are tilted
-/// against each other by 40 degrees, so that the cores never come closer than 140 degrees.
+/// Two cores on opposite sides of the ellipsoid in the bounding box. Their orbits are tilted by 40
+/// degrees against each other, so that the cores are always at least 140 degrees apart.
 std::array<Vec3, 2> cores_at(const BoundingBox& box, int frame) {
   const float angle = static_cast<float>(frame % 360) * kDegree;
   const float tilt = 40 * kDegree;
@@ -63,8 +63,7 @@ std::array<Vec3, 2> cores_at(const BoundingBox& box, int frame) {
   return {box.center() + half.cwiseProduct(first), box.center() + half.cwiseProduct(second)};
 }
 
-/// A quarter turn short of a vortex around `core`: slower and slower far outside of its calm
-/// inside.
+/// A vortex around `core`, turned back by a quarter turn: it decays outside its rigid core.
 Vec3 arm_of_vortex(const Vec3& core, const Vec3& point, float radius) {
   const Vec3 arm = point - core;
   return arm / (arm.squaredNorm() + radius * radius);
@@ -95,8 +94,8 @@ void rotate(const SceneOptions& options, int number, SceneFrame& frame) {
   set_directions(frame, [&](std::size_t) { return direction; });
 }
 
-/// A wave along the longest side of the bounding box lifts vertices along the shortest one. It
-/// grows from nothing during its first period.
+/// A wave along the longest side of the bounding box that moves vertices along the shortest one.
+/// Its amplitude grows from zero in the first period.
 void wobble(const SceneOptions& options, const BoundingBox& box, std::span<const Vec3> at_rest,
             int number, SceneFrame& frame) {
   const Vec3 size = box.upper - box.lower;
@@ -141,7 +140,7 @@ struct Scene::State {
   BrushStroke stroke;
   std::vector<FieldAnchor> anchors;
   std::optional<SmoothFieldAnimator> field;
-  int drawn = -1;  // the last frame that `field` was solved for
+  int drawn = -1;  // the last frame for which `field` was solved
 
   void brush(int number);
 };

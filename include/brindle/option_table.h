@@ -90,7 +90,7 @@ struct OptionInfo {
   bool own = false;                ///< of curves and samples: kept apart from the value for stripes
   OptionStage stale = OptionStage::none;  ///< stages that a change makes stale
   unsigned jobs = 0;                      ///< bits of PatternJob
-  std::string_view help = {};             ///< a sentence or two; no full stop at the end
+  std::string_view help = {};             ///< one line of at most 70 bytes, without a full stop
 
   bool is_for(PatternJob job) const { return (jobs & static_cast<unsigned>(job)) != 0; }
 };

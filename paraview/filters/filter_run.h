@@ -1,4 +1,4 @@
-/// What a run of a filter works with.
+/// The state of a filter's run.
 #pragma once
 
 #include <brindle/phase_graph.h>
@@ -14,16 +14,17 @@ struct vtkBrindleFilter::Run {
   brindle::paraview::Ranks ranks;
   const brindle::paraview::InputSurface* input = nullptr;
   brindle::WaveSet waves;
-  std::vector<float> agreement;  ///< of a measured field's data, per vertex; mostly empty
-  float turn_deg = 0;            ///< by which they are turned from their field
+  std::vector<float>
+      agreement;       ///< coherence of a measured field's data, per vertex; otherwise empty
+  float turn_deg = 0;  ///< turn of the waves from their field
   brindle::paraview::RunFigures figures;
   brindle::paraview::SeriesOptions options;
-  bool follows = false;  ///< whether this time comes after the last one
+  bool follows = false;  ///< whether this time continues the last one
   brindle::paraview::PatternSeries* series = nullptr;
   std::function<brindle::Progress(double, double)> progress;  ///< of a share of the run
 
-  /// Collective over ranks. Says what is done from here to there; throws Cancelled on all ranks if
-  /// one is told to stop.
+  /// Collective. Begins a stage with its share of the progress. If one rank is cancelled, throws
+  /// Cancelled on all.
   void begin(double from, double to, const char* stage) const {
     ranks.throw_on_all([&] { progress(from, to).report(stage, 0); });
   }
@@ -32,7 +33,7 @@ struct vtkBrindleFilter::Run {
     return {input->surface, input->piece, input->ids};
   }
 
-  /// The pattern of the waves. Collective.
+  /// Collective. The pattern of the waves.
   const brindle::StripePattern& pattern() {
     const brindle::StripePattern& made =
         series->next(surface(), waves, options, follows, progress(0.4, 0.8));

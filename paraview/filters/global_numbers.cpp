@@ -13,13 +13,13 @@
 namespace brindle::paraview {
 namespace {
 
-/// Coordinates closer than this share of the diagonal may be one place, rounded.
+/// Coordinates closer than this, relative to the diagonal, may be one position, rounded.
 constexpr double kRounding = 1e-5;
 
-/// Numbers above are of vertices that no other rank knows.
+/// Numbers above belong to vertices that no other rank has.
 constexpr std::uint64_t kUnshared = std::uint64_t{1} << 63;
 
-/// What points may have in common: a place or an id.
+/// The identity of points: a position or an id.
 struct Key {
   std::uint64_t first, second;
 
@@ -37,7 +37,7 @@ Key key_of(const Vec3& position) {
 
 Key key_of(std::int64_t id) { return {static_cast<std::uint64_t>(id), 0}; }
 
-/// Spreads keys over ranks, those of a lattice as well.
+/// Distributes keys over ranks, also those of a lattice.
 std::uint64_t hash(const Key& key) {
   std::uint64_t h = 0;
   for (const std::uint64_t part : {key.first >> 32, key.first & 0xffffffffu, key.second}) {
@@ -54,7 +54,7 @@ struct Labelled {
   auto operator<=>(const Labelled&) const = default;
 };
 
-/// For every point asked for the lowest label of all points with its key, list by list.
+/// For every requested point, the lowest label of all points with its key, list by list.
 std::vector<std::vector<std::uint64_t>> lowest(const std::vector<std::vector<Labelled>>& asked) {
   std::vector<Labelled> known;
   for (const auto& list : asked) known.insert(known.end(), list.begin(), list.end());
@@ -68,12 +68,12 @@ std::vector<std::vector<std::uint64_t>> lowest(const std::vector<std::vector<Lab
   return answers;
 }
 
-/// Collective. Every point gets the lowest label of all points, of all ranks, with its key.
+/// Collective. Gives every point the lowest label, over all ranks, of its key.
 template <class Thing>
 std::vector<std::uint64_t> lowest_labels(const Ranks& ranks, std::span<const Thing> things,
                                          std::span<const std::uint64_t> labels) {
   std::vector<std::vector<Labelled>> told(static_cast<std::size_t>(ranks.size()));
-  std::vector<std::size_t> knows;  // which rank
+  std::vector<std::size_t> knows;  // by rank
   for (std::size_t p = 0; p < things.size(); ++p) {
     const Key key = key_of(things[p]);
     knows.push_back(hash(key) % told.size());
@@ -97,7 +97,7 @@ bool near(const IdPlace& a, const IdPlace& b, double distance) {
   return (Vec3(a.position.data()) - Vec3(b.position.data())).cast<double>().norm() <= distance;
 }
 
-/// Collective: whether every id belongs to one place.
+/// Collective. Whether every id belongs to one position.
 bool ids_hold(const Ranks& ranks, const PiecePoints& points, double rounding) {
   std::vector<std::vector<IdPlace>> told(static_cast<std::size_t>(ranks.size()));
   for (std::size_t p = 0; p < points.ids.size(); ++p) {
@@ -118,7 +118,7 @@ bool ids_hold(const Ranks& ranks, const PiecePoints& points, double rounding) {
   return ranks.every(hold);
 }
 
-/// Collective. Points at one place, with one id, and whatever that leads to, are one.
+/// Collective. Joins points with equal positions or ids, transitively.
 std::vector<std::uint64_t> numbers_by_id(const Ranks& ranks, const PiecePoints& points) {
   std::vector<std::uint64_t> labels(points.ids.begin(), points.ids.end());
   while (true) {

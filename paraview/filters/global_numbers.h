@@ -1,4 +1,4 @@
-/// Which points are one vertex, on one rank and on several.
+/// Identifies points that are one vertex, within and across ranks.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,30 @@
 
 namespace brindle::paraview {
 
-/// The points of a piece.
+/// The points of a partition.
 struct PiecePoints {
-  std::span<const Vec3> positions;    ///< about one origin on all ranks
-  std::span<const std::int64_t> ids;  ///< their numbers in the whole, or none
+  std::span<const Vec3> positions;    ///< relative to an origin common to all ranks
+  std::span<const std::int64_t> ids;  ///< global numbers, or empty
 };
 
 struct PointNumbers {
-  std::vector<std::uint64_t> of_points;  ///< points with the same number are one vertex
-  bool by_id = false;        ///< whether numbers are ids; else they follow from the points' order
-  bool ids_refused = false;  ///< whether there were ids that cannot be numbers in the whole
+  std::vector<std::uint64_t> of_points;  ///< points with one number are one vertex
+  bool by_id = false;  ///< whether numbers are ids; otherwise they follow from the points' order
+  bool ids_refused = false;  ///< whether ids were rejected as global numbers
 };
 
-/// Collective. Points are one vertex if they stand at exactly the same place, and, where all points
-/// of all ranks have ids and each belongs to one place of a whole whose diagonal is `diagonal`, but
-/// for rounding, if they have the same id. A vertex has the lowest of its points' ids, or, without
-/// ids, the number of its first point if those of all ranks are counted rank by rank. So numbers,
-/// and what follows from them, do not depend on how many ranks share the points.
+/// Collective. Points at exactly the same position are one vertex. If all points of all ranks have
+/// ids, and each id belongs to one position up to rounding relative to `diagonal`, points with one
+/// id are one vertex, too. A vertex has the lowest id of its points or, without ids, the index of
+/// its first point over all ranks. Numbers, and what follows from them, do not depend on the
+/// distribution of points.
 PointNumbers global_numbers(const Ranks& ranks, const PiecePoints& points, double diagonal);
 
-/// For every point the first of this rank with the same number.
+/// For every point, the first one of this rank with the same number.
 std::vector<Index> first_points(std::span<const std::uint64_t> numbers);
 
-/// The numbers of a piece's vertices, which are its points: the first of those that are one has
-/// their number, the others have some that no vertex of any rank has.
+/// Numbers of a partition's vertices, which are its points: the first of several points keeps the
+/// number, the others get unique ones.
 std::vector<std::uint64_t> vertex_numbers(const Ranks& ranks,
                                           std::span<const std::uint64_t> numbers,
                                           std::span<const Index> first);

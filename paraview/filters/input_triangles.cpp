@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> filtered(Filter& filter, vtkDataObject* input, vtkA
   return filter.GetOutput();
 }
 
-/// Throws Error for cells that name points which do not exist: VTK's own filters would look there.
+/// Throws Error for corners that do not exist, which VTK's own filters would read.
 void check_corners(vtkPolyData& data) {
   for (vtkCellArray* cells : {data.GetPolys(), data.GetStrips()}) {
     if (cells == nullptr || cells->GetNumberOfConnectivityIds() == 0) continue;
@@ -54,14 +54,14 @@ bool are_triangles(vtkPolyData& data) {
          data.GetPolys()->IsHomogeneous() == 3;
 }
 
-/// Numbers of cells' corners in rows of three.
+/// Corner numbers of cells, in rows of three.
 DataArray corners_of(vtkPolyData& data) {
   DataArray corners = data_array_of(*data.GetPolys()->GetConnectivityArray());
   corners.components = 3;
   return corners;
 }
 
-/// 1 for triangles that VTK marks as another process's.
+/// 1 for VTK's ghost triangles.
 std::vector<std::uint8_t> ghosts_of(vtkPolyData& triangles) {
   std::vector<std::uint8_t> ghosts;
   vtkUnsignedCharArray* flags = triangles.GetCellGhostArray();
@@ -77,7 +77,7 @@ bool has_ghosts(vtkDataObject* leaf) {
   return data != nullptr && data->GetCellGhostArray() != nullptr;
 }
 
-/// The same data with flags that say of no cell that it is a ghost.
+/// The same data without ghost flags.
 vtkSmartPointer<vtkDataSet> without_ghosts(vtkDataSet& data) {
   vtkNew<vtkUnsignedCharArray> flags;
   flags->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -89,7 +89,7 @@ vtkSmartPointer<vtkDataSet> without_ghosts(vtkDataSet& data) {
   return copy;
 }
 
-/// Triangles, and the numbers of the polygons among all cells that they are of.
+/// Triangles, and the cell number of the polygon of each.
 struct CutCells {
   std::vector<Triangle> triangles;
   std::vector<Index> cells;
@@ -108,7 +108,7 @@ void cut_polygons(vtkCellArray& polygons, Index first_cell, std::span<const Vec3
   }
 }
 
-/// Every other triangle of a strip is wound the other way.
+/// Every other triangle of a strip has the opposite winding.
 void take_strips_apart(vtkCellArray& strips, Index first_cell, CutCells& cut) {
   for (vtkIdType cell = 0; cell < strips.GetNumberOfCells(); ++cell) {
     vtkIdType count = 0;
@@ -184,7 +184,7 @@ vtkSmartPointer<vtkPolyData> triangles_of(vtkSmartPointer<vtkPolyData> polygons,
                                           const Eigen::Vector3d& origin) {
   if (polygons->GetNumberOfPoints() == 0 || are_triangles(*polygons)) return polygons;
   check_corners(*polygons);
-  // Cells are numbered in this order.
+  // VTK's order of cells.
   const vtkIdType first_polygon = polygons->GetNumberOfVerts() + polygons->GetNumberOfLines();
   const vtkIdType first_strip = first_polygon + polygons->GetNumberOfPolys();
   CutCells cut;
@@ -203,7 +203,7 @@ vtkSmartPointer<vtkPolyData> triangles_of(vtkSmartPointer<vtkPolyData> polygons,
 RawMesh raw_mesh(vtkPolyData& triangles) {
   if (triangles.GetNumberOfPoints() == 0) return {};
   const DataArray positions = data_array_of(*triangles.GetPoints()->GetData());
-  // Repeated triangles are dropped when ranks and ghosts are joined.
+  // Repeated triangles are dropped later, with ghosts and ranks.
   return {make_mesh(positions.view(), corners_of(triangles).view(), BadTriangles::kept),
           ghosts_of(triangles), ids_of(triangles)};
 }

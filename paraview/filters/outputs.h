@@ -1,4 +1,4 @@
-/// What outputs consist of: points, cells, figures.
+/// Points, cells and metrics of outputs.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ class vtkPolyData;
 
 namespace brindle::paraview {
 
-/// A point per blend, of the points of `from` and in their type.
+/// A point per blend of the points of `from`, in their type.
 vtkSmartPointer<vtkPoints> blended_points(vtkPolyData& from, std::span<const RowBlend> blends);
 
-/// Points relative to an origin, in the type of the points of `from`.
+/// Points relative to an origin, in the type of those of `from`.
 vtkSmartPointer<vtkPoints> placed_points(vtkPolyData& from, std::span<const Vec3> points,
                                          const Eigen::Vector3d& origin);
 
@@ -30,7 +30,7 @@ vtkSmartPointer<vtkCellArray> triangle_cells(std::span<const std::array<Index, 3
 /// A blend per row.
 std::vector<RowBlend> whole_rows(std::span<const Index> rows);
 
-/// branches, angle_error_mean_deg, spacing_error_mean, edges_per_period_min and
+/// Adds branches, angle_error_mean_deg, spacing_error_mean, edges_per_period_min and
 /// edges_per_period_median of a whole pattern.
 void add_figures(const PatternQuality& quality, const WaveFigures& waves, vtkFieldData& data);
 

@@ -10,7 +10,7 @@ struct Mention {
   std::uint64_t is_own;
 };
 
-/// Who owns every vertex. Rank (number mod ranks) knows.
+/// The owner of every vertex, found by rank (number mod ranks).
 std::vector<int> owners_of(const Ranks& ranks, std::span<const std::uint64_t> numbers,
                            std::span<const std::uint8_t> is_own) {
   const auto size = static_cast<std::size_t>(ranks.size());

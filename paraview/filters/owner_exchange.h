@@ -1,4 +1,4 @@
-/// What owners of vertices tell the other ranks that have them.
+/// Exchanges values of shared vertices between ranks.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace brindle::paraview {
 
-/// Collective, all of it. Vertices are those of this rank's piece.
+/// All functions are collective. Vertices are those of this rank's partition.
 class OwnerExchange {
  public:
-  /// Vertices of several ranks are one if they have one number; exactly one of these ranks owns it.
+  /// Vertices with one number on several ranks are one; exactly one rank owns it.
   OwnerExchange(const Ranks& ranks, std::span<const std::uint64_t> numbers,
                 std::span<const std::uint8_t> is_own);
 
-  /// Gives vertices that other ranks own the values that they have there.
+  /// Sets vertices of other owners to the owners' values.
   template <class T>
   void from_owners(std::span<T> by_vertex) const {
     const auto values = ranks_.swap_lists(values_at(own_, by_vertex));
@@ -28,7 +28,7 @@ class OwnerExchange {
     }
   }
 
-  /// Adds to own values those of all other ranks, in the order of ranks, and gives all the sums.
+  /// Sums the values of all ranks at each vertex, in rank order, on all ranks.
   template <class T>
   void sum(std::span<T> by_vertex) const {
     const auto values = ranks_.swap_lists(values_at(others_, by_vertex));
@@ -51,7 +51,7 @@ class OwnerExchange {
   }
 
   Ranks ranks_;
-  Lists own_;     ///< per rank: own vertices that it has, too
+  Lists own_;     ///< per rank: own vertices that it shares
   Lists others_;  ///< per rank: vertices that it owns
 };
 

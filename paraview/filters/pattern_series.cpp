@@ -23,12 +23,12 @@ Ranks ranks_of(const PatternSurface& surface) {
   return surface.piece ? surface.piece->ranks() : Ranks();
 }
 
-/// Whether it holds on all ranks.
+/// Whether it is true on all ranks.
 bool everywhere(const PatternSurface& surface, bool holds) {
   return ranks_of(surface).every(holds);
 }
 
-/// What a vertex is known by at all times: its id, or its place; and which copy it is of it.
+/// The identity of a vertex over time: id or position, and index among its copies.
 struct VertexKey {
   std::uint64_t first, second;
 
@@ -44,7 +44,7 @@ std::uint64_t hash(const VertexKey& key) {
   return h;
 }
 
-/// Of vertices that creases have split the first is 0.
+/// 0 for the first of the vertices split at creases.
 std::vector<std::uint64_t> copy_numbers(const Surface& surface) {
   std::vector<std::uint64_t> numbers(surface.own_vertex_count());
   std::vector<std::uint64_t> last = numbers;
@@ -69,14 +69,14 @@ std::vector<VertexKey> keys_of(const PatternSurface& surface, std::span<const Ve
   return keys;
 }
 
-/// A wave as ranks tell each other of it.
+/// A wave that is sent between ranks.
 struct KnownWave {
   VertexKey key{};
   std::array<float, 3> direction{};
   std::array<float, 2> z{};
 };
 
-/// Collective. Those of all ranks whose keys this one knows of, in the order of keys.
+/// Collective. The waves of all ranks with keys known to this rank, sorted by key.
 std::vector<KnownWave> known_waves(const Ranks& ranks, std::span<const VertexKey> keys,
                                    std::span<const Vec3> directions, std::span<const Complex> z) {
   std::vector<std::vector<KnownWave>> told(static_cast<std::size_t>(ranks.size()));
@@ -92,7 +92,7 @@ std::vector<KnownWave> known_waves(const Ranks& ranks, std::span<const VertexKey
   return known;
 }
 
-/// A wave for every question, without a direction where none is known.
+/// A wave for every request, without a direction if unknown.
 std::vector<std::vector<KnownWave>> answered(std::span<const KnownWave> known,
                                              const std::vector<std::vector<VertexKey>>& questions) {
   std::vector<std::vector<KnownWave>> answers;
@@ -113,7 +113,7 @@ std::vector<Complex> phases_elsewhere(const PatternSurface& last, const StripePa
                                       const PatternSurface& surface, const WaveSet& waves) {
   const Ranks ranks = ranks_of(surface);
   const bool by_id = ranks.every(last.ids && surface.ids);
-  // Places are relative to an origin, which all ranks of a surface have alike.
+  // Positions are relative to an origin, equal on all ranks.
   if (!by_id && last.surface->mesh.origin != surface.surface->mesh.origin) {
     return std::vector<Complex>(waves.positions.size());
   }
@@ -161,7 +161,7 @@ const StripePattern& PatternSeries::next(const PatternSurface& surface, WaveSet 
   if (renumbered) last = phases_to_follow(surface, waves);
   lost_track_ = renumbered && !last;
   try {
-    // Restarted, an animator would still have the aggregates of its first frame.
+    // A restarted animator would keep the aggregates of its first frame.
     if (!fitting || !follows) start(surface, options);
     if (last) set_last_phases(*last);
     surface_ = surface;
@@ -174,7 +174,7 @@ const StripePattern& PatternSeries::next(const PatternSurface& surface, WaveSet 
   return pattern_;
 }
 
-/// Nothing if fewer than half of the waves have one.
+/// Empty if fewer than half of the waves have a last phase.
 std::optional<std::vector<Complex>> PatternSeries::phases_to_follow(const PatternSurface& surface,
                                                                     const WaveSet& waves) const {
   std::vector<Complex> last = phases_elsewhere(surface_, pattern_, surface, waves);
@@ -248,7 +248,7 @@ double PatternSeries::energy() const {
   return ranks_animator_ ? ranks_animator_->energy() : animator_->energy();
 }
 
-/// Corner phases, those of ghosts as well, and the whole's quality.
+/// Computes corner phases, also of ghosts, and the global quality.
 void PatternSeries::measure(StripePattern& made) const {
   const Mesh& mesh = surface_.surface->mesh;
   made.corners = corner_phases(mesh.triangles, made.waves, made.solution.z, made.phase_shift);

@@ -1,4 +1,4 @@
-/// One pattern after another, of which those over one connectivity may follow each other.
+/// A sequence of patterns, each of which may continue the last one.
 #pragma once
 
 #include <cstdint>
@@ -19,50 +19,48 @@
 namespace brindle::paraview {
 
 struct SeriesOptions {
-  float slack = 0;        ///< as Slack has it
-  float lambda = 0.025f;  ///< as AnimatorOptions has it: how near a pattern stays to the last one
+  float slack = 0;        ///< as in Slack
+  float lambda = 0.025f;  ///< as in AnimatorOptions: weight of the last pattern
 
   bool operator==(const SeriesOptions&) const = default;
 };
 
-/// A surface, or a piece of one.
+/// A surface, or a partition of one.
 struct PatternSurface {
   std::shared_ptr<const Surface> surface;
-  std::shared_ptr<const RankPiece> piece;  ///< null if this process is alone
-  /// Numbers of vertices in the whole that tell them apart at any time; null if there are none.
+  std::shared_ptr<const RankPiece> piece;  ///< null without other ranks
+  /// Global numbers that identify vertices over time; null if there are none.
   std::shared_ptr<const std::vector<std::uint64_t>> ids = {};
 };
 
-/// Whether vertices and triangles of both surfaces are the same, wherever they stand, and, of
-/// pieces, other ranks' parts in them.
+/// Whether both surfaces have the same vertices and triangles, at any positions, and the same
+/// distribution to ranks.
 bool same_connectivity(const PatternSurface& a, const PatternSurface& b);
 
-/// Whether that holds on all ranks. Collective.
+/// Collective. The same on all ranks.
 bool same_connectivity_everywhere(const PatternSurface& a, const PatternSurface& b);
 
-/// Collective. The phases that a pattern of one surface had at another surface's vertices,
-/// whichever ranks have these now: those of one id, or, where surfaces have no ids, at exactly the
-/// same place; 0 where there is none. Of `waves`, which stand on the other surface.
+/// Collective. The phases of a pattern at the vertices of another surface, on any ranks: matched by
+/// id or, without ids, by exact position; 0 if there is no match. `waves` belong to the other
+/// surface.
 std::vector<Complex> phases_elsewhere(const PatternSurface& last, const StripePattern& pattern,
                                       const PatternSurface& surface, const WaveSet& waves);
 
-/// Lays patterns as `stripe_pattern` and StripeAnimator do, over several ranks as
-/// DistributedStripeAnimator does. A pattern that follows another renews what depends on the waves;
-/// what depends on the connectivity stays.
+/// Makes patterns as `stripe_pattern` and StripeAnimator do, or DistributedStripeAnimator with
+/// several ranks. A pattern that continues another recomputes only what depends on the waves.
 class PatternSeries {
  public:
-  /// The pattern of these waves, valid until the next call. It follows the last one if `follows`
-  /// says so, the options are the same, and so is the surface's connectivity or at least half of
-  /// its vertices (`phases_elsewhere`); otherwise it is that of `stripe_pattern`, whatever came
-  /// before. The same waves on the same cells as last time give the pattern of last time.
-  /// Collective over ranks; a piece's pattern has phases of all its vertices and triangles, ghosts
-  /// included, and the quality of the whole. Throws what StripeAnimator does, and then forgets the
-  /// last pattern.
+  /// Collective. The pattern of these waves, valid until the next call. It continues the last one
+  /// if `follows`, if the options are the same, and if the connectivity is the same or half of the
+  /// vertices match (`phases_elsewhere`); otherwise it is that of `stripe_pattern`, independent of
+  /// earlier ones. Unchanged waves and cells return the last pattern. A partition's pattern has
+  /// phases at all vertices and triangles, including ghosts, and the global quality. Throws what
+  /// StripeAnimator throws, and then discards the last pattern.
   const StripePattern& next(const PatternSurface& surface, WaveSet waves,
                             const SeriesOptions& options, bool follows,
                             const Progress& progress = {});
 
-  /// How many times a solver was built: for every pattern that does not follow another.
+  /// The number of solvers built: one per pattern that does not continue another.
   int solvers_made() const { return solvers_made_; }
   /// How many patterns followed the one before.
   int patterns_followed() const { return patterns_followed_; }

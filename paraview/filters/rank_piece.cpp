@@ -20,7 +20,7 @@ double area_of(const Mesh& mesh, const Triangle& triangle) {
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
 }
 
-/// A number for every entry of d d^T / |d|, column by column.
+/// The entries of d d^T / |d|, column by column.
 constexpr std::size_t kTensor = 9;
 
 Eigen::Vector3d vector_at(std::span<const double> row) {
@@ -37,7 +37,7 @@ std::vector<double> tensors_of(std::span<const double> vectors, std::size_t colu
   return tensors;
 }
 
-/// Of axes around every vertex the side that they are taken on.
+/// Reference directions that align the axes around every vertex.
 std::vector<Eigen::Vector3d> sides_of(std::span<const double> tensors) {
   std::vector<Eigen::Vector3d> sides;
   for (std::size_t at = 0; at < tensors.size(); at += kTensor) {

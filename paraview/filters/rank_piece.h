@@ -1,4 +1,4 @@
-/// One rank's piece of a surface that all ranks hold together.
+/// One rank's partition of a distributed surface.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace brindle::paraview {
 
-/// Collective where it is made, and where it says so.
+/// The constructor is collective, and functions that say so.
 class RankPiece {
  public:
   RankPiece(const Ranks& ranks, const Mesh& mesh, std::vector<std::uint64_t> numbers,
@@ -27,34 +27,33 @@ class RankPiece {
   const Ranks& ranks() const { return ranks_; }
   const DistributedSurface& surface() const { return surface_; }
   const OwnerExchange& owners() const { return owners_; }
-  /// One per triangle: 1 if it is another rank's.
+  /// One per triangle: 1 for ghosts.
   std::span<const std::uint8_t> ghosts() const { return ghosts_; }
 
-  /// A pattern of this piece's vertices, as the library asks for it; valid as long as both are.
+  /// A pattern of this partition in the library's form; refers to both.
   PiecePattern part_of(const StripePattern& pattern) const {
     return {surface_, pattern.waves, pattern.solution.z, pattern.phase_shift};
   }
 
-  /// Whether vertices have the same owners, and triangles are ghosts, as in the other one.
+  /// Whether owners of vertices and ghost triangles are the same.
   bool is_shared_like(const RankPiece& other) const;
 
-  /// Collective. What `cells_to_points` gives of rows per triangle, ghosts' rows left out and other
-  /// ranks' counted.
+  /// Collective. As the library's `cells_to_points`, over own triangles of all ranks.
   DataArray cells_to_points(const Mesh& mesh, const DataArray& rows) const;
 
-  /// Collective. The smallest and the largest number of all ranks, where each has some; the first
-  /// above the second if none has.
+  /// Collective. The smallest and largest number over all ranks; the first is above the second if
+  /// none has any.
   std::array<double, 2> extent(std::array<double, 2> own) const;
 
  private:
-  /// At a vertex the row of a triangle counts times this.
+  /// The factor of a triangle's row at a vertex.
   using Sign = std::function<double(std::size_t triangle, Index vertex)>;
 
-  /// Collective. Means of rows of numbers at vertices.
+  /// Collective. Means of numeric rows at vertices.
   std::vector<double> means_of(const Mesh& mesh, std::span<const double> rows, std::size_t columns,
                                const Sign& sign) const;
 
-  /// A vertex as its owner knows it.
+  /// A vertex on its owner.
   struct Source {
     int rank;
     Index vertex;

@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kSolid = "brindle_has_volume";
 
-/// What tells a face: the lowest three numbers of its vertices; no other face has them.
+/// Identifies a face by the three lowest numbers of its vertices.
 using Face = std::array<std::uint64_t, 3>;
 
 std::uint64_t hash(const Face& face) {
@@ -37,7 +37,7 @@ std::uint64_t hash(const Face& face) {
   return h;
 }
 
-/// Own faces of solids, ghosts left out, and the numbers of their cells.
+/// Own faces of solids, without ghosts, and their cell numbers.
 std::vector<std::pair<vtkIdType, Face>> own_faces(vtkPolyData& surface,
                                                   std::span<const std::uint64_t> numbers) {
   std::vector<std::pair<vtkIdType, Face>> faces;
@@ -62,7 +62,7 @@ std::vector<std::pair<vtkIdType, Face>> own_faces(vtkPolyData& surface,
   return faces;
 }
 
-/// For every face of every rank's list: whether there is another one, on that rank or elsewhere.
+/// Whether each face of all lists occurs twice, on any ranks.
 std::vector<std::vector<std::uint8_t>> are_shared(const std::vector<std::vector<Face>>& told) {
   std::vector<Face> known;
   for (const auto& list : told) known.insert(known.end(), list.begin(), list.end());

@@ -1,4 +1,4 @@
-/// Faces between the pieces of a grid.
+/// Faces between partitions of a grid.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,16 @@ class vtkPolyData;
 
 namespace brindle::paraview {
 
-/// Whether data are cells of grids alone, whose surface is what is outside.
+/// Whether all data are cells of grids, whose surface is their outside.
 bool is_grid(vtkDataObject* data);
 
-/// Grids whose cells say whether they have a volume, if some have none: shells of grids are no
-/// walls, wherever others have the same. Other data as they are.
+/// Marks cells with a volume if some have none: shells of grids are no internal faces even if
+/// another rank has the same. Returns other data unchanged.
 vtkSmartPointer<vtkDataObject> with_solids_marked(vtkDataObject* input);
 
-/// Collective. The surface of this rank's cells without the faces at which another piece's cells
-/// lie, on this rank or another: those of cells with a volume that are there twice, with the same
-/// vertices. `numbers` says of the surface's points which vertex they are (`global_numbers`). Marks
-/// of `with_solids_marked` go.
+/// Collective. The surface of this rank's cells without internal faces between partitions, on any
+/// ranks: faces of cells with a volume that occur twice. `numbers` are the vertex numbers of the
+/// surface's points (`global_numbers`). Removes the marks of `with_solids_marked`.
 vtkSmartPointer<vtkPolyData> without_walls(vtkSmartPointer<vtkPolyData> surface,
                                            std::span<const std::uint64_t> numbers,
                                            const Ranks& ranks);

@@ -22,8 +22,8 @@ constexpr double kThird = 1.0 / 3;
 
 bool is_mean(const std::array<Index, 3>& origins) { return origins[0] != origins[1]; }
 
-/// Gives points of the output to corners of the textured mesh. Points of the input at one place,
-/// with arrays of their own, stay apart though they are one vertex.
+/// Assigns output points to corners of the textured mesh. Input points at one position stay
+/// separate, with their arrays, although they are one vertex.
 class CornerPoints {
  public:
   CornerPoints(const InputSurface& input, const TexturedMesh& textured)
@@ -34,7 +34,7 @@ class CornerPoints {
     }
   }
 
-  /// The output's point for a vertex of the textured mesh, seen from a triangle of the surface.
+  /// The output point of a vertex of the textured mesh in a triangle of the surface.
   Index point(Index vertex, std::size_t triangle) {
     const bool is_own = vertex < input_.surface->mesh.vertex_count();
     if (is_own && !input_.joined) return vertex;
@@ -48,7 +48,7 @@ class CornerPoints {
   }
 
   std::vector<RowBlend> sources;  ///< per point of the output
-  std::vector<Index> vertices;    ///< per point of the output: its vertex in the textured mesh
+  std::vector<Index> vertices;    ///< vertex in the textured mesh, per output point
 
  private:
   Index added(Index vertex, const RowBlend& source) {
@@ -66,13 +66,15 @@ class CornerPoints {
   std::unordered_map<std::uint64_t, Index> ids_;
 };
 
-/// Says of branches what all ranks know; without other ranks, what is said already.
+/// Sets branches that include other ranks' triangles; unchanged without other ranks.
 void set_branches(std::vector<DataArray>& arrays, const TexturedMesh& textured,
                   const std::vector<float>& branches) {
   std::vector<float> flags = carried_values(textured, branches, 1);
-  for (float& flag : flags) flag = std::floor(flag);  // a barycentre is at one if all corners are
+  for (float& flag : flags)
+    flag = std::floor(flag);  // a barycentre has 1 only if all its corners do
   const auto found = std::ranges::find(arrays, "branch", &DataArray::name);
-  if (found != arrays.end()) *found = make_data_array("branch", 1, flags);  // no point, no array
+  if (found != arrays.end())
+    *found = make_data_array("branch", 1, flags);  // absent if there are no points
 }
 
 }  // namespace
@@ -102,7 +104,7 @@ StripeSurface plain_surface(const InputSurface& input, const StripePattern& patt
 
 StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern,
                                const VertexNotes& notes) {
-  // All fields that filters make, or take, have signs: those of neighbours agree where they can.
+  // The fields of filters have signs: neighbours agree where possible.
   const TexturedMesh textured =
       texture_coordinates(*input.surface, pattern, pattern.phase_shift, true);
   StripeSurface surface;

@@ -1,4 +1,4 @@
-/// The points and triangles that a pattern's texture coordinates need.
+/// Points and triangles with texture coordinates of a pattern.
 #pragma once
 
 #include <array>
@@ -12,32 +12,31 @@
 
 namespace brindle::paraview {
 
-/// A surface with a pattern, cut where one pair of texture coordinates per point needs it.
+/// A surface with a pattern, split so that each point has one pair of texture coordinates.
 struct StripeSurface {
-  std::vector<RowBlend> sources;  ///< per point: rows of the input's points; first those themselves
+  std::vector<RowBlend> sources;  ///< per point: rows of input points; the input points come first
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> cells;             ///< per triangle: the input's cell
-  std::vector<DataArray> point_arrays;  ///< what `brindle stripe` writes of waves
+  std::vector<Index> cells;             ///< per triangle: cell of the input
+  std::vector<DataArray> point_arrays;  ///< the wave arrays of `brindle stripe`
   DataArray branches;                   ///< per triangle: whether a stripe begins or ends there
-  std::vector<float> coordinates;       ///< U and V per point (texture_coordinates.h), or none
+  std::vector<float> coordinates;       ///< U and V per point (texture_coordinates.h), or empty
 };
 
-/// Collective over ranks: 1 at the corners of triangles, of any rank, in which a stripe begins or
-/// ends.
+/// Collective. 1 at the corners of triangles, of any rank, in which a stripe begins or ends.
 std::vector<float> branches_at_vertices(const InputSurface& input, const StripePattern& pattern);
 
-/// What vertices have beside a pattern.
+/// Values of vertices besides the pattern.
 struct VertexNotes {
-  std::vector<float> branches;   ///< as above
-  std::vector<float> agreement;  ///< of a measured field's data, or nothing
+  std::vector<float> branches;   ///< from `branches_at_vertices`
+  std::vector<float> agreement;  ///< coherence of a measured field's data, or empty
 };
 
-/// The input's points and triangles, those without area left out.
+/// The input's points and triangles, without degenerate triangles.
 StripeSurface plain_surface(const InputSurface& input, const StripePattern& pattern,
                             const VertexNotes& notes);
 
-/// The same with copies of points along seams, and with triangles in which stripes begin or end
-/// split at their barycentres, so that U, across the stripes, is linear in every triangle.
+/// The same with points copied along seams, and triangles with branches split at their barycentres,
+/// so that U, across the stripes, is linear in every triangle.
 StripeSurface textured_surface(const InputSurface& input, const StripePattern& pattern,
                                const VertexNotes& notes);
 

@@ -38,9 +38,9 @@ vtkDataArray& found_array(vtkPolyData& triangles, const std::string& name, bool 
   return *found;
 }
 
-/// What points of all ranks stand in.
+/// The bounding box of all ranks' points.
 struct CommonBox {
-  Eigen::Vector3d origin;  ///< that positions are relative to, as `make_mesh` chooses it for all
+  Eigen::Vector3d origin;  ///< of all positions, as `make_mesh` would choose it
   double diagonal = 0;
 };
 
@@ -63,14 +63,14 @@ CommonBox common_box(vtkPolyData& data, const Ranks& ranks) {
     }
   }
   if (!std::ranges::all_of(box, [](double x) { return std::isfinite(x); })) {
-    return {Eigen::Vector3d::Zero(), 0};  // nothing, or what is refused later
+    return {Eigen::Vector3d::Zero(), 0};  // empty, or rejected later
   }
   const std::vector<Index> no_triangles;
   return {make_mesh({box.data(), 2, 3}, {no_triangles, 3}).origin,
           (Eigen::Vector3d(&box[3]) - Eigen::Vector3d(&box[0])).norm()};
 }
 
-/// Collective: which of the data's points are one vertex.
+/// Collective. Identifies points that are one vertex.
 PointNumbers point_numbers(vtkPolyData& data, const CommonBox& box, const Ranks& ranks) {
   std::vector<Vec3> positions;
   std::vector<std::int64_t> ids;
@@ -81,8 +81,8 @@ PointNumbers point_numbers(vtkPolyData& data, const CommonBox& box, const Ranks&
   return global_numbers(ranks, {positions, ids}, box.diagonal);
 }
 
-/// Own triangles first: of triangles that stand twice, a repair keeps the first. One rank knows who
-/// else has its ghosts: itself, or nobody; they go. Returns the number that each had.
+/// Sorts own triangles first: the repair keeps the first of repeated triangles. A single rank has
+/// no use for ghosts, which are removed. Returns the old numbers.
 std::vector<Index> put_ghosts_last(Mesh& mesh, std::span<const std::uint8_t> ghosts, bool alone) {
   std::vector<Index> order(mesh.triangle_count());
   std::iota(order.begin(), order.end(), Index{0});
@@ -95,8 +95,7 @@ std::vector<Index> put_ghosts_last(Mesh& mesh, std::span<const std::uint8_t> gho
   return order;
 }
 
-/// One rank has its vertices in the order of their ids, as several ranks have, so that all lay the
-/// same pattern.
+/// A single rank orders vertices by id, as several ranks do, so that the pattern is the same.
 void order_vertices(std::span<const std::uint64_t> numbers, Mesh& mesh, InputSurface& made) {
   const auto key = [&](Index p) { return std::pair(numbers[p], p); };
   if (std::ranges::is_sorted(made.point_of_vertex, {}, key)) return;
@@ -119,7 +118,7 @@ void order_vertices(std::span<const std::uint64_t> numbers, Mesh& mesh, InputSur
   made.joined = true;
 }
 
-/// Vertices that others stand for have the numbers of those.
+/// Replaced vertices get the number of their replacement.
 void keep_ids(const PointNumbers& numbers, InputSurface& made) {
   if (!numbers.by_id) return;
   std::vector<std::uint64_t> ids;
@@ -127,8 +126,8 @@ void keep_ids(const PointNumbers& numbers, InputSurface& made) {
   made.ids = std::make_shared<const std::vector<std::uint64_t>>(std::move(ids));
 }
 
-/// Points for the vertices that creases have added: a copy of every point that is at such a corner.
-/// They are in the order of the vertices, which have the numbers of their points if none is joined.
+/// Points for the vertices added by creases: copies of all points at such corners, in the order of
+/// the vertices, which have the numbers of their points if none are joined.
 void add_copied_points(const Mesh& mesh, const Creases& creases, InputSurface& made) {
   const auto first_copy = static_cast<Index>(mesh.vertex_count() - creases.copied.size());
   const auto for_copied_corners = [&](const auto& body) {
@@ -139,7 +138,7 @@ void add_copied_points(const Mesh& mesh, const Creases& creases, InputSurface& m
       }
     }
   };
-  std::map<std::pair<Index, Index>, Index> copies;  // of a vertex and the point that is copied
+  std::map<std::pair<Index, Index>, Index> copies;  // of a vertex and its source point
   for_copied_corners([&](Index vertex, Index point) { copies[{vertex, point}] = 0; });
   for (auto& [of, copy] : copies) {
     const auto [vertex, point] = of;
@@ -151,7 +150,7 @@ void add_copied_points(const Mesh& mesh, const Creases& creases, InputSurface& m
   for_copied_corners([&](Index vertex, Index& point) { point = copies.at({vertex, point}); });
 }
 
-/// The points' vertices, and the triangles that can be used, which alone the mesh then has.
+/// The points' vertices, and the mesh reduced to valid triangles.
 InputSurface usable_triangles(const RawMesh& raw, Mesh& mesh, const PointNumbers& numbers,
                               bool alone) {
   InputSurface made;
@@ -168,7 +167,7 @@ InputSurface usable_triangles(const RawMesh& raw, Mesh& mesh, const PointNumbers
   return made;
 }
 
-/// Leaves out triangles that other ranks have, too.
+/// Removes triangles that other ranks also have.
 void drop_repeated(std::span<const std::uint8_t> repeated, InputSurface& made) {
   if (std::ranges::count(repeated, 1) == 0) return;
   Mesh mesh = made.surface->mesh;
@@ -193,7 +192,7 @@ std::vector<std::uint8_t> ghosts_among(const InputSurface& made, const RawMesh& 
   return ghosts;
 }
 
-/// Collective: one of the surfaces of all ranks.
+/// Collective. Makes one surface of all ranks' parts.
 void join_ranks(InputSurface& made, const RawMesh& raw, const PointNumbers& numbers,
                 const Ranks& ranks) {
   const std::vector<std::uint64_t> of_vertices =
@@ -213,7 +212,7 @@ void join_ranks(InputSurface& made, const RawMesh& raw, const PointNumbers& numb
   made.surface = std::make_shared<const Surface>(std::move(surface));
 }
 
-/// Itself, or, if it has no points, one that has a list of none.
+/// The data, with an empty list of points if they have none.
 vtkSmartPointer<vtkPolyData> with_points(vtkSmartPointer<vtkPolyData> data) {
   if (data->GetPoints() != nullptr) return data;
   auto empty = vtkSmartPointer<vtkPolyData>::New();
@@ -221,7 +220,7 @@ vtkSmartPointer<vtkPolyData> with_points(vtkSmartPointer<vtkPolyData> data) {
   return empty;
 }
 
-/// Itself, or the same with copies of points behind the others.
+/// The data, with copied points appended if there are any.
 vtkSmartPointer<vtkPolyData> with_copies(vtkSmartPointer<vtkPolyData> data,
                                          std::span<const Index> copied) {
   if (copied.empty()) return data;
@@ -270,7 +269,7 @@ DataArray InputSurface::array_of_triangles(const std::string& name) const {
   return rows_of(data_array_of(found_array(*triangles, name, false)), cell_of_triangle);
 }
 
-/// One row per vertex or triangle. Ranks without rows need not have the array.
+/// One row per vertex or triangle. Ranks without rows may lack the array.
 DataArray InputSurface::rows_of_piece(const std::string& name, bool of_points) const {
   const Ranks& ranks = piece->ranks();
   const bool any_rows = of_points ? surface->mesh.vertex_count() > 0 : !cell_of_triangle.empty();
@@ -313,15 +312,16 @@ const InputSurface* SurfaceCache::surface_of(vtkDataObject* input, vtkAlgorithm*
   try {
     ranks.throw_on_all([&] { renewed = this->read(*triangles); });
   } catch (...) {
-    current_ = {};  // what other ranks have read belongs to no surface
+    current_ = {};  // other ranks' state is unknown, so discard this one
     throw;
   }
   if (ranks.any(renewed || crease_angle_ != crease_angle)) derive(*triangles, ranks, crease_angle);
-  current_.triangles = with_copies(triangles, current_.copied_points);  // with this input's arrays
+  current_.triangles =
+      with_copies(triangles, current_.copied_points);  // with the arrays of this input
   return &current_;
 }
 
-/// Takes the numbers over if they are other ones than before, and returns whether they are.
+/// Stores the numbers if they have changed, and returns whether they have.
 bool SurfaceCache::read(vtkPolyData& triangles) {
   Stamp stamp{triangles.GetPoints()->GetData(), triangles.GetPolys(),
               std::max(triangles.GetPoints()->GetMTime(), triangles.GetPolys()->GetMTime())};

@@ -1,4 +1,4 @@
-/// The input's arrays at places of its surface.
+/// The input's arrays at positions on its surface.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ class vtkPointData;
 
 namespace brindle::paraview {
 
-/// Adds the input's arrays, of points blended and then of cells, with a row per place, but those
-/// whose names are taken.
+/// Adds the input's arrays with a row per position, interpolated point arrays and then cell arrays,
+/// except for names already taken.
 void carry_to_places(const InputSurface& input, std::span<const TrianglePoint> places,
                      vtkPointData& points);
 

@@ -46,7 +46,7 @@ void add_line_arrays(const brindle::Polylines& lines, vtkCellData& cells) {
   cells.AddArray(bp::vtk_array(make_data_array("length", 1, lengths)));
 }
 
-/// Lines of one process.
+/// Lines of a single process.
 brindle::Polylines local_lines(const brindle::Surface& surface,
                                const brindle::StripePattern& pattern,
                                const bp::LineOptions& options) {
@@ -55,7 +55,7 @@ brindle::Polylines local_lines(const brindle::Surface& surface,
   return std::move(curves.lines);
 }
 
-/// All but figures and the input's arrays; points in the type of the points of `from`.
+/// All but metrics and the input's arrays; points have the type of those of `from`.
 void fill(vtkPolyData& from, const brindle::Polylines& lines, vtkPolyData* output) {
   output->SetPoints(bp::placed_points(from, lines.points, lines.origin));
   output->SetLines(line_cells(lines));
@@ -83,7 +83,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   run.begin(0.8, 0.9, "curves");
   const bp::InputSurface& input = *run.input;
   const auto report = [&] { run.progress(0.9, 1).report("arrays", 0); };
-  // Of lines that are cut at borders nobody knows how long they are, and how they run on.
+  // The length and continuation of cut lines are unknown.
   const brindle::CurveOptions& wanted = options.curves;
   const bool whole_ones =
       wanted.join || wanted.trim != 0 || wanted.fair != 0 || options.minimum_length > 0;

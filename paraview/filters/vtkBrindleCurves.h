@@ -1,29 +1,29 @@
-/// The middles of stripes as lines.
+/// Centre lines of stripes.
 #pragma once
 
 #include "BrindleFiltersModule.h"  // export macro
 #include "vtkBrindleFilter.h"
 
-/// One polyline per stripe, with normals and the input's arrays at its points; per line whether it
-/// is closed, and its length. Over several ranks lines are cut at the borders, but for those that
-/// `Join`, `Trim` or `MinimumLength` asks for: these are whole, and on the first rank.
+/// One polyline per stripe, with normals and the input's arrays at its points, and whether it is
+/// closed and its length per line. With several ranks, lines are cut at the borders; with `Join`,
+/// `Trim`, `Fair` or `MinimumLength` they are whole, on the first rank.
 class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
  public:
   static vtkBrindleCurves* New();
   vtkTypeMacro(vtkBrindleCurves, vtkBrindleFilter);
 
-  /// Whether curves that end in one branch are joined, and others run on into a neighbour.
+  /// Joins curves that end in one branch, and extends others to a neighbour.
   vtkSetMacro(Join, bool);
   vtkGetMacro(Join, bool);
-  /// Ends at branches are cut back to where no neighbour is nearer than this share of the spacing;
-  /// 0 to 1, 0 leaves them. Not together with `Join`.
+  /// Cuts ends at branches that are nearer to a neighbour than this share of the spacing; 0 to 1,
+  /// 0: none. Not together with `Join`.
   vtkSetMacro(Trim, double);
   vtkGetMacro(Trim, double);
-  /// Kinks shorter than about this share of the spacing are taken out; 0 to 1, 0 leaves them. Needs
-  /// all of the surface on one rank.
+  /// Smooths kinks shorter than about this share of the spacing; 0 to 1, 0: none. Needs the whole
+  /// surface on one rank.
   vtkSetMacro(Fair, double);
   vtkGetMacro(Fair, double);
-  /// Shorter curves are left out; 0 or above, in units of length.
+  /// Leaves out shorter curves; 0 or above, in units of length.
   vtkSetMacro(MinimumLength, double);
   vtkGetMacro(MinimumLength, double);
 

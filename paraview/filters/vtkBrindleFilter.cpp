@@ -36,29 +36,29 @@ float number(double value) { return static_cast<float>(value); }
 struct vtkBrindleFilter::State {
   bp::SurfaceCache surfaces;
   bp::PatternSeries series;
-  /// Of `made_surface`, with `made_settings`: smooth fields take longer than patterns.
+  /// For `made_surface` and `made_settings`: smooth fields take longer than patterns.
   brindle::DirectionField made_directions;
   bp::PatternSurface made_surface;
   std::pair<int, int> made_settings;
-  bool made_follows = false;  ///< went on from those of the time before
-  /// What FieldMemory needs: the field that was seen last, and what it went on from.
+  bool made_follows = false;  ///< continued from those of the last time
+  /// For FieldMemory: the last smoothed field, and the one it continued.
   struct {
     brindle::DirectionField seen, before;
     bp::PatternSurface surface;
   } memory;
   std::optional<double> last_time;
   vtkMTimeType settings_time = 0;  ///< of the filter, in the last run
-  int warned_surface = 0;          ///< whose ids were looked at, by SurfacesMade
+  int warned_surface = 0;          ///< whose ids were checked, by SurfacesMade
 
-  /// How a run stands to the one before. The same on all ranks.
+  /// The relation to the last run. The same on all ranks.
   struct Step {
-    bool goes_on = false;  ///< time has, and no setting was changed
-    bool follows = false;  ///< the same, and phases and smooth fields stay near to the last ones
-    bool repeats = false;  ///< neither time nor a setting was changed
+    bool goes_on = false;  ///< time advances, and no setting was changed
+    bool follows = false;  ///< the same, and phases and smooth fields continue the last ones
+    bool repeats = false;  ///< neither time nor settings were changed
   };
 
-  /// Collective. What a step shows must not depend on how settings came about, nor, played from the
-  /// start, on what was shown before: only time that goes on is followed.
+  /// Collective. A result must not depend on the history of settings nor, if played from the start,
+  /// on earlier results: only advancing time continues the last result.
   Step step_to(const std::optional<double>& time, vtkBrindleFilter& filter,
                const bp::Ranks& ranks) const {
     const bool same_settings = settings_time == filter.GetMTime();
@@ -68,8 +68,8 @@ struct vtkBrindleFilter::State {
             ranks.every(time == last_time && same_settings)};
   }
 
-  /// Collective over ranks, which all have a new surface if one of them has. Directions follow
-  /// those of the time before over the same connectivity, as patterns do.
+  /// Collective; all ranks have a new surface if one has. Directions continue those of the last
+  /// time on the same connectivity, as patterns do.
   const brindle::DirectionField& directions(const bp::PatternSurface& surface,
                                             const bp::WaveSettings& settings, const Step& step) {
     const std::pair<int, int> wanted = {static_cast<int>(settings.field),
@@ -93,8 +93,7 @@ struct vtkBrindleFilter::State {
     return made_directions;
   }
 
-  /// Collective. The field of the time before on this surface, or nothing: what is played from the
-  /// start does not depend on what was shown before.
+  /// Collective. The last time's field on this surface, or empty at the start of a series.
   brindle::DirectionField remembered(const bp::PatternSurface& surface,
                                      const bp::WaveSettings& settings, const Step& step) {
     if (settings.memory == 0 || settings.detail == 0 || memory.surface.surface == nullptr)
@@ -102,13 +101,13 @@ struct vtkBrindleFilter::State {
     if (step.repeats && memory.surface.surface == surface.surface) return memory.before;
     if (!step.goes_on || !bp::same_connectivity_everywhere(memory.surface, surface)) return {};
     const brindle::Surface& before = *memory.surface.surface;
-    if (memory.seen.size() != before.mesh.vertex_count()) return {};  // there was no datum
+    if (memory.seen.size() != before.mesh.vertex_count()) return {};  // there were no data
     return brindle::matched_directions({before.mesh, before.normals, memory.seen},
                                        *surface.surface);
   }
 
-  /// The filter's properties. Throws Error for an angle and an anchor that cannot be; other numbers
-  /// are checked where they are used.
+  /// The filter's properties. Throws Error for an invalid angle or anchor; other numbers are
+  /// checked where they are used.
   static bp::WaveSettings settings_of(const vtkBrindleFilter& filter) {
     bp::WaveSettings settings;
     settings.field = static_cast<bp::FieldSource>(filter.Field);
@@ -147,8 +146,7 @@ struct vtkBrindleFilter::State {
 
 namespace {
 
-/// Collective: the time of the data, if they belong to a series; that of the lowest rank that knows
-/// it.
+/// Collective. The time of the data in a series, from the lowest rank that has it.
 std::optional<double> time_of(vtkDataObject* data, const bp::Ranks& ranks) {
   vtkInformation* information = data->GetInformation();
   const bool knows = information->Has(vtkDataObject::DATA_TIME_STEP()) != 0;
@@ -160,16 +158,15 @@ std::optional<double> time_of(vtkDataObject* data, const bp::Ranks& ranks) {
   return std::nullopt;
 }
 
-/// What the panel calls no array, where there need be none.
+/// The panel's name for no array.
 constexpr const char* kNoArray = "None";
 
 struct ChosenArray {
   std::optional<brindle::DataArray> of_points;  ///< a row per vertex
-  std::optional<brindle::DataArray>
-      of_cells;  ///< of cells: the same as it is, if that is asked for
+  std::optional<brindle::DataArray> of_cells;   ///< of cells: unchanged, if requested
 };
 
-/// The array that is chosen for a use, if one is.
+/// The array selected for a use, if any.
 ChosenArray chosen_array(vtkAlgorithm& filter, int use, const bp::InputSurface& input,
                          bool cells = false) {
   vtkInformation* chosen = filter.GetInputArrayInformation(use);
@@ -204,7 +201,7 @@ double vtkBrindleFilter::GetSolveMilliseconds() const {
 }
 
 int vtkBrindleFilter::FillInputPortInformation(int, vtkInformation* info) {
-  // Whole composite data, not block by block: stripes run on from one block to the next.
+  // Whole composite data instead of single blocks: stripes continue between blocks.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
@@ -213,7 +210,7 @@ int vtkBrindleFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
                                   vtkInformationVector* outputs) {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
-  if (this->Stopped) this->SetAbortExecute(0);  // it was obeyed; nobody else takes it back
+  if (this->Stopped) this->SetAbortExecute(0);  // handled; VTK does not reset it
   this->Stopped = false;
   Run run;
   try {
@@ -244,7 +241,7 @@ int vtkBrindleFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   return 1;
 }
 
-/// False if there is nothing to do.
+/// Returns whether there is work.
 bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   if (run.ranks.any(input == nullptr)) return false;
   State& state = *this->Internals;
@@ -287,7 +284,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   return true;
 }
 
-/// What all ranks know the first one says.
+/// Notes known on all ranks are printed by the first one.
 void vtkBrindleFilter::WarnOf(const Run& run) {
   if (run.ranks.rank() != 0) return;
   const int surfaces = this->GetSurfacesMade();
@@ -316,8 +313,8 @@ void vtkBrindleFilter::Fail(vtkPolyData* output, const char* message) {
   vtkErrorMacro(<< message);
 }
 
-/// All errors that ranks can agree on are theirs together. Of others the rest know nothing, and
-/// would wait for ever.
+/// Shared errors are raised on all ranks. After other errors, the remaining ranks would wait
+/// forever.
 void vtkBrindleFilter::EndIfOthersWait(const Run& run) {
   if (!run.ranks.alone()) run.ranks.abort();
 }

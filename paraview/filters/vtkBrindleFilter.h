@@ -1,5 +1,4 @@
-/// What Brindle's filters share: the surface, the waves and the pattern, kept from one run to the
-/// next.
+/// The common part of Brindle's filters: surface, waves and pattern, cached between runs.
 #pragma once
 
 #include <functional>
@@ -9,62 +8,61 @@
 
 #include "BrindleFiltersModule.h"  // export macro
 
-/// Takes polygons, or the surface of grids and of blocks, and lays waves over it. Input array 0 is
-/// the field, array 1 the frequency, array 2 weights; all may belong to points or cells. The ranks
-/// of VTK's global controller have one surface and run together.
+/// Takes polygons, or the surface of grids and blocks, and lays waves over it. Input array 0 is the
+/// field, array 1 the frequency, array 2 weights, of points or cells. The ranks of VTK's global
+/// controller share one surface and run together.
 class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
  public:
   vtkTypeMacro(vtkBrindleFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where directions come from, in the order of FieldSource: 0 smooth, 1 curvature, 2 direction,
-  /// 3 array.
+  /// The source of directions, in the order of FieldSource: 0 smooth, 1 curvature, 2 direction, 3
+  /// array.
   vtkSetClampMacro(Field, int, 0, 3);
   vtkGetMacro(Field, int);
-  /// Of a curvature field, 0: of larger, 1: of smaller absolute curvature.
+  /// For curvature fields, 0: larger, 1: smaller absolute curvature.
   vtkSetClampMacro(CurvatureDirection, int, 0, 1);
   vtkGetMacro(CurvatureDirection, int);
-  /// Of an array of tensors, in the order of TensorAxis: 0 major, 1 minor, 2 largest absolute, 3
-  /// and 4 major and minor of the part within the surface.
+  /// For arrays of tensors, in the order of TensorAxis: 0 major, 1 minor, 2 largest absolute, 3 and
+  /// 4 major and minor of the tangential part.
   vtkSetClampMacro(TensorAxis, int, 0, 4);
   vtkGetMacro(TensorAxis, int);
-  /// Of a direction field: any vector but zero.
+  /// For direction fields: any vector but zero.
   vtkSetVector3Macro(Direction, double);
   vtkGetVector3Macro(Direction, double);
-  /// Whether stripes run along the field, and not across it.
+  /// Whether stripes run along the field instead of across it.
   vtkSetMacro(Along, bool);
   vtkGetMacro(Along, bool);
-  /// An array is seen at the scale of so many periods of the stripes, without what is finer, and
-  /// with its holes filled; 0 to 100, 0: as it is given. Input array 2, if there is one, says how
-  /// much data count.
+  /// Smooths an array over this many periods of the stripes and fills holes; 0 to 100, 0: none.
+  /// Input array 2, if set, has the weights of the data.
   vtkSetMacro(FieldDetail, double);
   vtkGetMacro(FieldDetail, double);
-  /// The same of an array of frequencies.
+  /// The same for an array of frequencies.
   vtkSetMacro(FrequencyDetail, double);
   vtkGetMacro(FrequencyDetail, double);
-  /// With FieldDetail: how much the field of the time before counts beside the data; 0 or above.
+  /// With FieldDetail: temporal smoothing, the weight of the last time's field; 0 or above.
   vtkSetMacro(FieldMemory, double);
   vtkGetMacro(FieldMemory, double);
-  /// With FieldDetail and FrequencyDetail: how far holes are filled, in periods; 0 or above.
+  /// With FieldDetail and FrequencyDetail: distance over which holes are filled, in periods; 0 or
+  /// above.
   vtkSetMacro(FillPeriods, double);
   vtkGetMacro(FillPeriods, double);
-  /// With FieldDetail: whether vectors have a sign, so that those that face each other cancel.
+  /// With FieldDetail: vectors have signs, and opposite ones cancel.
   vtkSetMacro(FieldArrows, bool);
   vtkGetMacro(FieldArrows, bool);
-  /// With FieldDetail: pairs of singularities are undone until at most so many are left; -1: all
-  /// stay.
+  /// With FieldDetail: cancels pairs of singularities until at most this many remain; -1: none.
   vtkSetClampMacro(FieldSingularities, int, -1, 1000000);
   vtkGetMacro(FieldSingularities, int);
-  /// Degrees by which the field is turned about the normals.
+  /// Turns the field about the normals, in degrees.
   vtkSetMacro(Rotate, double);
   vtkGetMacro(Rotate, double);
 
-  /// Degrees by which an edge bends that is a crease, along which each side has stripes of its own:
-  /// 0 to 180, 180: none. Over several ranks there are none.
+  /// Bend, in degrees, from which edges are creases with separate stripes per side: 0 to 180, 180:
+  /// none. Several ranks have none.
   vtkSetMacro(CreaseAngle, double);
   vtkGetMacro(CreaseAngle, double);
 
-  /// Where frequencies come from, in the order of FrequencySource: 0 Stripes, 1 Frequency, 2 an
+  /// The source of frequencies, in the order of FrequencySource: 0 Stripes, 1 Frequency, 2 an
   /// array, 3 Stripes times a factor that follows an array.
   vtkSetClampMacro(FrequencySource, int, 0, 3);
   vtkGetMacro(FrequencySource, int);
@@ -74,29 +72,28 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   /// Stripes per unit length; above 0.
   vtkSetMacro(Frequency, double);
   vtkGetMacro(Frequency, double);
-  /// Factors for the smallest and the largest number of the array.
+  /// Factors at the smallest and the largest number of the array.
   vtkSetVector2Macro(FrequencyRange, double);
   vtkGetVector2Macro(FrequencyRange, double);
-  /// How far frequencies may yield, so that fewer stripes begin or end; 0 or above.
+  /// Spacing tolerance, for fewer branches; 0 or above.
   vtkSetMacro(Slack, double);
   vtkGetMacro(Slack, double);
-  /// How near a pattern stays to that of the time before; 0: each by itself.
+  /// Weight of the last time's pattern; 0: none.
   vtkSetMacro(TimeAnchor, double);
   vtkGetMacro(TimeAnchor, double);
 
-  /// How many times a surface was derived, a solver was built, and a pattern followed the one of
-  /// the time before.
+  /// The numbers of derived surfaces, built solvers, and patterns that continued the last time's.
   int GetSurfacesMade() const;
   int GetSolversMade() const;
   int GetPatternsFollowed() const;
-  /// Milliseconds that the last pattern took to be solved.
+  /// Milliseconds to solve the last pattern.
   double GetSolveMilliseconds() const;
 
   vtkBrindleFilter(const vtkBrindleFilter&) = delete;
   void operator=(const vtkBrindleFilter&) = delete;
 
  protected:
-  /// What one run hands to `Fill`, in the library's words.
+  /// Input of `Fill` in the library's types.
   struct Run;
 
   vtkBrindleFilter();
@@ -106,8 +103,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 
-  /// Makes the output of a run. Over several ranks all are in it together: what one of them throws,
-  /// all throw. May throw brindle::Error; the output is then emptied.
+  /// Makes the output of a run. Collective: an error on one rank is thrown on all. May throw
+  /// brindle::Error; the output is then emptied.
   virtual void Fill(Run& run, vtkPolyData* output) = 0;
 
  private:
@@ -137,6 +134,6 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   double FrequencyRange[2] = {0.4, 2.5};
   double Slack = 0;
   double TimeAnchor = 0.025;
-  bool Stopped = false;  // the last run was told to stop
+  bool Stopped = false;  // the last run was aborted
   std::unique_ptr<State> Internals;
 };

@@ -34,7 +34,7 @@ struct vtkBrindleSamples::Crossing {
 
 namespace {
 
-/// The waves turned by a quarter, `factor` times as dense.
+/// The waves turned by 90 degrees, with `factor` times the frequency.
 brindle::WaveSet crossing_waves(const brindle::Surface& surface, const brindle::WaveSet& waves,
                                 double factor) {
   brindle::WaveSet crossing = waves;
@@ -44,7 +44,7 @@ brindle::WaveSet crossing_waves(const brindle::Surface& surface, const brindle::
   return crossing;
 }
 
-/// Those of one process, or of this rank's own triangles; on all ranks no sample is there twice.
+/// Samples of one process, or of this rank's own triangles; unique over all ranks.
 std::vector<Sample> crossings_of(const bp::InputSurface& input, const brindle::StripePattern& u,
                                  const brindle::StripePattern& v) {
   if (!input.piece) return brindle::stripe_samples(*input.surface, u, v);

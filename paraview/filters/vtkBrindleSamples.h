@@ -6,14 +6,14 @@
 #include "BrindleFiltersModule.h"  // export macro
 #include "vtkBrindleFilter.h"
 
-/// Points where the stripes across a field and those along it cross, with normal, direction_u,
-/// direction_v, spacing_u, spacing_v and the input's arrays, such as glyphs need.
+/// Crossings of the stripes across a field with those along it, for glyphs, with normal,
+/// direction_u, direction_v, spacing_u, spacing_v and the input's arrays.
 class BRINDLEFILTERS_EXPORT vtkBrindleSamples : public vtkBrindleFilter {
  public:
   static vtkBrindleSamples* New();
   vtkTypeMacro(vtkBrindleSamples, vtkBrindleFilter);
 
-  /// How many times as many stripes the second pattern has as the first; above 0.
+  /// The frequency of the second pattern relative to the first; above 0.
   vtkSetMacro(CrossingFactor, double);
   vtkGetMacro(CrossingFactor, double);
 

@@ -24,7 +24,7 @@ vtkBrindleStripes::~vtkBrindleStripes() = default;
 
 namespace {
 
-/// All but the figures.
+/// All but the metrics.
 void fill(const bp::InputSurface& input, const bp::StripeSurface& surface, float turn_deg,
           vtkPolyData* output) {
   vtkPolyData& from = *input.triangles;
@@ -38,7 +38,7 @@ void fill(const bp::InputSurface& input, const bp::StripeSurface& surface, float
     points.SetTCoords(bp::vtk_array(brindle::make_data_array("uv", 2, surface.coordinates)));
   }
   bp::carry(*from.GetPointData(), surface.sources, points);
-  points.RemoveArray(brindle::kTurnArray);  // the input's says it of other waves
+  points.RemoveArray(brindle::kTurnArray);  // the input's belongs to other waves
   std::vector<brindle::DataArray> turn;
   brindle::add_turn(turn, turn_deg, surface.sources.size());
   for (const brindle::DataArray& array : turn) points.AddArray(bp::vtk_array(array));

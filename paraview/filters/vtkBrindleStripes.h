@@ -4,15 +4,15 @@
 #include "BrindleFiltersModule.h"  // export macro
 #include "vtkBrindleFilter.h"
 
-/// Adds to a surface the phases of its stripes, as docs/paraview.md lists them, and texture
-/// coordinates: U is across the stripes, one unit a stripe, with 1/2 at the middle of each.
+/// Adds the phases of stripes to a surface, as docs/paraview.md lists them, and texture
+/// coordinates: U is across the stripes, one unit per stripe, with 1/2 at the middle of each.
 class BRINDLEFILTERS_EXPORT vtkBrindleStripes : public vtkBrindleFilter {
  public:
   static vtkBrindleStripes* New();
   vtkTypeMacro(vtkBrindleStripes, vtkBrindleFilter);
 
-  /// Whether the output has texture coordinates, and points and triangles that these need. Without,
-  /// it has the input's points.
+  /// Whether the output has texture coordinates, with the points and triangles that they need.
+  /// Otherwise it has the input's points.
   vtkSetMacro(TextureCoordinates, bool);
   vtkGetMacro(TextureCoordinates, bool);
 

@@ -28,7 +28,7 @@ bool has_coordinates(vtkDataSet* data) {
   return coordinates != nullptr && coordinates->GetNumberOfComponents() <= 2;
 }
 
-/// Whether all blocks that there is something to draw of have them.
+/// Whether all visible blocks have them.
 bool all_have_coordinates(vtkDataObject* data) {
   if (auto* single = vtkDataSet::SafeDownCast(data)) return has_coordinates(single);
   auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
@@ -44,8 +44,8 @@ bool all_have_coordinates(vtkDataObject* data) {
   return any;
 }
 
-/// After the colours of the surface: the mean of stripes over the pixel, whose integral from 0 to
-/// u is `width` for every whole stripe and what the last one has.
+/// After surface colours: the mean of stripes over the pixel. Its integral from 0 to u is `width`
+/// per whole stripe plus the part of the last one.
 constexpr const char* kStripes = R"(
   {
     float u = vec2(tcoordVCVSOutput).x;
@@ -87,7 +87,7 @@ void vtkBrindleStripesRepresentation::UpdateColoringParameters() {
   this->Superclass::SetInterpolateScalarsBeforeMapping(0);
 }
 
-// Both clear what the actor has.
+// Both clear the actor's replacements.
 void vtkBrindleStripesRepresentation::SetUseShaderReplacements(bool use) {
   this->Superclass::SetUseShaderReplacements(use);
   this->Shader.clear();
@@ -116,7 +116,7 @@ std::string vtkBrindleStripesRepresentation::StripeShader() const {
   return code.str();
 }
 
-/// Gives the actor the stripes' shader, or takes it away where the data have no coordinates.
+/// Sets the actor's stripe shader, or removes it if the data have no coordinates.
 void vtkBrindleStripesRepresentation::UpdateStripes() {
   const std::string wanted = all_have_coordinates(this->Mapper->GetInputDataObject(0, 0))
                                  ? this->StripeShader()

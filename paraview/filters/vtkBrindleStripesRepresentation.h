@@ -1,4 +1,4 @@
-/// A surface with its stripes drawn pixel by pixel.
+/// A surface with stripes drawn per pixel.
 #pragma once
 
 #include <string>
@@ -10,10 +10,9 @@
 
 class vtkTexture;
 
-/// Draws stripes where texture coordinates say so, as vtkBrindleStripes makes them, over whatever
-/// colour a surface has. U is evaluated at every pixel and averaged over it, so that borders are
-/// sharp from near and even from afar, where a picture would have pixels of its own. A surface
-/// without texture coordinates is drawn without stripes.
+/// Draws the stripes of texture coordinates from vtkBrindleStripes over a surface's colour. U is
+/// evaluated per pixel and averaged over it, so that borders are sharp from near and even from
+/// afar, unlike an image texture. Surfaces without texture coordinates have no stripes.
 class BRINDLEFILTERS_EXPORT vtkBrindleStripesRepresentation
     : public vtkGeometryRepresentationWithFaces {
  public:
@@ -27,14 +26,14 @@ class BRINDLEFILTERS_EXPORT vtkBrindleStripesRepresentation
   /// The share of a period that a stripe covers, from 0 to 1.
   vtkSetClampMacro(StripeWidth, double, 0, 1);
   vtkGetMacro(StripeWidth, double);
-  /// How much of the surface's colour stripes cover, from 0 to 1.
+  /// The opacity of stripes over the surface's colour, from 0 to 1.
   vtkSetClampMacro(StripeOpacity, double, 0, 1);
   vtkGetMacro(StripeOpacity, double);
 
-  /// Surfaces have texture coordinates on their way to the screen only if there is a texture.
+  /// VTK passes texture coordinates to the shader only if there is a texture.
   void SetTexture(vtkTexture* texture) override;
-  /// Colours that are interpolated as numbers take the place of texture coordinates: here they are
-  /// interpolated as colours.
+  /// VTK would replace texture coordinates by scalars to interpolate; here, colours are
+  /// interpolated instead.
   void SetInterpolateScalarsBeforeMapping(int) override;
   void SetUseShaderReplacements(bool use) override;
   void SetShaderReplacements(const char* replacements) override;
@@ -59,5 +58,5 @@ class BRINDLEFILTERS_EXPORT vtkBrindleStripesRepresentation
   double StripeWidth = 0.5;
   double StripeOpacity = 1;
   vtkNew<vtkTexture> White;
-  std::string Shader;  ///< that the actor has now; empty: none
+  std::string Shader;  ///< current replacement in the actor; may be empty
 };

@@ -21,7 +21,7 @@ constexpr std::array kVtkTypes = {
     VTK_FLOAT,          VTK_DOUBLE, VTK_SIGNED_CHAR,  VTK_UNSIGNED_CHAR, VTK_SHORT,
     VTK_UNSIGNED_SHORT, VTK_INT,    VTK_UNSIGNED_INT, VTK_LONG_LONG,     VTK_UNSIGNED_LONG_LONG};
 
-/// VTK has several names for whole numbers of one size.
+/// VTK has several types of integers of one size.
 std::optional<NumberType> number_type_of(const vtkDataArray& array) {
   const int type = array.GetDataType();
   if (type == VTK_FLOAT) return NumberType::float32;

@@ -1,4 +1,4 @@
-/// Arrays from VTK's data to the library and back.
+/// Converts arrays between VTK and the library.
 #pragma once
 
 #include <span>
@@ -16,20 +16,20 @@ class vtkDataSetAttributes;
 
 namespace brindle::paraview {
 
-/// A copy, row by row, in the type that it has. Throws Error, naming the array, for types that are
-/// no numbers of a whole number of bytes.
+/// A copy in the array's type. Throws Error with the array's name for types other than numbers of
+/// whole bytes.
 DataArray data_array_of(vtkDataArray& array);
 
-/// The same array in VTK's form.
+/// The array in VTK's form.
 vtkSmartPointer<vtkDataArray> vtk_array(const DataArray& array);
 
 /// Its numbers, row by row.
 std::vector<double> doubles_of(const DataArray& array);
 
-/// Copies all arrays of `from`, text as well, with a row per blend: means of floating-point
-/// numbers, of others the row with the largest weight, of equal ones the first (as `blended`).
-/// What `to` has by the same name stays, and arrays that are too short are left out. Scalars,
-/// vectors, normals and tensors that were active are so in `to`, unless it has some.
+/// Copies all arrays of `from`, including text, with a row per blend: means of floating-point
+/// numbers; for others the row with the largest weight, the first one if equal (as `blended`).
+/// Keeps arrays of `to` with the same name, and skips arrays that are too short. Active scalars,
+/// vectors, normals and tensors stay active in `to`, unless it has its own.
 void carry(vtkDataSetAttributes& from, std::span<const RowBlend> blends, vtkDataSetAttributes& to);
 
 /// A blend of one row.

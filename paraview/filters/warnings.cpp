@@ -25,7 +25,7 @@ WarningWords words_of_panels() {
   return words;
 }
 
-/// Those of U and V that pass fewer edges a period.
+/// The finer waves of U and V, by edges per period.
 const WaveFigures& finest(const RunFigures& figures) {
   if (!figures.crossing) return figures.waves;
   return std::min(figures.waves, *figures.crossing, [](const auto& a, const auto& b) {

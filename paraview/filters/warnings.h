@@ -1,4 +1,4 @@
-/// How dense a filter's waves are on their surface, and what is probably not meant by them.
+/// Density of a filter's waves, and warnings about likely mistakes.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,20 @@
 
 namespace brindle::paraview {
 
-/// Collective over ranks: the figures of the whole surface's waves, on every rank.
+/// Collective. The metrics of the whole surface's waves, on every rank.
 WaveFigures wave_figures(const PatternSurface& surface, const WaveSet& waves);
 
-/// What is known of a run's waves and patterns, the same on all ranks.
+/// Metrics of a run's waves and patterns, the same on all ranks.
 struct RunFigures {
   WaveFigures waves;
-  std::optional<WaveFigures> crossing;       ///< of waves across these, if there are others
-  PatternQuality quality;                    ///< of two patterns what is worse (`worse_of`)
-  bool measured = false;                     ///< the field is an array, taken as it is
-  std::optional<FieldDetailFigures> detail;  ///< of an array seen at the scale of its stripes
+  std::optional<WaveFigures> crossing;       ///< of crossing waves, if any
+  PatternQuality quality;                    ///< the worse of two patterns (`worse_of`)
+  bool measured = false;                     ///< the field is an array without smoothing
+  std::optional<FieldDetailFigures> detail;  ///< of a smoothed array
 };
 
-/// The library's warnings in the words of ParaView's panels, a sentence each; of waves that are
-/// nowhere, one that says so.
+/// The library's warnings in terms of ParaView's panels, a sentence each, and one for waves that
+/// are nowhere.
 std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSurface& surface);
 
 }  // namespace brindle::paraview

@@ -23,7 +23,7 @@
 namespace brindle::paraview {
 namespace {
 
-constexpr float kCurvatureAnchor = 0.1f;  // as `brindle stripe --field curvature` has it
+constexpr float kCurvatureAnchor = 0.1f;  // as in `brindle stripe --field curvature`
 
 DirectionField array_directions(const Surface& surface, const WaveSettings& settings,
                                 const DataArray* vectors) {
@@ -32,7 +32,7 @@ DirectionField array_directions(const Surface& surface, const WaveSettings& sett
   return tensor_field_of(surface, *vectors, settings.tensor_axis).directions;
 }
 
-/// Numbers, or the lengths of vectors.
+/// Numbers, or magnitudes of vectors.
 std::vector<float> lengths_of(const DataArray& array) {
   const std::vector<double> numbers = doubles_of(array);
   const auto columns = static_cast<std::size_t>(array.components);
@@ -46,14 +46,14 @@ std::vector<float> lengths_of(const DataArray& array) {
   return lengths;
 }
 
-/// What the whole surface says where a piece does not know it.
+/// Values of the whole surface that a partition lacks.
 struct Whole {
   float diagonal = 0;
-  std::optional<std::array<double, 2>> extent;  ///< of the numbers that frequencies follow
+  std::optional<std::array<double, 2>> extent;  ///< of the numbers of frequencies
 };
 
-/// The smallest and the largest number, or length of a vector, of own vertices that have
-/// neighbours; the first above the second if there are none.
+/// The smallest and largest number, or magnitude, of own vertices with neighbours; the first is
+/// above the second if there are none.
 std::array<double, 2> own_extent(const Surface& surface, const DataArray& array,
                                  const RankPiece& piece) {
   const std::span<const std::uint8_t> is_own = piece.surface().is_own();
@@ -72,7 +72,7 @@ Whole whole_of(const Surface& surface, const WaveSettings& settings, const DataA
                const RankPiece* piece) {
   if (piece == nullptr) return {bounding_box(surface.mesh).diagonal(), std::nullopt};
   Whole whole{static_cast<float>(piece->surface().diagonal()), std::nullopt};
-  // Settings are the same on all ranks, and so is whether there is an array.
+  // Settings, and the existence of an array, are the same on all ranks.
   if (settings.frequency_source != FrequencySource::by_array || frequencies == nullptr)
     return whole;
   std::array<double, 2> extent{};
@@ -81,8 +81,8 @@ Whole whole_of(const Surface& surface, const WaveSettings& settings, const DataA
   return whole;
 }
 
-/// As `frequencies_by` gives them where the numbers of the whole have that extent: two vertices
-/// more, each other's neighbours, which have the smallest and the largest number, and alone count.
+/// As `frequencies_by` for the extent of the whole, by two additional neighbouring vertices with
+/// the smallest and the largest number.
 FrequencyField frequencies_within(const DataArray& array, std::array<double, 2> extent,
                                   float frequency, const FrequencyRange& range) {
   std::vector<double> numbers = doubles_of(array);
@@ -130,7 +130,7 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
   return constant_frequency_field(along_diagonal(), surface.mesh.vertex_count());
 }
 
-/// The data of the field: those of cells as they are, as lines or arrows of triangles.
+/// The data of the field: cell data unchanged, as lines or arrows of triangles.
 MeasuredField measured_data(const Surface& surface, const WaveArrays& arrays,
                             const DirectionField& directions) {
   const bool of_triangles = arrays.cell_vectors != nullptr && !is_tensor(*arrays.vectors);
@@ -172,7 +172,7 @@ WaveRequest request_of(const WaveSettings& settings) {
   return request;
 }
 
-/// What the settings find; `directions` are those of fields that are made.
+/// Waves before smoothing; `directions` are those of computed fields.
 WaveInput found_waves(const Surface& surface, const WaveSettings& settings, const Whole& whole,
                       DirectionField directions, const WaveArrays& arrays) {
   if (settings.field == FieldSource::direction) {

@@ -18,7 +18,7 @@
 namespace brindle::paraview {
 namespace {
 
-/// Collective: the points of all ranks, rank by rank, on the first; elsewhere the rank's own.
+/// Collective. On the first rank, the points of all ranks in rank order; elsewhere the rank's own.
 vtkSmartPointer<vtkPolyData> gathered(vtkPolyData& own, const Ranks& ranks) {
   std::vector<vtkSmartPointer<vtkDataObject>> all;
   vtkMultiProcessController::GetGlobalController()->Gather(&own, all, 0);
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> points_with_arrays(const InputSurface& input, const
   return points;
 }
 
-/// What is left of the points' rows where `longer_than` leaves out lines.
+/// The remaining rows of points after `longer_than` removed lines.
 std::vector<Index> rows_of_longer(const Polylines& lines, const std::vector<Index>& rows,
                                   double length) {
   std::vector<Index> left;
@@ -48,13 +48,13 @@ std::vector<Index> rows_of_longer(const Polylines& lines, const std::vector<Inde
   return left;
 }
 
-/// A point of a line as the rank hears of it that has its triangle.
+/// A point of a line, sent to the rank with its triangle.
 struct PointOfRank {
   std::array<float, 3> position;
   TrianglePoint place;
 };
 
-/// What every rank says of its points: rank by rank. `rows` are those of all points in these.
+/// The points of all ranks in rank order. `rows` are the rows of all points in these.
 std::vector<std::vector<PointOfRank>> points_by_rank(const WholeCurves& whole, const Ranks& ranks,
                                                      std::vector<Index>& rows) {
   const Polylines& lines = whole.curves.lines;

@@ -1,4 +1,4 @@
-/// The middles of stripes of all ranks, put together.
+/// Centre lines of stripes of all ranks, joined on the first.
 #pragma once
 
 #include <vector>
@@ -18,14 +18,14 @@ struct LineOptions {
   double minimum_length = 0;  ///< shorter lines are left out
 };
 
-/// Lines that go on over borders, with what the ranks know of their points.
+/// Lines across borders, with the ranks' data at their points.
 struct WholeLines {
   Polylines lines;
   vtkSmartPointer<vtkPolyData> points;  ///< of the lines and others, with the input's arrays
-  std::vector<Index> rows;              ///< of the lines' points in these
+  std::vector<Index> rows;              ///< the rows of the lines' points in these
 };
 
-/// Collective. All on the first rank, with the arrays that all ranks have; elsewhere none.
+/// Collective. All lines on the first rank, with the arrays that all ranks have; empty elsewhere.
 WholeLines whole_lines(const InputSurface& input, const StripePattern& pattern,
                        const LineOptions& options);
 

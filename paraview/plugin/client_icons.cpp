@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Whether this process has loaded a library; it is not loaded for that.
+/// Whether this process has already loaded a library.
 bool has_library(const char* name) {
   void* library = dlopen(name, RTLD_LAZY | RTLD_NOLOAD);
   if (library == nullptr) return false;
@@ -24,6 +24,6 @@ std::filesystem::path own_path() {
 
 void load_client_icons() {
   if (!has_library("libQt5Core.so.5")) return;
-  // The filters do without icons. They stay for as long as menus show them.
+  // The filters work without icons. They stay loaded for the menus.
   dlopen(own_path().replace_filename("BrindleIcons.so").c_str(), RTLD_LAZY | RTLD_LOCAL);
 }

@@ -1,6 +1,6 @@
-/// The icons of the filters, for a client with windows.
+/// The icons of the filters, for clients with windows.
 #pragma once
 
-/// Loads BrindleIcons, which lies beside the plugin, into a process that has Qt; elsewhere, and
-/// where it was not built, does nothing.
+/// Loads BrindleIcons from the plugin's folder in processes with Qt; does nothing elsewhere or if
+/// it was not built.
 void load_client_icons();

@@ -1,7 +1,7 @@
-/// What a server says to who has loaded the plugin there.
+/// A server's message after loading the plugin.
 #pragma once
 
-/// In a server that a client has connected to, on its first rank: that the client needs the plugin,
-/// too. ParaView itself ends a client that lacks a class of a representation, without a remedy; and
-/// a server cannot ask what its client has.
+/// On the first rank of a server with a client, asks to load the plugin in the client, too.
+/// Otherwise, ParaView ends a client that lacks a representation's class, without a remedy; a
+/// server cannot query its client's plugins.
 void tell_client_to_load();

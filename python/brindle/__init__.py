@@ -7,17 +7,16 @@
     points, edges = p.curves()                    # (k, 3), (l, 2)
     brindle.write_png("trefoil.png", brindle.render(s, p))
 
-Arrays are numpy's, of any real or whole numbers, in any order of memory; what comes back shares
-memory where it can, and keeps its owner alive. Lengths are in the units of the vertices,
-frequencies in stripes per unit length, phases in radians. What a caller can mend is brindle.Error, a
-ValueError; wrong types are TypeError. Nothing that fails or is interrupted (Ctrl-C) changes an
-object. Functions may be called from several threads at once; Python's lock is released while they
-work. Results are the same, bit for bit, for any number of threads, and those of the brindle tool.
+Arrays are numeric numpy arrays in any memory order; results share memory if possible and keep their
+owner alive. Lengths are in the units of the vertices, frequencies in stripes per unit length, phases
+in radians. Errors that a caller can fix are brindle.Error, a ValueError; wrong types are TypeError.
+Calls that fail or are interrupted (Ctrl-C) change nothing. Functions are thread-safe and release
+Python's lock. Results are the same bits for any number of threads, and those of the brindle tool.
 """
 
 import importlib
 
-# What is loaded when it is first asked for: the C++ side brings a dozen libraries along.
+# Loaded on demand, because the C++ module loads a dozen libraries.
 _HOMES = {
     "_animate": ("Animator", "FieldAnimator", "FieldDetail", "PatternFrames", "TextureAnimator"),
     "_arguments": ("Cancelled", "Error", "PatternWarning"),

@@ -15,16 +15,15 @@ if TYPE_CHECKING:
 
 
 class Animator:
-    """Lays stripes over one surface whose directions, frequencies and positions change.
+    """Lays stripes over one surface with changing directions, frequencies and positions.
 
-    What depends on the triangles alone is built in the first frame; later ones take a few
-    milliseconds. ``lambda_``: how strongly a frame holds on to the last one's phases, 0 not at all.
-    ``solver``: "multilevel" (``sweeps``, ``cycles``) or "relaxation" (``iterations``).
-    ``edge_weights``: one per directed edge (``Surface.neighbors``). ``slack`` and ``calm``: as for
-    ``brindle.stripes``.
+    Data that depend on the triangles alone are built in the first frame; later ones take a few
+    milliseconds. ``lambda_``: weight of the last frame's phases, 0 for none. ``solver``:
+    "multilevel" (``sweeps``, ``cycles``) or "relaxation" (``iterations``). ``edge_weights``: one
+    per directed edge (``Surface.neighbors``). ``slack`` and ``calm``: as for ``brindle.stripes``.
 
-    One frame at a time: a second call meanwhile, from another thread, is an Error. What raises
-    leaves the animator as it was.
+    One frame at a time: a concurrent call raises Error. A failed call leaves the animator
+    unchanged.
     """
 
     def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: str = "multilevel",
@@ -47,63 +46,64 @@ class Animator:
         """The phases of the next frame: (n,) exp(i Phi), in a new array or in ``out``.
 
         ``directions``: (n, 3) unit tangent vectors, or zero for no wave (``Surface.array_field``
-        makes such of any vectors). ``frequencies``: stripes per unit length, a number or (n,).
-        ``positions``: (n, 3), where vertices have moved to. Packed arrays of float32 are read where
-        they are; others are converted.
+        converts any vectors). ``frequencies``: stripes per unit length, a number or (n,).
+        ``positions``: (n, 3), of moved vertices. Packed float32 arrays are read in place; others
+        are converted.
         """
         return self._core.frame(directions, frequencies, positions, out, progress)
 
     @property
     def phase_step(self) -> float:
-        """How far phases moved in the last frame, in radians, on average."""
+        """The mean change of phases in the last frame, in radians."""
         return self._core.phase_step
 
     @property
     def unchanged(self) -> bool:
-        """Whether the last frame's input was that of the frame before."""
+        """Whether the last frame's input equalled that of the frame before."""
         return self._core.unchanged
 
     @property
     def frequencies(self) -> "NDArray[np.float32]":
-        """(n,) of the last frame, with slack; empty without: those of the input."""
+        """(n,) frequencies of the last frame with ``slack``; empty without."""
         return self._core.frequencies()
 
     @property
     def energy(self) -> float:
-        """Of the last frame's phases, between 0 and 1. Raises Error before the first frame."""
+        """The energy of the last frame's phases, between 0 and 1. Raises Error before the first
+        frame."""
         return self._core.energy()
 
     @property
     def milliseconds(self) -> dict[str, float]:
-        """Of the last frame: frequency, couple, sum, solve."""
+        """Times of the last frame: frequency, couple, sum, solve."""
         return self._core.milliseconds
 
     @property
     def topology_milliseconds(self) -> float:
-        """What the first frame built, once."""
+        """The time to build the first frame's data."""
         return self._core.topology_milliseconds
 
     def sibling(self) -> "Animator":
-        """An animator for another field on the same surface that shares what was built. Call it
-        after the first frame."""
+        """An animator for another field on the same surface that shares the first frame's data.
+        Call it after the first frame."""
         other = Animator.__new__(Animator)
         other.surface = self.surface
         other._core = self._core.sibling()
         return other
 
     def restart(self) -> None:
-        """Forgets the last phases: the next frame is solved from scratch."""
+        """Discards the last phases: the next frame is solved from scratch."""
         self._core.restart()
 
     def set_last_phases(self, phases: "ArrayLike") -> None:
-        """Lets the next frame follow these phases: complex (n,), 0 where none is known."""
+        """Makes the next frame continue these phases: complex (n,), 0 where unknown."""
         self._core.set_last_phases(phases)
 
 
 class TextureAnimator:
-    """Lays a texture over one surface whose field changes from frame to frame. Triangles go on
-    running as they ran, so that the seam stays where it is. ``oriented``, ``slack`` and ``calm`` as
-    for ``brindle.texture``, all else as for ``Animator``."""
+    """Lays a texture over one surface with a changing field. Triangles keep their orientation, so
+    that the seam stays in place. ``oriented``, ``slack`` and ``calm`` as for ``brindle.texture``,
+    other arguments as for ``Animator``."""
 
     def __init__(self, surface: Any, *, oriented: bool = False, lambda_: float = 0.025,
                  sweeps: int = 2, cycles: int = 0, slack: Any = None,
@@ -120,28 +120,28 @@ class TextureAnimator:
               normals: "Optional[ArrayLike]" = None,
               progress: Optional[Progress] = None) -> "NDArray[np.float32]":
         """The next frame's coordinates at the corners of triangles, (m, 3, 2), as
-        ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's unless U's
-        are wanted, ``normals`` (n, 3) those of moved positions."""
+        ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's
+        (default: U's), ``normals`` (n, 3) those of moved positions."""
         return self._core.frame(directions, frequencies, positions, frequencies_v, normals,
                                 progress)
 
     @property
     def figures(self) -> dict[str, Any]:
-        """Of the last frame: branches, seams, distortion, how far phases moved, and how the
-        orientation follows from the last frame's ("afresh", "kept", "continued", "shortened")."""
+        """Metrics of the last frame: branches, seams, distortion, change of phases, and the
+        continuation of the orientation ("afresh", "kept", "continued", "shortened")."""
         return dict(self._core.figures)
 
     def restart(self) -> None:
-        """Forgets the last frame."""
+        """Discards the last frame."""
         self._core.restart()
 
 
 class PatternFrames:
-    """What a renderer of your own draws of the frames of an ``Animator``: normals of vertices that
-    moved, corner phases, and the buffers that the installed shaders read (docs/gpu.md). ``phases``
-    are what ``Animator.frame`` gave; ``directions``, ``frequencies`` and ``positions`` what it was
-    given, with slack ``Animator.frequencies``. Packed arrays of float32 are read where they are, and
-    ``out`` spares the result's allocation. One call at a time."""
+    """Buffers for your own renderer of the frames of an ``Animator``: normals of moved vertices,
+    corner phases, and the buffers of the installed shaders (docs/gpu.md). ``phases`` are from
+    ``Animator.frame``; ``directions``, ``frequencies`` and ``positions`` are its input; with
+    ``slack``, pass ``Animator.frequencies``. Packed float32 arrays are read in place, and ``out``
+    avoids allocations. One call at a time."""
 
     def __init__(self, surface: Any) -> None:
         self.surface: Surface = as_surface(surface)
@@ -149,19 +149,19 @@ class PatternFrames:
 
     @kept_property
     def triangles(self) -> "NDArray[np.uint32]":
-        """(m, 4) the buffer of triangles: three vertices and 0, which no frame changes."""
+        """(m, 4) the triangle buffer: three vertices and 0; the same for all frames."""
         return self._core.triangles()
 
     def normals(self, positions: "ArrayLike") -> "NDArray[np.float32]":
-        """(n, 3) unit normals of vertices that stand at ``positions`` (n, 3)."""
+        """(n, 3) unit normals of vertices at ``positions`` (n, 3)."""
         return self._core.normals(positions)
 
     def vertices(self, phases: "ArrayLike", directions: "ArrayLike", frequencies: "ArrayLike",
                  positions: "Optional[ArrayLike]" = None, *,
                  normals: "Optional[ArrayLike]" = None,
                  out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
-        """(n, 12) the buffer of vertices: x, y, z, frequency; direction, cosine of the phase; normal,
-        its sine. ``normals``: (n, 3); left out: those of ``positions``."""
+        """(n, 12) the vertex buffer: x, y, z, frequency; direction, cosine of the phase; normal,
+        its sine. ``normals``: (n, 3); by default, those of ``positions``."""
         return self._core.vertices(phases, directions, frequencies, positions, normals, out)
 
     def corner_phases(self, phases: "ArrayLike", directions: "ArrayLike",
@@ -174,9 +174,8 @@ class PatternFrames:
 
 
 class FieldAnimator:
-    """A smooth field on one surface whose anchors change: data, or a brush. ``symmetry``: 1
-    vectors, 2 lines, 4 crosses; ``lambda_``: how strongly a frame holds on to the last one's
-    field."""
+    """A smooth field on one surface with changing anchors: data, or a brush. ``symmetry``: 1
+    vectors, 2 lines, 4 crosses; ``lambda_``: weight of the last frame's field."""
 
     def __init__(self, surface: Any, *, symmetry: int = 2, lambda_: float = 0.05,
                  sweeps: int = 2) -> None:
@@ -187,8 +186,8 @@ class FieldAnimator:
     def frame(self, vertices: "ArrayLike" = (), directions: "Optional[ArrayLike]" = None,
               weights: "ArrayLike" = 1.0, *,
               progress: Optional[Progress] = None) -> "NDArray[np.float32]":
-        """(n, 3) unit tangent vectors, drawn at k ``vertices`` (k,) towards ``directions`` (k, 3)
-        by ``weights``, a number or (k,), in multiples of what all neighbours together pull."""
+        """(n, 3) unit tangent vectors, attracted at k ``vertices`` (k,) to ``directions`` (k, 3)
+        by ``weights``, a number or (k,), relative to the pull of all neighbours together."""
         if directions is None:
             if len(vertices) > 0:  # type: ignore[arg-type]
                 raise Error("directions: give one to each of the vertices")
@@ -198,11 +197,11 @@ class FieldAnimator:
 
 
 class FieldDetail:
-    """Measured fields on one surface, one after the other, seen at the scale of their stripes: what
-    depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
-    lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
-    many are left. ``memory``: how much the field of the frame before counts beside the data, so that
-    noise does not make it jump (0: not at all; 1: as much)."""
+    """Smooths measured fields on one surface, frame by frame; data that depend on the surface
+    alone are built once. ``periods``: the smoothing length. ``symmetry``: 1 arrows, 2 lines, 4
+    crosses. ``fill``: distance over which holes are filled, in periods. ``singularities``: the
+    largest number to keep. ``memory``: temporal smoothing, the weight of the last frame's field
+    relative to the data (0: none; 1: equal)."""
 
     def __init__(self, surface: Any, periods: float = 1, *, symmetry: int = 2, fill: float = 2,
                  singularities: Optional[int] = None, memory: float = 0) -> None:
@@ -216,19 +215,19 @@ class FieldDetail:
               confidence: "Optional[ArrayLike]" = None, last: "Optional[ArrayLike]" = None,
               progress: Optional[Progress] = None
               ) -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
-        """The next frame: (n, 3) unit tangent vectors, zero beyond what is filled, and (n,) how much
-        the data around each vertex agree, from 0 to 1.
+        """The next frame: (n, 3) unit tangent vectors, zero beyond filled holes, and (n,) the
+        directional coherence of the data around each vertex, from 0 to 1.
 
-        ``vectors``: (n, 3), or (m, 3) of triangles, of any length; zero or NaN: there is no datum.
+        ``vectors``: (n, 3), or (m, 3) of triangles, of any length; zero or NaN for no datum.
         ``frequencies``: stripes per unit length, a number or (n,), NaN for no wave.
-        ``confidence``: how much each datum counts, a row per vector, 0 or NaN if it is none.
-        ``last``: (n, 3), the field before, where it is not that of the frame before.
+        ``confidence``: weight of each datum, a row per vector, 0 or NaN for none. ``last``: (n,
+        3), the last field, if not that of the last frame.
         """
         return self._core.frame(vectors, frequencies, confidence, last, progress)
 
     @property
     def figures(self) -> dict[str, Any]:
-        """Of the last frame, by the keys of reports: by how many degrees it was turned from its
-        data, how many singularities data and field have, vertices with data, filled and not.
-        Raises Error before the first frame."""
+        """Metrics of the last frame, by the keys of reports: turn from the data in degrees,
+        singularities of data and field, vertices with data, filled and not. Raises Error before
+        the first frame."""
         return json.loads(self._core.figures())

@@ -1,4 +1,4 @@
-"""What functions are given: paths, options, fields and frequencies."""
+"""Checks of arguments: paths, options, fields and frequencies."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ Cancelled.__doc__ = """A job that a progress function stopped by returning False
 
 
 class PatternWarning(UserWarning):
-    """What is probably not meant: waves that are missing, stripes too fine for the mesh, arrays
-    that a file cannot hold."""
+    """A likely mistake: missing waves, stripes too fine for the mesh, arrays that a file cannot
+    hold."""
 
 
 def frozen(value: Any) -> Any:
-    """The same, its arrays read-only: in dictionaries and tuples, too."""
+    """The value with read-only arrays, also within dictionaries and tuples."""
     if hasattr(value, "flags"):
         value.flags.writeable = False
     elif isinstance(value, dict):
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     kept_property = cached_property
 else:
     class kept_property(cached_property):
-        """A cached property: what an object keeps is read-only."""
+        """A cached property with a read-only value."""
 
         def __init__(self, function):
             super().__init__(wraps(function)(lambda owner: frozen(function(owner))))
@@ -54,7 +54,7 @@ def path_of(path: Any) -> str:
 
 
 def warn(text: str, level: int = 3) -> None:
-    """A warning for every line."""
+    """Gives a warning per line."""
     for line in text.splitlines():
         line = _core.in_pythons_words(line).removeprefix("warning: ")
         warnings.warn(line, PatternWarning, stacklevel=level)
@@ -71,7 +71,7 @@ def number(value: Any, what: str) -> float:
 
 
 def distance(value: Any, what: str) -> float:
-    """A number of 0 or more, which may be infinite. Raises Error for any other."""
+    """A number of 0 or more, possibly infinite. Raises Error for others."""
     result = number(value, what)
     if not result >= 0:
         raise Error(f"{what}: expected 0 or more, got {result}")
@@ -79,7 +79,7 @@ def distance(value: Any, what: str) -> float:
 
 
 def whole_number(value: Any, what: str) -> int:
-    """Raises TypeError for what is no whole number, Error for one beyond 32 bits."""
+    """Raises TypeError for other than integers, Error beyond 32 bits."""
     if isinstance(value, bool) or not hasattr(value, "__index__"):
         raise TypeError(f"{what}: expected a whole number, got {type(value).__name__}")
     result = value.__index__()
@@ -103,14 +103,13 @@ def word(value: Any, what: str) -> str:
 
 
 def in_range(name: str, value: Any, written: Any) -> Any:
-    """The value. Raises Error for a number that the tool's option of that name does not take, in its
-    words."""
+    """The value. Raises Error with the tool's message for a number outside its option's range."""
     _core.check_number(name.strip("_").replace("_", "-"), value, str(written))
     return value
 
 
 def check_scalar(name: str, value: Any) -> None:
-    """The same of a number; what else there may be, such as an array, is for others."""
+    """The same for a number; ignores other types, such as arrays."""
     if isinstance(value, numbers.Real) and not isinstance(value, bool):
         in_range(name, value, value)
 
@@ -121,7 +120,7 @@ _WHOLE_NUMBERS = ("seed", "sweeps", "cycles", "global_iterations")
 
 
 def check_slack_type(slack: Any) -> None:
-    """Raises TypeError for what is no number or array."""
+    """Raises TypeError for other than numbers and arrays."""
     if isinstance(slack, (bool, str)):
         raise TypeError(f"slack: expected a number or an array, got {slack!r}")
 
@@ -135,7 +134,7 @@ def check_slack(slack: Any, calm: Any) -> None:
 
 
 def set_windings(made: "_core.Solving", winding: Any) -> None:
-    """A number for the only way round, or numbers by the names of loops."""
+    """A number for the only loop, or numbers by the names of loops."""
     wanted = winding if isinstance(winding, Mapping) else {"": winding}
     if not wanted:
         raise Error("winding: it names no loop; give a number, or numbers by names of loops()")
@@ -144,7 +143,7 @@ def set_windings(made: "_core.Solving", winding: Any) -> None:
 
 
 def options_of(given: Mapping[str, Any]) -> set[str]:
-    """What was given, by the names that the tool has for it: lambda_ is --lambda."""
+    """The given arguments by the tool's names: lambda_ is --lambda."""
     return {"--" + name.strip("_").replace("_", "-") for name, value in given.items()
             if value is not None and not (isinstance(value, str) and value == _UNLESS_GIVEN.get(name))}
 
@@ -153,8 +152,8 @@ _UNLESS_GIVEN = {"weights": "paper", "phase_shift": "aligned", "solver": "multil
 
 
 def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
-    """How to solve what is asked for, on a mesh or points. Options that are None have their
-    defaults; those that would change nothing are refused."""
+    """Options of the solver, on a mesh or points. None is the default; options without effect are
+    rejected."""
     options = {name: value for name, value in given.items() if value is not None}
     made = _core.Solving()
     for name in ("solver", "phase_shift", "weights"):
@@ -182,7 +181,7 @@ DEFAULT_STRIPES = 40
 
 
 def one_of_both(name: str, value: Any, other_name: str, other: Any) -> None:
-    """At most one of them is given, and in its range."""
+    """Checks that at most one is given, and its range."""
     if value is not None and other is not None:
         raise Error(f"{name} and {other_name} exclude each other: give one of both")
     check_scalar(name, value)
@@ -190,7 +189,7 @@ def one_of_both(name: str, value: Any, other_name: str, other: Any) -> None:
 
 
 def count_and_frequency(stripes: Any, frequency: Any) -> tuple[Any, Any]:
-    """One of both; 40 stripes if neither was given."""
+    """One of both; 40 stripes if neither is given."""
     one_of_both("stripes", stripes, "frequency", frequency)
     if stripes is None and frequency is None:
         return DEFAULT_STRIPES, None
@@ -198,7 +197,7 @@ def count_and_frequency(stripes: Any, frequency: Any) -> tuple[Any, Any]:
 
 
 def described(options: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
-    """Options for a report: those that are not the defaults, arrays by their shape."""
+    """Options in a report: those other than the defaults, arrays by their shape."""
     result = {}
     for name, value in options.items():
         if value is None or value is defaults.get(name):

@@ -21,7 +21,7 @@ CURVE_ENDS = ("closed", "boundary", "no_wave", "nonmanifold", "branch", "singula
 
 
 def placed(points: Any, origin: tuple[float, float, float]) -> Any:
-    """Points relative to an origin where they stand."""
+    """Points in absolute coordinates."""
     if origin == (0.0, 0.0, 0.0):
         return points
     import numpy as np
@@ -29,7 +29,7 @@ def placed(points: Any, origin: tuple[float, float, float]) -> Any:
 
 
 class Curves:
-    """The centre lines of stripes. ``points, edges = curves`` are ready for a curve network."""
+    """The centre lines of stripes. ``points, edges = curves`` fit a curve network."""
 
     def __init__(self, core: "_core.Curves", stripes: Stripes) -> None:
         self._core = core
@@ -43,7 +43,7 @@ class Curves:
 
     @property
     def count(self) -> int:
-        """How many curves there are."""
+        """The number of curves."""
         return len(self._core.closed)
 
     @kept_property
@@ -53,7 +53,7 @@ class Curves:
 
     @kept_property
     def edges(self) -> "NDArray[np.int32]":
-        """(l, 2) numbers of points that are joined; closed curves come back to their first one."""
+        """(l, 2) point numbers of the edges; closed curves return to their first point."""
         return self._core.edges()
 
     @property
@@ -68,17 +68,17 @@ class Curves:
 
     @property
     def closed(self) -> "NDArray[np.bool_]":
-        """(count,) whether a curve comes back to its first point, which is not repeated."""
+        """(count,) whether a curve is closed; its first point is not repeated."""
         return self._core.closed
 
     @kept_property
     def lengths(self) -> "NDArray[np.float64]":
-        """(count,) with the way back of closed curves."""
+        """(count,) lengths, including the closing edge."""
         return self._core.lengths()
 
     @cached_property
     def ends(self) -> list[tuple[str, str]]:
-        """Of every curve why it ends at its first and its last point: "closed", "boundary",
+        """The reasons why each curve ends at its first and its last point: "closed", "boundary",
         "no_wave", "nonmanifold", "branch", "singularity" or "crease"."""
         return [(CURVE_ENDS[first], CURVE_ENDS[last]) for first, last in self._core.ends()]
 
@@ -90,13 +90,13 @@ class Curves:
 
     @property
     def places(self) -> "tuple[NDArray[np.int32], NDArray[np.float64]]":
-        """Where the points are on the mesh: triangles (k,), barycentric coordinates (k, 3). Empty
-        for simplified curves that have lost them."""
+        """Positions of the points on the mesh: triangles (k,), barycentric coordinates (k, 3).
+        Empty for simplified curves without them."""
         return self._core.places()
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """The figures that ``brindle curves --report`` has of one family of curves, but for
+        """The metrics of one family of curves in ``brindle curves --report``, without
         ``spacing``."""
         quality = self.stripes.report
         closed, figures = int(self.closed.sum()), self._core.figures()
@@ -109,20 +109,20 @@ class Curves:
                 **{key: quality[key] for key in ("frequency_change",) if key in quality}}
 
     def measures(self, line_width: float = 0) -> dict[str, Any]:
-        """What a maker asks: ``lengths``, ``gaps`` between neighbours (in a build with nanoflann)
-        and, for a width above 0, the share of the surface's area that lines of it cover,
-        ``coverage``. Lengths are in the units of the vertices."""
+        """Metrics for fabrication: ``lengths``, ``gaps`` between neighbours (in a build with
+        nanoflann) and, for a width above 0, ``coverage``, the share of the surface's area that
+        lines of this width cover. Lengths are in the units of the vertices."""
         return self._core.measures(self.stripes._core, number(line_width, "line_width"))
 
     def tubes(self, radius: float, sides: int = 8) -> Surface:
-        """Tubes around the curves, as a surface: for printing, and for pictures."""
+        """Tubes around the curves, as a surface, for printing and pictures."""
         vertices, triangles = self._core.tubes(number(radius, "radius"), whole_number(sides, "sides"))
         return Surface(placed(vertices, self.stripes.surface.origin), triangles)
 
     def write(self, path: Any, *, name: str = "u",
               point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
-        """Writes .obj, .ply, .vtp or .csv lines, or a drawing (``.svg``, as ``draw``), whole or not
-        at all. ``point_data``: arrays of a row per point."""
+        """Writes .obj, .ply, .vtp or .csv lines, or a drawing (``.svg``, as ``draw``),
+        atomically. ``point_data``: arrays with a row per point."""
         text = path_of(path)
         if text.lower().endswith(".svg"):
             self.draw(text)
@@ -130,8 +130,8 @@ class Curves:
         self._core.write(text, name, dict(point_data or {}))
 
     def draw(self, path: Any, **options: Any) -> None:
-        """Writes an SVG drawing with hidden lines removed: options as ``brindle.render`` has them
-        (size, camera, up, colors, slice)."""
+        """Writes an SVG drawing without hidden lines; size, camera, up, colors and slice as in
+        ``brindle.render``."""
         from ._pictures import draw_curves
         draw_curves(path_of(path), self, options)
 
@@ -154,7 +154,7 @@ def curves_of(stripes: Stripes, join: bool, trim: float, fair: float, offset: fl
 
 
 class Samples:
-    """Points where two patterns cross. ``points, normals = samples`` are (k, 3) each."""
+    """Crossings of two patterns. ``points, normals = samples`` are (k, 3) each."""
 
     def __init__(self, core: "_core.Samples", surface: Surface, u: Stripes, v: Stripes) -> None:
         self._core = core
@@ -175,7 +175,7 @@ class Samples:
 
     @property
     def count(self) -> int:
-        """k."""
+        """k, the number of samples."""
         return self._core.count
 
     @kept_property
@@ -195,25 +195,25 @@ class Samples:
 
     @property
     def spacings(self) -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
-        """(k,) distances to the next sample along U and along V, ideally."""
+        """(k,) target distances to the next sample along U and along V."""
         return self._columns["spacing_u"], self._columns["spacing_v"]
 
     @property
     def places(self) -> "tuple[NDArray[np.int32], NDArray[np.float32]]":
-        """Where samples are on the mesh: triangles (k,), barycentric coordinates (k, 3)."""
+        """Positions of the samples on the mesh: triangles (k,), barycentric coordinates (k, 3)."""
         return self._columns["triangles"], self._columns["barycentric"]
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """The figures of ``brindle sample --report`` that are the samples' own."""
+        """The samples' own metrics of ``brindle sample --report``."""
         return {"samples": self.count, "doubles_left_out": self._core.doubles,
                 "branches_u": self.u.report.get("branches", 0),
                 "branches_v": self.v.report.get("branches", 0),
                 "nearest_neighbour": self._core.spacing()}
 
     def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
-        """Writes .csv, .ply or .vtp with places, directions and spacings, whole or not at all.
-        ``point_data``: arrays of a row per sample."""
+        """Writes .csv, .ply or .vtp with positions on the mesh, directions and spacings,
+        atomically. ``point_data``: arrays with a row per sample."""
         self._core.write(path_of(path), dict(point_data or {}))
 
 
@@ -230,12 +230,12 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             field_singularities: Optional[int] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Samples:
-    """Regular points along a field: where stripes across ``directions`` (U) cross those along them
-    (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
+    """Regular points along a field: crossings of the stripes across ``directions`` (U) with those
+    along them (V). ``points, normals = brindle.samples(s, d, stripes=40)``.
 
-    Arguments as those of ``brindle.stripes``; ``directions_v``, ``stripes_v`` and ``frequency_v``
-    are V's, unless U's turned by 90 degrees and U's frequency are wanted. Samples nearer to another
-    than ``min_distance`` spacings are left out. Needs a build with nanoflann.
+    Arguments as for ``brindle.stripes``; ``directions_v``, ``stripes_v`` and ``frequency_v`` are
+    V's (default: U's turned by 90 degrees, and U's frequency). Samples nearer to another than
+    ``min_distance`` spacings are left out. Needs a build with nanoflann.
     """
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
@@ -275,6 +275,6 @@ _DEFAULTS = defaults_of(samples)
 
 
 def samples_of(u: Stripes, v: Stripes, *, min_distance: float = 0.25) -> Samples:
-    """Points where the stripes of two patterns on one surface cross."""
+    """Crossings of the stripes of two patterns on one surface."""
     made = _core.samples(u._core, v._core, number(min_distance, "min_distance"))
     return Samples(made, u.surface, u, v)

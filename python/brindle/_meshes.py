@@ -15,7 +15,7 @@ _CORNERS = {"triangle": 3, "quad": 4, "triangle6": 3, "triangle7": 3, "quad8": 4
 
 
 class Polygons:
-    """Vertices, polygons, and named arrays of a row per vertex and per polygon."""
+    """Vertices, polygons, and named arrays with a row per vertex and per polygon."""
 
     def __init__(self, vertices: Any, offsets: Any, corners: Any, point_data: Mapping[str, Any],
                  cell_data: Mapping[str, Any], cell_rows: Any = None, cell_count: int = 0) -> None:
@@ -26,14 +26,14 @@ class Polygons:
         self.corners = corners
         self.point_data = numbers_of(point_data)
         self.cell_data = numbers_of(cell_data)
-        # Of every polygon its row among all cells of the mesh, and how many these are.
+        # The row of each polygon among all cells of the mesh, and their number.
         polygons = len(offsets) - 1
         self.cell_rows = np.arange(polygons) if cell_rows is None else cell_rows
         self.cell_count = cell_count or polygons
 
 
 class Source:
-    """Which cell of the mesh every triangle of the surface comes from."""
+    """The mesh cell of each triangle of the surface."""
 
     def __init__(self, cell_of_triangle: Any, cell_count: int) -> None:
         self.cell_of_triangle = cell_of_triangle
@@ -41,7 +41,7 @@ class Source:
 
 
 def numbers_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the arrays that hold real numbers, in rows of one or more."""
+    """The arrays of real numbers, reshaped to rows."""
     result = {}
     for name in arrays.keys():
         array = _core.unmasked(arrays[name])
@@ -53,7 +53,7 @@ def numbers_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def rows_alike(faces: Any) -> tuple[Any, Any]:
-    """Offsets and corners of faces that all have as many corners."""
+    """Offsets and corners of faces with equal numbers of corners."""
     faces = np.asarray(faces)
     if faces.ndim != 2 or faces.shape[1] < 3:
         raise Error(f"faces: expected rows of three corners or more, got the shape {faces.shape}")
@@ -63,8 +63,8 @@ def rows_alike(faces: Any) -> tuple[Any, Any]:
 
 
 def padded(faces: Any) -> tuple[Any, Any]:
-    """Offsets and corners of faces that stand one after the other, each after its number of
-    corners: VTK's old layout."""
+    """Offsets and corners of a sequence of faces, each after its number of corners: VTK's old
+    layout."""
     faces = np.asarray(faces).ravel()
     kept = np.ones(len(faces), bool)
     offsets, at = [0], 0
@@ -176,12 +176,12 @@ def vtk_arrays(data: Any) -> dict[str, Any]:
     return arrays
 
 
-# --- results put back --------------------------------------------------------------------------
+# --- arrays of results --------------------------------------------------------------------------
 
 
 def put_arrays(mesh: Any, surface: Surface, points: Mapping[str, Any],
                cells: Mapping[str, Any]) -> Any:
-    """Puts arrays on a mesh, by their names."""
+    """Puts named arrays on a mesh."""
     vertices, cell_count = counts_of(mesh)
     if vertices != surface.vertex_count:
         raise Error(f"the mesh has {vertices} vertices, the pattern {surface.vertex_count}: it was "
@@ -195,8 +195,8 @@ def put_arrays(mesh: Any, surface: Surface, points: Mapping[str, Any],
 
 def put_pattern(mesh: Any, surface: Surface, points: Mapping[str, Any], cells: Mapping[str, Any],
                 prefix: str) -> Any:
-    """Puts a pattern's arrays on a mesh, their names after the prefix. Those of an earlier pattern,
-    which has "sin_phase", are replaced; no others are."""
+    """Puts a pattern's arrays on a mesh, with prefixed names. Replaces only those of an earlier
+    pattern, which has "sin_phase"."""
     points = {prefix + name: array for name, array in points.items() if name != "original_id"}
     cells = {prefix + name: array for name, array in cells.items()}
     of_points, of_cells = array_names(mesh)
@@ -208,7 +208,7 @@ def put_pattern(mesh: Any, surface: Surface, points: Mapping[str, Any], cells: M
 
 
 def array_names(mesh: Any) -> tuple[set[str], set[str]]:
-    """Of a mesh's arrays of points and of cells."""
+    """Names of a mesh's point and cell arrays."""
     if hasattr(mesh, "point_data"):
         return set(mesh.point_data), set(mesh.cell_data)
     if hasattr(mesh, "vertex_attributes"):
@@ -226,8 +226,8 @@ def counts_of(mesh: Any) -> tuple[int, int]:
 
 
 def spread(array: Any, surface: Surface, cell_count: int) -> Any:
-    """Rows of triangles as rows of the mesh's cells: of a polygon that was cut, the largest; NaN or
-    0 for cells that are no triangles. Nothing if that is not known."""
+    """Expands rows of triangles to rows of the mesh's cells: the maximum over a polygon's
+    triangles; NaN or 0 for other cells. None if the cells are unknown."""
     source = surface._source
     if not isinstance(source, Source):
         return array if len(array) == cell_count else None
@@ -235,7 +235,7 @@ def spread(array: Any, surface: Surface, cell_count: int) -> Any:
         return None
     empty = np.nan if array.dtype.kind == "f" else 0
     rows = np.full((cell_count, *array.shape[1:]), empty, array.dtype)
-    if array.ndim > 1:  # corners of parts are not those of a polygon
+    if array.ndim > 1:  # corners of triangles are not those of the polygon
         whole = np.bincount(source.cell_of_triangle, minlength=cell_count) == 1
         kept = whole[source.cell_of_triangle]
         rows[source.cell_of_triangle[kept]] = array[kept]
@@ -257,7 +257,7 @@ def put_on_dicts(mesh: Any, points: Mapping[str, Any], cells: Mapping[str, Any])
 
 
 def blocks_of(mesh: Any, array: Any) -> list[Any]:
-    """An array of all cells of a meshio mesh, block by block."""
+    """Splits an array over all cells of a meshio mesh into blocks."""
     sizes = [len(cells.data) if hasattr(cells, "data") else len(cells[1]) for cells in mesh.cells]
     return [np.array(part) for part in np.split(array, np.cumsum(sizes)[:-1])]
 

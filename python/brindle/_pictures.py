@@ -67,24 +67,24 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
            tube_radius: Optional[float] = None, transparent: bool = False,
            shading: bool = True, light_from: Optional[Sequence[float]] = None,
            slice: Optional[str] = None) -> "NDArray[np.uint8]":
-    """A picture (h, w, 4) of uint8, red, green, blue and alpha, row by row from the top; that of the
-    tool with the same options.
+    """A picture (h, w, 4) of uint8: red, green, blue and alpha, row by row from the top; equal to
+    that of the tool with the same options.
 
     ``pattern``: Stripes, Texture, Curves, Samples or None, of this surface. ``size``: (width,
-    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: "y" or "z",
-    the axis that points up; None: z for built-in shapes, else y. ``colors``: those of stripes,
-    surface and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or
-    "angle_error"; ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker",
-    "dots", "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out those that a
-    branch, a seam or the border would cut, "cut" draws what is left of them; None: whole for tiles
-    with a shape of their own, such as dots and arrows. ``tube_radius`` of curves. ``transparent``:
-    no background. ``shading``: light; ``light_from``: (azimuth, elevation) in degrees from the
-    viewer, (90, 0) from the right and (0, 90) from above; None: from the upper left.
-    ``slice``: a plane beyond which nothing is seen, such as "x=0.2", "z=50%" of the bounding box,
-    "-z=50%" for the other side, or "X,Y,Z,NX,NY,NZ", a point and a normal.
+    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: "y" or
+    "z", the up axis; None: z for built-in shapes, else y. ``colors``: those of stripes, surface
+    and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or "angle_error";
+    ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker", "dots",
+    "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out tiles that a branch,
+    a seam or the border would cut, "cut" draws what is left of them; None: the tile's default,
+    whole for motifs such as dots and arrows. ``tube_radius`` of curves. ``transparent``: no
+    background. ``shading``: light; ``light_from``: (azimuth, elevation) in degrees from the
+    viewer, (90, 0) from the right and (0, 90) from above; None: from the upper left. ``slice``: a
+    plane that cuts the surface open, such as "x=0.2", "z=50%" of the bounding box, "-z=50%" for
+    the other side, or "X,Y,Z,NX,NY,NZ", a point and a normal.
 
-    Needs a build with OpenGL, and no display: raises brindle.Error otherwise, and for a slice that
-    leaves nothing to be seen.
+    Needs no display, but a build with OpenGL; otherwise, and for a slice that leaves nothing,
+    raises brindle.Error.
     """
     surface = as_surface(surface)
     picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors,
@@ -112,7 +112,7 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
 
 
 def whole_tiles(tiles: Optional[str]) -> Optional[bool]:
-    """What ``tiles`` asks for; None: what suits the tile."""
+    """Whether ``tiles`` requests whole tiles; None: the tile's default."""
     if tiles is None:
         return None
     if word(tiles, "tiles") not in ("whole", "cut"):
@@ -133,7 +133,7 @@ def _refuse_unused(pattern: Any, view: Any, stripe_width: Any, tile: Any, tiles:
 
 
 def _check_belongs(surface: Surface, pattern: Any) -> None:
-    """Of crosses, that is the surface that was handed over, or the one with split triangles."""
+    """Accepts, for crosses, the given surface or the one with split triangles."""
     made_for = pattern.stripes if isinstance(pattern, Curves) else pattern
     counts = [(s.vertex_count, s.triangle_count) for s in (made_for.surface, *made_for._also_on)]
     if (surface.vertex_count, surface.triangle_count) not in counts:
@@ -158,8 +158,8 @@ def _render_ornaments(surface: Surface, pattern: Any, colors: Any, tube_radius: 
 
 
 def _discs(samples: Samples) -> Surface:
-    """Discs a third as wide as the spacing, just above and below: a surface may be wound either
-    way."""
+    """Discs a third of the spacing wide, just above and below the surface, whose winding may be
+    either."""
     import numpy as np
     corners = 16
     x, normal = samples.directions[0], samples.normals
@@ -186,8 +186,8 @@ def draw_curves(path: str, curves: Curves, options: Mapping[str, Any]) -> None:
 
 
 def tile_png(tile: Any, colors: Optional[Sequence[str]], of_crosses: bool = False) -> bytes:
-    """The content of a PNG file with a tile, by name or as an array of pixels. Raises Error for a
-    tile that crosses cannot have."""
+    """A tile as a PNG file, by name or as an array of pixels. Raises Error for a tile without the
+    symmetry of crosses."""
     picture = _core.Picture()
     if colors is not None:
         picture.set_colors([word(color, "colors") for color in colors])
@@ -195,10 +195,10 @@ def tile_png(tile: Any, colors: Optional[Sequence[str]], of_crosses: bool = Fals
 
 
 def write_png(path: Any, image: "NDArray[np.uint8]") -> None:
-    """Writes an array of pixels (h, w, 3 or 4) of uint8, whole or not at all. The file is named .png."""
+    """Writes an array of pixels (h, w, 3 or 4) of uint8 to a .png file, atomically."""
     _core.write_png(path_of(path), image)
 
 
 def read_png(path: Any) -> "NDArray[np.uint8]":
-    """The pixels (h, w, 4) of any PNG file."""
+    """Reads the pixels (h, w, 4) of a PNG file."""
     return _core.read_png(path_of(path))

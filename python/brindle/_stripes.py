@@ -29,20 +29,19 @@ _OWN_WEIGHTS = ("length", "anisotropy")
 
 
 def _is_number(frequency: Any) -> bool:
-    """Whether it is the same everywhere: a number, or none is given."""
+    """Whether the frequency is uniform: a number or the default."""
     return not isinstance(frequency, (str, list, tuple)) and not getattr(frequency, "shape", ())
 
 
 class Field:
-    """Directions that a pattern follows, and where they come from. ``options`` may have those of
-    measured fields; of crosses, the ``symmetry`` is 4."""
+    """Directions of a pattern, and their origin. ``options`` may have those of measured fields;
+    the ``symmetry`` of crosses is 4."""
 
     def __init__(self, surface: Surface, given: Any, along: bool,
                  previous: "Optional[Stripes]" = None, match: Optional[str] = None,
                  options: Optional[Mapping[str, Any]] = None, symmetry: int = 2,
                  measured: bool = True, oriented: bool = False) -> None:
-        """``oriented``: vectors of a named array have signs, and opposite ones cancel each
-        other."""
+        """``oriented``: vectors of a named array have signs: opposite ones cancel."""
         begin = perf_counter()
         self.origin = _core.FieldOrigin()
         self.origin.measured = given is not None and measured
@@ -52,13 +51,13 @@ class Field:
                            else self._directions(surface, given))
         self.is_detailed = self._see_at_detail(surface, options or {}, symmetry)
         if along:
-            if not self.is_detailed:  # which is seen before it is turned
+            if not self.is_detailed:  # smoothing comes before the turn
                 self.directions = surface.turned_field(self.directions, 90)
             self.origin.turn_deg = 90
         self.origin.milliseconds = 1000 * (perf_counter() - begin)
 
     def _see_at_detail(self, surface: Surface, options: Mapping[str, Any], symmetry: int) -> bool:
-        """Whether the options ask for it. Raises Error for those that have no effect."""
+        """Whether the options request smoothing. Raises Error for options without effect."""
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
@@ -86,7 +85,7 @@ class Field:
         return array if is_of_cells and self._of_triangles else surface.array(weight)
 
     def _following(self, surface: Surface, previous: "Stripes", match: Optional[str]) -> Any:
-        """The smooth field that goes on from that of a pattern, before it was turned."""
+        """The smooth field that continues that of a pattern, before it was turned."""
         self.origin.source = "the smooth field"
         before = previous.directions
         if previous._core.turn_deg != 0:
@@ -105,7 +104,7 @@ class Field:
             name, array, is_of_cells = surface._core.array_named(given)
             rows = surface.array(given) if self._signs else surface.axes(given)
             directions = self._of_array(surface, name, rows)
-            if is_of_cells:  # before rows were moved to vertices
+            if is_of_cells:  # before the transfer to vertices
                 self.origin.rows_nonfinite = _core.nonfinite_rows(array)
                 if self.origin.tensor is None:
                     self._of_triangles = True
@@ -121,7 +120,7 @@ class Field:
             self.origin.set_data("directions", given, False)
         return given
 
-    _of_triangles = False  # whether the data are
+    _of_triangles = False  # whether rows are those of triangles
 
     def _of_array(self, surface: Surface, name: str, array: Any) -> Any:
         array = _flat_tensors(array)
@@ -143,20 +142,20 @@ def frequencies_of(surface: Surface, frequency: Any) -> Any:
 
 def invocation(command: str, surface: Surface, options: Mapping[str, Any],
                defaults: Mapping[str, Any]) -> str:
-    """What a report says of a call, as JSON: the options that are not the defaults."""
+    """The call in reports, as JSON: options other than the defaults."""
     return json.dumps({"version": _core.version(), "command": command, "input": surface.name,
                        "options": described(options, defaults)})
 
 
 def defaults_of(function: Any) -> dict[str, Any]:
-    """What its arguments are unless they are given."""
+    """The defaults of its arguments."""
     return dict(function.__kwdefaults__ or {})
 
 
 class Stripes:
-    """Stripes over a surface: what ``brindle.stripes`` returns.
+    """Stripes over a surface, from ``brindle.stripes``.
 
-    Arrays share the pattern's memory where they can, are read-only, and keep it alive.
+    Arrays share the pattern's memory if possible, are read-only, and keep it alive.
     """
 
     def __init__(self, core: "_core.Stripes", surface: Surface, said: str,
@@ -171,9 +170,8 @@ class Stripes:
 
     @property
     def phases(self) -> "NDArray[np.complex64]":
-        """(n,) exp(i Phi) per vertex; stripes are where Phi is near pi / 2. Where there is no wave
-        it is 1j and says nothing: ``point_data`` has NaN there, and its ``valid`` 0. Shares
-        memory."""
+        """(n,) exp(i Phi) per vertex; stripes are where Phi is near pi / 2. Without a wave it is
+        a meaningless 1j: ``point_data`` has NaN there, and ``valid`` 0. Shares memory."""
         return self._core.phases
 
     @property
@@ -183,28 +181,28 @@ class Stripes:
 
     @property
     def frequency_wanted(self) -> "NDArray[np.float32]":
-        """(n,) stripes per unit length that were asked for: those of ``frequency`` but for slack."""
+        """(n,) requested stripes per unit length: ``frequency`` before the spacing tolerance."""
         return self._core.frequency_wanted
 
     @property
     def frequency_change(self) -> Optional[dict[str, Any]]:
-        """With slack, what has become of the frequencies: ratios of those chosen to those asked
-        for, the share of vertices at the bounds, and so on."""
+        """With ``slack``, metrics of the change of frequencies: ratios of chosen to requested
+        ones, the share of vertices at the bounds, and so on."""
         return self._core.frequency_change()
 
     @property
     def turned(self) -> Optional[dict[str, float]]:
-        """With winding, how far the field was turned for it, and the energy before."""
+        """With ``winding``, the turn of the field, and the energy before."""
         return self._core.turned()
 
     @property
     def merged(self) -> Optional[dict[str, float]]:
-        """With merge_branches: the pairs that are gone, branches and energy before and after."""
+        """With ``merge_branches``: cancelled pairs, branches and energy before and after."""
         return self._core.merged()
 
     def windings(self) -> dict[str, Optional[int]]:
-        """How many stripes wind round each of ``surface.loops()``, by its name: 0 are rings, 1 a
-        right-handed spiral, -1 a left-handed one. None where the field has no orientation there."""
+        """Winding numbers of ``surface.loops()``, by name: 0 are rings, 1 a right-handed spiral,
+        -1 a left-handed one. None if the field has no orientation along the loop."""
         return _core.windings(self._core)
 
     @property
@@ -214,24 +212,24 @@ class Stripes:
 
     @kept_property
     def corner_phases(self) -> "NDArray[np.float32]":
-        """(m, 3) lifted phases at the corners of triangles, in radians, linear in the triangle; NaN
-        where a triangle has none (a singularity of the field, a corner without wave)."""
+        """(m, 3) lifted phases at the corners of triangles, in radians, linear within each; NaN
+        for triangles without (a singularity of the field, a corner without wave)."""
         return self._core.corner_phases()
 
     @kept_property
     def branches(self) -> "NDArray[np.int8]":
-        """(m,) 1 in triangles where a stripe begins or ends, singularities of the field among them;
-        0 elsewhere."""
+        """(m,) 1 in triangles where a stripe begins or ends, including singularities of the
+        field; 0 elsewhere."""
         return self._core.branches()
 
     @kept_property
     def branch_indices(self) -> "NDArray[np.int8]":
-        """(m,) what the phase gains around each triangle, over 2 pi; 0 in singularities."""
+        """(m,) the phase gained around each triangle, over 2 pi; 0 in singularities."""
         return self._core.branch_indices()
 
     @kept_property
     def singularities(self) -> "NDArray[np.bool_]":
-        """(m,) True in triangles whose corners' directions cannot be oriented alike."""
+        """(m,) True in triangles whose corners' directions cannot be aligned."""
         return self._core.kinds() == 2
 
     @kept_property
@@ -241,73 +239,74 @@ class Stripes:
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """Every figure about the pattern, with the keys of the tool's ``--report``."""
+        """All metrics of the pattern, with the keys of the tool's ``--report``."""
         return json.loads(self._core.report(self._said))
 
     @kept_property
     def point_data(self) -> "dict[str, NDArray[Any]]":
-        """Named arrays of a row per vertex, those of the tool's mesh files: phase (radians; NaN
-        where there is no wave), direction, frequency, branch, sin_phase, valid, original_id."""
+        """Named arrays with a row per vertex, as in the tool's mesh files: phase (radians; NaN
+        without a wave), direction, frequency, branch, sin_phase, valid, original_id."""
         return self._core.point_arrays()
 
     @kept_property
     def cell_data(self) -> "dict[str, NDArray[Any]]":
-        """Named arrays of a row per triangle: branch, corner_phase."""
+        """Named arrays with a row per triangle: branch, corner_phase."""
         return self._core.cell_arrays()
 
     def curves(self, *, join: bool = False, trim: float = 0, fair: float = 0,
                offset: float = 0, min_length: float = 0, simplify: Optional[float] = None,
                resample: Optional[float] = None) -> "Curves":
-        """The centre lines of the stripes: ``points, edges = p.curves()`` gives (k, 3) and (l, 2).
+        """The centre lines of the stripes: ``points, edges = p.curves()`` gives (k, 3) and (l,
+        2).
 
-        ``join``: where curves end in one branch, joins them in pairs. ``trim``: cuts ends at branches
-        and singularities back to where no neighbour is nearer than this share of the spacing (0.6 is
-        good; 0 leaves them), without hooks; not together with ``join``. ``fair``: takes out kinks
-        shorter than about this share of the spacing (0.25 is good; 0 leaves them). ``offset``: moved by
-        so many periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
+        ``join``: joins curves that end in one branch in pairs. ``trim``: cuts ends at branches
+        and singularities where they are nearer to a neighbour than this share of the spacing
+        (default 0: none; 0.6 is good); not together with ``join``. ``fair``: smooths kinks
+        shorter than about this share of the spacing (default 0: none; 0.25 is good). ``offset``:
+        in periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
         points) and ``simplify`` (tolerance) are lengths.
         """
         from ._curves import curves_of
         return curves_of(self, join, trim, fair, offset, min_length, simplify, resample)
 
     def mesh(self) -> "TexturedMesh":
-        """A mesh with texture coordinates: U across the stripes, one unit a period."""
+        """A mesh with texture coordinates: U across the stripes, one unit per period."""
         from ._textures import TexturedMesh
         return TexturedMesh(_core.textured_stripes(self._core), self.surface)
 
     def write(self, path: Any, *, uv: bool = False) -> None:
-        """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, whole or not at
-        all: the pattern's arrays and those of the surface, of which one with a name of the pattern's
-        is called "NAME_input". ``uv``: with texture coordinates, where
-        vertices are split. Warns of arrays that the format cannot hold."""
+        """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, atomically: the
+        arrays of the pattern and of the surface; one with a name of the pattern's becomes
+        "NAME_input". ``uv``: adds texture coordinates, which splits vertices. Warns of arrays
+        that the format cannot hold."""
         if flag(uv, "uv"):
             self.mesh().write(path)
             return
         points, cells = fitting(path_of(path), self.point_data, self.cell_data)
         if self.surface.is_points:
             points = {"normal": self.surface.normals, **points}
-        # The surface's turn is that of other waves.
+        # The turn in the surface's arrays belongs to other waves.
         beside = {name: array for name, array in self.surface.point_data.items() if name != _TURN}
         for line in _core.write_surface(path_of(path), self.surface._core, points, cells, beside,
                                         self.surface.cell_data):
             warn(line)
 
     def put_on(self, mesh: Any, *, prefix: str = "") -> Any:
-        """Puts the pattern's arrays on a mesh of pyvista, trimesh, meshio or VTK, the one that it
-        was made for or another one with as many vertices: ``point_data`` and ``cell_data`` of this,
-        their names after ``prefix``. Replaces those of an earlier pattern; raises Error where
-        another array of the mesh has one of the names. Returns the mesh."""
+        """Puts the pattern's arrays on a mesh of pyvista, trimesh, meshio or VTK with the same
+        number of vertices: ``point_data`` and ``cell_data``, with ``prefix`` before their names.
+        Replaces those of an earlier pattern; raises Error if another array has one of the names.
+        Returns the mesh."""
         from ._meshes import put_pattern
         return put_pattern(mesh, self.surface, self.point_data, self.cell_data, word(prefix, "prefix"))
 
 
 def has_solver(name: str) -> bool:
-    """Whether this build has the solver: all but "global" are always there."""
+    """Whether this build has the solver; only "global" may be missing."""
     return _core.has_solver(word(name, "name"))
 
 
 def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> tuple[dict, dict]:
-    """Arrays of waves as a format has them: glTF has no NaN and no cells, OBJ has no waves."""
+    """The waves' arrays that a format can hold: glTF has no NaN and no cells, OBJ no waves."""
     kind = path.lower().rpartition(".")[2]
     if kind == "obj":
         return {name: points[name] for name in ("normal", "uv") if name in points}, {}
@@ -334,53 +333,53 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
-    ``surface``: a Surface, or whatever ``brindle.as_surface`` takes. ``directions``: (n, 3) vectors
-    of any length, up to sign, a row per vertex, projected into the tangent planes (unit tangent
-    vectors stay as they are); zero or NaN for no wave; or the name of an array of vectors or
-    tensors that the surface has; None: ``surface.smooth_field()``. ``along``: stripes run along
-    them instead.
+    ``surface``: a Surface, or anything that ``brindle.as_surface`` accepts. ``directions``: (n,
+    3) vectors of any length, up to sign, one per vertex, projected into the tangent planes (unit
+    tangent vectors are not changed); zero or NaN for no wave; or the name of an array of vectors
+    or tensors of the surface; None: ``surface.smooth_field()``. ``along``: stripes run along the
+    directions instead.
 
-    ``stripes``: so many along the bounding box's diagonal (40 unless ``frequency`` is given).
-    ``frequency``: stripes per unit length, a number, an array (n,), where NaN means no wave
-    (of vectors (n, 3) the length counts), or the name of one.
+    ``stripes``: number along the bounding box's diagonal (default 40). ``frequency``: instead,
+    stripes per unit length: a number, an array (n,), with NaN for no wave (vectors (n, 3) by
+    magnitude), or the name of an array.
 
-    ``solver``: "multilevel", "relaxation", "averaged" or "global" (where built with CHOLMOD).
+    ``solver``: "multilevel", "relaxation", "averaged" or "global" (in builds with CHOLMOD).
     ``phase_shift``: "aligned", "common_source" or "trapezoid". ``weights``: "paper" or
-    "cotangent". ``sweeps`` and ``cycles`` are of multilevel; ``epsilon``, ``momentum`` and ``seed``
-    of relaxation and averaged; ``global_iterations`` of global.
+    "cotangent". ``sweeps`` and ``cycles`` belong to multilevel; ``epsilon``, ``momentum`` and
+    ``seed`` to relaxation and averaged; ``global_iterations`` to global.
 
-    ``slack``: lets frequencies vary between f / (1 + S) and f (1 + S) for fewer branches, a number
-    S or an array (n,); 0 or None: not at all. ``calm``: weights (n,) from 0 to 1, avoids branches
-    there. ``p.frequency`` then is what was chosen.
+    ``slack``: spacing tolerance S, a number or an array (n,): frequencies may vary between f / (1
+    + S) and f (1 + S) for fewer branches; 0 or None: not at all. ``calm``: weights (n,) from 0 to
+    1, avoids branches there. ``p.frequency`` is then the chosen one.
 
-    ``anchor_boundary``: lays the first stripe along boundaries, so many periods inside (0: on the
-    rim, 0.5: the rim is in the middle of a gap). ``winding``: how many stripes wind round a loop as
-    helices, of a surface with one way round a number, else a dict by the names of
-    ``surface.loops()``; turns the field by small angles.
+    ``anchor_boundary``: lays the first stripe along boundaries, this many periods inside (0: on
+    the rim, 0.5: the rim is in the middle of a gap). ``winding``: the number of stripes that wind
+    around a loop as helices: a number on surfaces with one loop, else a dict by the names of
+    ``surface.loops()``. It turns the field by small angles.
 
-    ``merge_branches``: removes pairs of opposite branches, those first that raise the energy least,
-    as long as it stays within 1 + so much times what it was; 0: those alone that lower it.
-    ``merge_distance``: how far the two of a pair may be from each other, in periods (10).
+    ``merge_branches``: cancels pairs of opposite branches, cheapest first, while the energy stays
+    within 1 + this share of its value before; 0: only pairs that lower it. ``merge_distance``:
+    greatest distance within a pair, in periods (default 10).
 
-    ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
-    are matched by "number" or "position" (``match``; by number if the triangles are the same). The
-    smooth field (``directions`` None) then goes on from that pattern's field, as it was before
-    ``along`` turned it, unless ``lambda_`` is 0.
+    ``previous``: stays near to the phases of another pattern by the weight ``lambda_`` (default
+    0.025). ``match``: vertices are matched by "number" or "position" (default: by number if the
+    triangles are the same). The smooth field (``directions`` None) then starts from that
+    pattern's field before ``along`` turned it, unless ``lambda_`` is 0.
 
-    ``field_detail``: smooths measured directions over so many periods of the stripes (0: not; 1 for
-    noisy data).
-    ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
-    one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
-    ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
-    cancelled, the nearest first, until at most so many remain or no pair is left.
-    ``p.point_data["agreement"]`` says how much they agree. ``frequency_detail``: sees an array of
-    frequencies at the scale of so many periods, its NaN filled as far as ``fill``.
+    ``field_detail``: smooths measured directions over this many periods and fills holes (default
+    0: not; 1 for noisy data). ``field_weight``: confidence of each datum, 0 or NaN for none: an
+    array (n,), the name of one, "length" or "anisotropy". ``fill``: distance over which holes are
+    filled, in periods (default 2). ``field_arrows``: directions have signs.
+    ``field_singularities``: cancels pairs of singularities, nearest first, until at most this
+    many remain. ``p.point_data["agreement"]`` is the directional coherence of the data, 0 to 1.
+    ``frequency_detail``: smooths an array of frequencies over this many periods, and fills its
+    NaN within ``fill``.
 
-    ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,
-    fraction)`` hears of stages, and cancels by returning False. Other threads of Python run
-    meanwhile; Ctrl-C stops it.
+    ``threads``: at most this many, 0 for all; results do not depend on it. ``progress(stage,
+    fraction)`` receives progress, and cancels by returning False. Other Python threads run
+    meanwhile; Ctrl-C cancels.
 
-    Raises brindle.Error for values that cannot be, brindle.Cancelled, TypeError for wrong types.
+    Raises brindle.Error for invalid values, brindle.Cancelled, TypeError for wrong types.
     """
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
@@ -404,10 +403,10 @@ _DEFAULTS = defaults_of(stripes)
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
                         phase_shift: str = "aligned") -> Stripes:
-    """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
-    complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
-    p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.
-    Lifted to the triangles and measured like any other."""
+    """The pattern of known phases, such as those of ``Animator.frame`` or of a file: complex
+    (n,), exp(i Phi) per vertex; 0 or NaN for no wave (``np.exp(1j * p.point_data["phase"])``).
+    Directions and frequencies are those of the phases. Lifts the phases to the triangles and
+    measures them like those of any pattern."""
     given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency}
     surface = as_surface(surface)
     field = Field(surface, directions, False)

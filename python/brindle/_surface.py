@@ -1,4 +1,4 @@
-"""Surfaces: meshes and points, with what every pattern needs of them."""
+"""Surfaces: meshes and points, with fields and arrays."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ Progress = Callable[[str, float], Any]
 
 @dataclass
 class Stroke:
-    """A line near a surface that a smooth field runs along: ``points`` (k, 3), two or more, how far
-    from it it draws (``radius``, in units of length), and how strongly (``strength``)."""
+    """A line near a surface that guides a smooth field: ``points`` (k, 3), at least two,
+    ``radius`` of its influence, in units of length, and ``strength``."""
 
     points: Any
     radius: float
@@ -38,7 +38,7 @@ def _parts_of(strokes: Any) -> list[tuple[Any, float, float]]:
 
 
 def _last_field(last: Any, match: Optional[str], max_distance: Optional[float]) -> Any:
-    """The parts of a field before; None if there is none."""
+    """The parts of the last field; None without one."""
     from ._stripes import Stripes
     if last is None:
         for name, value in (("match", match), ("max_distance", max_distance)):
@@ -65,47 +65,47 @@ def _last_of_stripes(stripes: Any, directions: Any, match: Optional[str],
 
 
 def read_strokes(path: Any) -> list[Stroke]:
-    """The strokes of a JSON file, as the tool's ``--strokes`` takes them."""
+    """Reads the strokes of a JSON file, as for the tool's ``--strokes``."""
     return [Stroke(*parts) for parts in _core.read_strokes(path_of(path))]
 
 
 def write_strokes(path: Any, strokes: Sequence[Stroke]) -> None:
-    """Writes strokes as JSON, whole or not at all."""
+    """Writes strokes as JSON, atomically."""
     _core.write_strokes(path_of(path), _parts_of(strokes))
 
 
 class Loop(NamedTuple):
-    """A closed way along the edges of a surface."""
+    """A closed path along the edges of a surface."""
 
-    name: str  #: "boundary-1" and so on, "loop-1" and so on for ways round handles
+    name: str  #: "boundary-1" and so on, "loop-1" and so on for loops around handles
     boundary: bool
     vertices: Any  #: (k,) in order, the first not repeated
     length: float
-    component: int  #: which connected piece it is on, from 0
+    component: int  #: number of its connected component, from 0
 
 
 class Surface:
     """A surface of triangles, or of points without triangles.
 
-    ``Surface(V, F)`` takes n vertices and m triangles: arrays of shape (n, 3) and (m, 3), of any
-    real or whole numbers, in any order of memory; triangles are vertex numbers from 0. Vertices and
-    triangles keep their numbers. The arrays are copied once, as packed floats.
+    ``Surface(V, F)`` takes n vertices and m triangles: numeric arrays of shape (n, 3) and (m, 3)
+    in any memory order; triangles are vertex numbers from 0. Vertices and triangles keep their
+    numbers. The arrays are copied once, as packed floats.
 
-    ``repair=True`` does what reading a file does: triangles that cannot be used are dropped
-    (corners that are no vertices or not finite, two corners alike, no area, repeated), vertices at
-    one place are joined (``s.joined``); ``s.repair`` says what was found. Without it these are
-    errors, except that triangles may have no area and vertices may stand at one place: a mesh that
-    is split along edges, where stripes would end, is warned of (PatternWarning).
+    ``repair=True`` repairs as reading a file does: invalid triangles are dropped (corners out of
+    range or not finite, repeated corners, no area, duplicates), and vertices at one position are
+    joined (``s.joined``); ``s.repair`` counts the changes. Without it, these are errors, except
+    for triangles without area and vertices at one position. A mesh that is split along edges,
+    where stripes would end, gives a PatternWarning.
 
-    ``crease_angle``: 40 gives the vertices of parts with sharp edges one wave for each face, as ``read``
-    does; the copies come behind your n vertices (``s.crease_vertices``). 180, as here: none.
+    ``crease_angle``, in degrees: 40 gives vertices on sharp edges one wave per face, as ``read``
+    does; the copies follow the n vertices (``s.crease_vertices``). 180, the default here: none.
 
-    ``point_data`` and ``cell_data`` are named arrays of a row per vertex and per triangle.
+    ``point_data`` and ``cell_data`` are named arrays with a row per vertex and per triangle.
 
     Raises brindle.Error for coordinates that are not finite, corners out of range and arrays of
-    another shape, TypeError for what holds no real numbers.
+    another shape, TypeError for other than real numbers.
 
-    Surfaces do not change; all arrays that they give share their memory and are read-only.
+    Surfaces are immutable; their arrays share memory and are read-only.
     """
 
     __slots__ = ("_core", "_source", "__weakref__")
@@ -131,7 +131,7 @@ class Surface:
         kind = "points" if self.is_points else f"vertices, {self.triangle_count} triangles"
         return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}>"
 
-    # --- what it is ---------------------------------------------------------------------------
+    # --- properties ---------------------------------------------------------------------------
 
     @property
     def name(self) -> str:
@@ -145,28 +145,28 @@ class Surface:
 
     @property
     def vertex_count(self) -> int:
-        """n."""
+        """n, the number of vertices."""
         return self._core.vertex_count
 
     @property
     def triangle_count(self) -> int:
-        """m."""
+        """m, the number of triangles."""
         return self._core.triangle_count
 
     @property
     def edge_count(self) -> int:
-        """Pairs of neighbours."""
+        """The number of pairs of neighbours."""
         return self._core.edge_count
 
     @property
     def diagonal(self) -> float:
-        """Of the bounding box, in the units of the vertices."""
+        """The diagonal of the bounding box, in the units of the vertices."""
         return self._core.diagonal
 
     @property
     def vertices(self) -> "NDArray[np.floating]":
-        """(n, 3) positions: float32 that share memory or, of a surface whose coordinates are large
-        against its size, float64."""
+        """(n, 3) positions: float32 in shared memory or, for coordinates that are large compared
+        to the size, float64."""
         return self._core.vertices
 
     @property
@@ -176,69 +176,68 @@ class Surface:
 
     @property
     def normals(self) -> "NDArray[np.float32]":
-        """(n, 3) unit normals, zero where there is none; shares memory."""
+        """(n, 3) unit normals, zero if undefined; shares memory."""
         return self._core.normals
 
     @property
     def origin(self) -> tuple[float, float, float]:
-        """Where the zero of the library's floats stands: 0, 0, 0 unless coordinates are large."""
+        """The origin of the library's floats: 0, 0, 0 unless coordinates are large."""
         return self._core.origin
 
     @property
     def neighbors(self) -> "tuple[NDArray[np.int32], NDArray[np.int32]]":
-        """Offsets (n + 1,) and vertex numbers: those of vertex i stand at offsets[i] up to
+        """Offsets (n + 1,) and vertex numbers: the neighbours of vertex i are at offsets[i] up to
         offsets[i + 1]."""
         return self._core.neighbor_offsets, self._core.neighbors
 
     @property
     def point_data(self) -> "dict[str, NDArray[Any]]":
-        """Named arrays of a row per vertex, as the file or object has them; they share memory."""
+        """Named arrays with a row per vertex, in the type of the file or object; share memory."""
         return self._core.point_data
 
     @property
     def cell_data(self) -> "dict[str, NDArray[Any]]":
-        """Named arrays of a row per triangle."""
+        """Named arrays with a row per triangle."""
         return self._core.cell_data
 
     @property
     def repair(self) -> dict[str, int]:
-        """What had to be repaired, by name: all 0 if there was nothing. Vertices that no triangle
-        uses stay."""
+        """Counts of repairs by kind. Vertices without triangles are kept."""
         return self._core.repair
 
     @property
     def joined(self) -> "NDArray[np.int32]":
-        """(n,) for every vertex the one that triangles use in its place: itself, or the first at the
-        same place. Empty where vertices were not joined."""
+        """(n,) the vertex that replaces each one: itself, or the first at the same position.
+        Empty if no vertices were joined."""
         return self._core.joined
 
     @property
     def crease_vertices(self) -> "NDArray[np.int32]":
-        """(k,) of the last k vertices those that they are copies of: ``crease_angle`` has given a
-        vertex on a sharp edge one for each face."""
+        """(k,) the sources of the last k vertices, which ``crease_angle`` copied, one per face at
+        a sharp edge."""
         return self._core.crease_vertices
 
     @property
     def notes(self) -> str:
-        """Lines on what was repaired, and what the file holds that is not here."""
+        """Lines about repairs and parts of the file that were left out."""
         return self._core.left_out + self._core.repair_text
 
     def curvature(self) -> "tuple[NDArray, NDArray, NDArray, NDArray]":
-        """Principal curvatures, of the larger absolute value (n,) and the smaller (n,), in
-        1 / length, and their unit directions (n, 3) and (n, 3)."""
+        """Principal curvatures, of larger absolute value (n,) and smaller (n,), in 1 / length,
+        and their unit directions (n, 3) and (n, 3)."""
         return self._core.curvature()
 
-    # --- others made of it --------------------------------------------------------------------
+    # --- derived surfaces --------------------------------------------------------------------
 
     def subdivided(self, times: int = 1, *, rounded: bool = False) -> "Surface":
-        """Every triangle split in four, ``times`` times; arrays are interpolated. ``rounded``:
-        triangles bend as the normals at their corners do, so that a coarse mesh of something round
-        becomes round; edges where the surface bends by more than 40 degrees stay."""
+        """The surface with every triangle split in four, ``times`` times; arrays are
+        interpolated. ``rounded``: triangles bend with the normals at their corners, which rounds
+        coarse meshes; edges that bend by more than 40 degrees stay."""
         return Surface._of(self._core.subdivided(whole_number(times, "times"),
                                                  _rounded(rounded, times)))
 
     def moved(self, vertices: "ArrayLike") -> "Surface":
-        """The same triangles with (n, 3) vertices elsewhere."""
+        """The same triangles with vertices at other positions (n, 3)."""
         return Surface._of(self._core.moved(vertices), self._source)
 
     # --- fields -------------------------------------------------------------------------------
@@ -248,21 +247,20 @@ class Surface:
                      feature_radius: float = 0, normal_radius: float = 0,
                      strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[str] = None,
                      max_distance: Optional[float] = None) -> "NDArray[np.float32]":
-        """(n, 3) unit tangent vectors that turn as little as possible from vertex to vertex.
+        """(n, 3) unit tangent vectors of the smoothest field.
 
-        ``symmetry``: 1 vectors, 2 lines, 4 crosses. ``curvature_anchor``: how strongly principal
-        curvature attracts the field (``curvature``: "max" or "min"); ``feature_anchor``: the same
-        of edges where the surface bends by more than ``feature_angle`` degrees, as far as
-        ``feature_radius`` from them (0: at their vertices). ``normal_radius``: the field follows the
-        bends of a surface whose normals are averaged over so large a distance, so that what is
-        smaller makes no singularities (0: its own normals). ``strokes``: lines that the field runs
-        along (``brindle.Stroke``), for even symmetries.
+        ``symmetry``: 1 vectors, 2 lines, 4 crosses. ``curvature_anchor``: attraction to principal
+        curvature (``curvature``: "max" or "min"); ``feature_anchor``: attraction to edges that
+        bend by more than ``feature_angle`` degrees, within ``feature_radius`` of them (0: only at
+        their vertices). ``normal_radius``: ignores surface detail below this size, by averaged
+        normals (0: none). ``strokes``: lines that the field follows (``brindle.Stroke``), for
+        even symmetries.
 
-        ``last``: the field before, that this one goes on from and stays near to, as a pair of a
-        Surface, which this one was before it moved, and its (n, 3) directions; or a Stripes, for
-        the directions of its waves. Vertices are matched by "number" or "position" (``match``; by
-        number if the triangles are the same); by position as far as ``max_distance`` from the
-        surface before (of a pair everywhere, of a Stripes one mean period).
+        ``last``: the last field, which this one starts from and stays near to: a pair of the
+        Surface before it moved and its (n, 3) directions, or a Stripes, for the directions of its
+        waves. ``match``: vertices are matched by "number" or "position" (default: by number if
+        the triangles are the same). ``max_distance``: limit of matching by position (default:
+        none for a pair, one mean period for a Stripes).
         """
         return self._smooth_field(symmetry, curvature_anchor, curvature, feature_anchor,
                                   feature_angle, feature_radius, normal_radius, strokes,
@@ -271,7 +269,7 @@ class Surface:
     def _smooth_field(self, symmetry: Any = 2, curvature_anchor: Any = 0, curvature: Any = "max",
                       feature_anchor: Any = 0, feature_angle: Any = 40, feature_radius: Any = 0,
                       normal_radius: Any = 0, strokes: Any = (), last: Any = None) -> Any:
-        """The field, and the degrees that it turned by on average since ``last``, or None."""
+        """The field, and its mean rotation since ``last`` in degrees, or None."""
         return _core.smooth_field(self._core, whole_number(symmetry, "symmetry"),
                                   number(curvature_anchor, "curvature_anchor"),
                                   word(curvature, "curvature"),
@@ -282,12 +280,12 @@ class Surface:
 
     def stroke_anchors(self, strokes: Sequence[Stroke]
                        ) -> "tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]":
-        """What strokes ask of a field: vertices (k,), directions (k, 3) and weights (k,), as
-        ``FieldAnimator.frame`` takes them."""
+        """Constraints by strokes: vertices (k,), directions (k, 3) and weights (k,), for
+        ``FieldAnimator.frame``."""
         return _core.stroke_anchors(self._core, _parts_of(strokes))
 
     def projected_field(self, axis: Sequence[float]) -> "NDArray[np.float32]":
-        """(n, 3): one vector of any length but 0, projected into every tangent plane."""
+        """(n, 3): one non-zero vector, projected into every tangent plane."""
         try:
             x, y, z = (number(component, "axis") for component in axis)
         except TypeError:
@@ -300,12 +298,11 @@ class Surface:
                         symmetry: int = 2, feature_anchor: float = 0, feature_angle: float = 40,
                         feature_radius: float = 0,
                         normal_radius: float = 0) -> "NDArray[np.float32]":
-        """(n, 3): along the principal direction of larger ("max") or smaller ("min") absolute
-        curvature.
+        """(n, 3): directions of larger ("max") or smaller ("min") absolute principal curvature.
 
-        It is the smooth field drawn to curvature by ``anchor``, as ``--field curvature`` of the
-        tool; ``symmetry``, what ``feature_anchor`` does and ``normal_radius`` are those of ``smooth_field``.
-        ``raw=True`` gives the directions as they are measured, noise and all.
+        This is the smooth field with the curvature anchor ``anchor``, as ``--field curvature`` of
+        the tool; ``symmetry``, the feature arguments and ``normal_radius`` are those of
+        ``smooth_field``. ``raw=True`` gives the unsmoothed directions.
         """
         if flag(raw, "raw"):
             if (symmetry, feature_anchor, feature_angle, feature_radius, normal_radius) != (2, 0, 40, 0, 0):
@@ -321,9 +318,9 @@ class Surface:
     def array_field(self, vectors: "Union[str, ArrayLike]") -> "NDArray[np.float32]":
         """(n, 3): vectors of any length projected into the tangent planes.
 
-        ``vectors`` are (n, 3) or, in the plane of x and y, (n, 2); or the name of such an array:
-        "velocity", "points/velocity", "cells/velocity" (moved to the vertices, see ``axes``). Zero, NaN and
-        normal vectors give zero: no wave.
+        ``vectors`` are (n, 3) or, in the x-y plane, (n, 2); or the name of such an array:
+        "velocity", "points/velocity", "cells/velocity" (transferred to the vertices, see
+        ``axes``). Zero, NaN and normal vectors give zero: no wave.
         """
         name, array = ((vectors, self.axes(vectors)) if isinstance(vectors, str)
                        else ("directions", vectors))
@@ -331,22 +328,21 @@ class Surface:
 
     def tensor_field(self, tensors: "Union[str, ArrayLike]",
                      axis: str = "major") -> "NDArray[np.float32]":
-        """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
-        YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
-        "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface."""
+        """(n, 3): eigenvectors of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY, YZ,
+        XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor", "max-abs",
+        or "tangent-major" or "tangent-minor" of the tangential part."""
         name, array = self._array(tensors, "tensors")
         return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"))[0]
 
     def turned_field(self, directions: "ArrayLike", degrees: float = 90) -> "NDArray[np.float32]":
-        """(n, 3): every direction turned about its vertex's normal, counter-clockwise seen from
-        outside."""
+        """(n, 3): directions turned about the normals, counter-clockwise seen from outside."""
         return _core.turned_field(self._core, directions, number(degrees, "degrees"))
 
     def frequencies_by(self, array: "Union[str, ArrayLike]", *, stripes: Any = None,
                        frequency: Any = None, range: tuple[float, float] = (0.4, 2.5),
                        inverse: bool = False) -> "NDArray[np.float32]":
-        """(n,) frequencies, in stripes per unit length, denser where ``array`` (n,) is larger (of
-        vectors: longer): ``frequency``, or that of so many ``stripes`` along the diagonal, times
+        """(n,) frequencies, in stripes per unit length, higher where ``array`` (n,) is larger
+        (vectors: by magnitude): ``frequency``, or that of ``stripes`` along the diagonal, times
         the factors of ``range`` at its smallest and largest number. NaN where the array is."""
         stripes, frequency = count_and_frequency(stripes, frequency)
         if frequency is None:
@@ -362,25 +358,26 @@ class Surface:
                                     flag(inverse, "inverse"))
 
     def globe_vectors(self, east_north: "ArrayLike") -> "NDArray[np.float32]":
-        """(n, 3) vectors that point so far to the east and to the north: ``east_north`` (n, 2) on a
-        globe around the origin whose axis is z, or a part of one. NaN at the poles."""
+        """(n, 3) vectors from east and north components ``east_north`` (n, 2) on a globe, or a
+        part of one, around the origin with axis z. NaN at the poles."""
         return _core.globe_vectors(self._core, east_north)
 
     def frequency_of(self, stripes: float) -> float:
-        """Stripes per unit length, of so many along the bounding box's diagonal."""
+        """The frequency, in stripes per unit length, of ``stripes`` along the bounding box's
+        diagonal."""
         return _core.frequency_of_stripes(self._core, number(stripes, "stripes"))
 
-    # --- ways round ---------------------------------------------------------------------------
+    # --- loops ---------------------------------------------------------------------------
 
     def loops(self) -> list[Loop]:
-        """All boundaries, then for every handle its two ways round."""
+        """All boundaries, then two loops per handle."""
         return [Loop(*parts) for parts in _core.loops(self._core)]
 
     def waves_round(self, reference: "ArrayLike", periods: int,
                     loop: str = "") -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
-        """Directions (n, 3) and frequencies (n,) of waves that run round a loop with so many
-        periods and do not branch, as the wales of a sleeve. ``reference``: (n, 3) directions that
-        run along the loop; ``loop``: its name, where there are several."""
+        """Directions (n, 3) and frequencies (n,) of waves without branches that have exactly
+        ``periods`` periods around a loop, such as the wales of a sleeve. ``reference``: (n, 3)
+        directions along the loop; ``loop``: its name, if there are several."""
         return _core.waves_round(self._core, reference, word(loop, "loop"),
                                  whole_number(periods, "periods"))
 
@@ -388,42 +385,40 @@ class Surface:
 
     def array(self, name: str) -> "NDArray[Any]":
         """The array of that name with a row per vertex: "speed", "points/speed", or
-        "cells/speed", which is moved to the vertices. Raises Error, listing what there is, for
-        another name."""
+        "cells/speed", which is transferred to the vertices. Raises Error with all names if there
+        is none."""
         found, array, is_of_cells = self._core.array_named(word(name, "name"))
         return self.moved_to_points(array, found) if is_of_cells else array
 
     def axes(self, name: str) -> "NDArray[Any]":
-        """The same of vectors whose signs do not count, as those of fibres: where rows are means of
-        others, after ``subdivided`` or of cells, they are means of axes. Patterns that follow a
-        named array read these."""
+        """As ``array`` for vectors up to sign, such as fibres: rows that are means, after
+        ``subdivided`` or of cells, are means of axes. Patterns along a named array use this."""
         return self._core.axes_named(word(name, "name"))
 
     def moved_to_points(self, cells: "ArrayLike", name: str = "array", *,
                         axes: bool = False) -> "NDArray[Any]":
-        """An array of a row per triangle moved to the vertices: means weighted by area, with
-        ``axes`` of vectors whose signs do not count."""
+        """Transfers an array with a row per triangle to the vertices, by means weighted by area;
+        ``axes``: for vectors up to sign."""
         return self._core.moved_to_points(name, cells, flag(axes, "axes"))
 
     def carried(self, array: "Union[str, ArrayLike]", to: Any,
                 max_distance: float = float("inf"), *, axes: bool = False) -> "NDArray[Any]":
-        """An array of this surface at the vertices of another one: from the nearest place, or NaN
-        where that is farther than ``max_distance``. With ``axes``, signs of vectors do not
-        count."""
+        """An array of this surface at the vertices of another one, from the nearest points; NaN
+        beyond ``max_distance``. ``axes``: for vectors up to sign."""
         name, values = self._core.array_named(array)[:2] if isinstance(array, str) else ("array", array)
         return self._core.carried(name, values, as_surface(to)._core,
                                   distance(max_distance, "max_distance"), flag(axes, "axes"))
 
     def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
                 ) -> "tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.float64]]":
-        """What of the triangles is nearest to k points (k, 3): triangles (k,), -1 where none is
-        near enough, barycentric coordinates (k, 3), distances (k,)."""
+        """The nearest points on the surface to k points (k, 3): triangles (k,), -1 beyond
+        ``max_distance``, barycentric coordinates (k, 3) and distances (k,)."""
         return self._core.nearest(points, distance(max_distance, "max_distance"))
 
     def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None,
               cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
-        """Writes .vtp, .ply, .obj, .gltf or .glb, whole or not at all, with the surface's arrays
-        and those given. Warns of arrays that the format cannot hold."""
+        """Writes .vtp, .ply, .obj, .gltf or .glb, atomically, with the surface's arrays and the
+        given ones. Warns of arrays that the format cannot hold."""
         points = {**self.point_data, **(point_data or {})}
         cells = {**self.cell_data, **(cell_data or {})}
         for line in _core.write_surface(path_of(path), self._core, points, cells, {}, {}):
@@ -437,7 +432,7 @@ class Surface:
 
 
 def _flat_tensors(array: Any) -> Any:
-    """(n, 3, 3) as (n, 9)."""
+    """Reshapes (n, 3, 3) to (n, 9)."""
     if not hasattr(array, "shape"):
         array = _core.unmasked(array)
     shape = array.shape
@@ -445,12 +440,12 @@ def _flat_tensors(array: Any) -> Any:
 
 
 def as_surface(mesh: Any) -> Surface:
-    """The surface that an object is or looks like: a Surface, a pair of arrays (V, F), and meshes of
-    pyvista, trimesh, meshio and VTK (vtkPolyData), whose polygons are cut into triangles.
+    """Converts to a Surface: a pair of arrays (V, F), or a mesh of pyvista, trimesh, meshio or
+    VTK (vtkPolyData), whose polygons are triangulated.
 
-    Vertices keep their numbers, vertices at one place are joined and triangles that cannot be used
-    are dropped, as when a file is read. Point and cell data come along. Raises TypeError for
-    anything else.
+    Vertices keep their numbers. Meshes are repaired as when reading a file: vertices at one
+    position are joined and invalid triangles dropped. Point and cell data are kept. Raises
+    TypeError for anything else.
     """
     if isinstance(mesh, Surface):
         return mesh
@@ -465,14 +460,14 @@ def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdiv
          progress: Optional[Progress] = None) -> Surface:
     """Reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf, .glb, or points of .csv and others.
 
-    ``points``: take the vertices alone, as points, each joined to its ``neighbors`` nearest; None:
-    if the file has no faces. ``subdivide``: split every triangle in four, so many times;
-    ``rounded``: as ``Surface.subdivided`` has it. ``crease_angle``: edges that bend by more degrees
-    are creases, and their vertices get one more, behind all others, for each further face; 180: none.
+    ``points``: read only the vertices, as points, each joined to its ``neighbors`` nearest; None:
+    if the file has no faces. ``subdivide``: times, 0 to 10, that every triangle is split in four;
+    ``rounded``: as in ``Surface.subdivided``. ``crease_angle``: edges that bend by more degrees
+    are creases, whose vertices are copied for each further face, behind all others; 180: none.
     ``progress(stage, fraction)`` may return False to cancel.
 
-    ``s.point_data`` and ``s.cell_data`` are the file's arrays. Raises brindle.Error naming the file,
-    the line where there is one, and the remedy.
+    ``s.point_data`` and ``s.cell_data`` are the file's arrays. Raises brindle.Error with the
+    file, the line if any, and the remedy.
     """
     if points is not None:
         points = flag(points, "points")
@@ -484,7 +479,7 @@ def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdiv
 def shape(name: str, *, subdivide: int = 0, rounded: bool = False, crease_angle: float = 40,
           **parameters: float) -> Surface:
     """A built-in shape: ``shape("torus")``, ``shape("torus", resolution=64, noise=0.2)`` or
-    ``shape("torus,resolution=64")``. ``shape_names()`` and ``shape_help()`` list them; the other
+    ``shape("torus,resolution=64")``. ``shape_names()`` and ``shape_help()`` list them; other
     parameters are those of ``read``."""
     spec = word(name, "name")
     for key, value in parameters.items():
@@ -497,9 +492,9 @@ def shape(name: str, *, subdivide: int = 0, rounded: bool = False, crease_angle:
 
 def points(positions: "ArrayLike", normals: "Optional[ArrayLike]" = None, *, neighbors: int = 8,
            point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> Surface:
-    """A surface of points alone: positions (n, 3) and, if they are known, normals (n, 3). Each
-    point is joined to its ``neighbors`` nearest. Points that are not finite or repeated are set
-    aside and keep their numbers."""
+    """A surface of points: positions (n, 3) and optional normals (n, 3). Each point is joined to
+    its ``neighbors`` nearest. Points that are repeated or not finite are ignored and keep their
+    numbers."""
     return Surface._of(_core.surface_of_points(positions, normals,
                                                whole_number(neighbors, "neighbors"),
                                                dict(point_data or {})))

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 
 class TexturedMesh:
-    """A mesh whose vertices have texture coordinates, for other programs. Vertices of the surface
-    keep their numbers; copies and new ones follow them."""
+    """A mesh with texture coordinates at vertices, for other programs. Vertices of the surface
+    keep their numbers; copies and new ones follow."""
 
     def __init__(self, core: "_core.TexturedMesh", surface: Surface, of_crosses: bool = False,
                  texture: "Optional[_core.Texture]" = None) -> None:
@@ -47,13 +47,13 @@ class TexturedMesh:
 
     @property
     def vertex_origins(self) -> "NDArray[np.int32]":
-        """(n', 3): the vertices of the surface whose mean a vertex is: three times the same for a
+        """(n', 3): the vertices of the surface whose mean a vertex is; three times the same for a
         vertex and its copies."""
         return self._core.vertex_origins
 
     @property
     def triangle_origins(self) -> "NDArray[np.int32]":
-        """(m',): the triangle of the surface that a triangle is or is part of."""
+        """(m',): the triangle of the surface that contains each triangle."""
         return self._core.triangle_origins
 
     @kept_property
@@ -62,21 +62,22 @@ class TexturedMesh:
 
     @property
     def point_data(self) -> "dict[str, NDArray[Any]]":
-        """Named arrays of a row per vertex: normal, uv, those of the patterns and of the surface."""
+        """Named arrays with a row per vertex: normal, uv, those of the patterns and of the
+        surface."""
         return self._arrays[0]
 
     @property
     def cell_data(self) -> "dict[str, NDArray[Any]]":
-        """Named arrays of a row per triangle: branch, and those of the surface."""
+        """Named arrays with a row per triangle: branch, and those of the surface."""
         return self._arrays[1]
 
     def write(self, path: Any, *, tile: Any = None, tiles: Optional[str] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
-        """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: a picture that
-        goes along, by name ("checker" and so on, in ``colors``) or as an array (h, w, 3 or 4) of
-        uint8; .gltf and .glb hold it, for others it is written beside the mesh. ``tiles``: with
-        "whole" triangles have the array tile_broken, 1 where a tile reaches that a branch, a seam or
-        the border cuts; None: as ``render`` has it."""
+        """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: an image, by
+        name ("checker" and so on, in ``colors``) or as an array (h, w, 3 or 4) of uint8; embedded
+        in .gltf and .glb, otherwise written beside the mesh. ``tiles``: "whole" adds the triangle
+        array tile_broken, 1 for triangles of a tile that a branch, a seam or the border cuts;
+        None: as in ``render``."""
         text = path_of(path)
         if tiles is not None and text.lower().endswith((".obj", ".gltf", ".glb")):
             raise Error(f"tiles has no effect here: '{text}' holds no values of triangles; write .vtp "
@@ -109,10 +110,10 @@ class TexturedMesh:
 
 
 class Texture:
-    """Texture coordinates over a surface: what ``brindle.texture`` and ``brindle.crosses`` return.
+    """Texture coordinates over a surface, from ``brindle.texture`` and ``brindle.crosses``.
 
-    ``surface`` is what they belong to: the one handed over or, of crosses, that one with every
-    singular triangle split in three at its barycentre.
+    ``surface`` is their surface: the given one or, for crosses, that with every singular triangle
+    split in three at its barycentre.
     """
 
     def __init__(self, core: "_core.Texture", surface: Surface, said: str,
@@ -127,15 +128,15 @@ class Texture:
 
     @kept_property
     def corner_uv(self) -> "NDArray[np.float32]":
-        """(m, 3, 2) coordinates at the corners of triangles, linear in each, one tile a unit.
-        Along edges they agree up to whole tiles and, where the field cannot be oriented, a turn, but
-        for edges of triangles with a branch of U or V, where they do not close.
-        NaN in triangles without them: singularities of the field, corners without wave."""
+        """(m, 3, 2) coordinates at the corners of triangles, linear in each, one unit per tile.
+        They agree along edges up to whole tiles and, without an orientation, a half turn, except
+        at triangles with a branch of U or V. NaN in triangles without coordinates: singularities
+        of the field, corners without wave."""
         return self._core.corner_uv()
 
     @property
     def is_cross(self) -> bool:
-        """Whether it lies along a cross field."""
+        """Whether it follows a cross field."""
         return self._core.is_cross
 
     @cached_property
@@ -150,46 +151,46 @@ class Texture:
 
     @cached_property
     def cover(self) -> Optional[Stripes]:
-        """Of crosses: both waves, on a surface that has each vertex twice (2 i and 2 i + 1) and
-        each triangle for either wave. Its curves are both families of lines."""
+        """For crosses: both waves, on a surface with each vertex twice (2 i and 2 i + 1) and each
+        triangle once per wave. Its curves are both families of lines."""
         core = self._core.cover
         return None if core is None else Stripes(core, Surface._of(core.surface), self._said,
                                                  (self.surface, *self._also_on))
 
     @property
     def merged(self) -> Optional[dict[str, float]]:
-        """With merge_branches: the pairs that are gone, branches and energy before and after, of U
-        and V together; of crosses without those of singularities."""
+        """With ``merge_branches``: cancelled pairs, branches and energy before and after, of U
+        and V together; without those at singularities for crosses."""
         return self._core.merged()
 
     @property
     def triangle_origins(self) -> "NDArray[np.int32]":
-        """Of crosses: for every triangle of ``surface`` that of the surface handed over."""
+        """For crosses: the triangle of the given surface for every triangle of ``surface``."""
         return self._core.triangle_origins
 
     @property
     def singular(self) -> "NDArray[np.int32]":
-        """Of crosses: triangles of the surface handed over around which U becomes V."""
+        """For crosses: triangles of the given surface around which U becomes V."""
         return self._core.singular
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """Every figure, with the keys of the tool's ``--report``."""
+        """All metrics, with the keys of the tool's ``--report``."""
         return json.loads(self._core.report(self._said))
 
     def mesh(self) -> TexturedMesh:
-        """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
+        """A mesh with texture coordinates per vertex; vertices are split where necessary."""
         return TexturedMesh(self._core.mesh(), self.surface, self.is_cross, self._core)
 
     def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[str] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with the tile, as ``brindle stripe --texture``.
-        ``tiles``: as for the mesh."""
+        ``tiles``: as in ``TexturedMesh.write``."""
         self.mesh().write(path, tile=tile, tiles=tiles, colors=colors)
 
     def put_on(self, mesh: Any, name: str = "uv") -> Any:
-        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as an array of its
-        triangles, six numbers each (u, v of three corners). Returns the mesh."""
+        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as a triangle array
+        of six numbers (u, v of three corners). Returns the mesh."""
         from ._meshes import put_arrays
         return put_arrays(mesh, self.surface, {}, {name: self.corner_uv.reshape(-1, 6)})
 
@@ -213,9 +214,9 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
 
-    ``oriented``: directions are vectors whose signs are meant, and U runs along them; otherwise an
-    orientation is looked for. ``stripes_v`` or ``frequency_v``: tiles across the field; as along it
-    unless given. All else as for ``brindle.stripes``.
+    ``oriented``: directions have signs, and U runs along them; otherwise an orientation is found.
+    ``stripes_v`` or ``frequency_v``: tiles across the field (default: as along it). Other
+    arguments as for ``brindle.stripes``.
     """
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
@@ -246,10 +247,9 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             fill: Optional[float] = None, field_singularities: Optional[int] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
-    """Square tiles along a cross field: directions and their quarter turns, which are not told
-    apart. ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``.
-    All else as for ``brindle.stripes``.
-    """
+    """Square tiles along a cross field, whose directions are equivalent under quarter turns.
+    ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``. Other
+    arguments as for ``brindle.stripes``."""
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")

@@ -17,12 +17,12 @@
 namespace brindle::python {
 namespace {
 
-// One frame after the other; a second call meanwhile is refused.
+// One frame at a time; concurrent calls are rejected.
 struct AnimatorData {
   SurfacePointer surface;
   StripeAnimator animator;
-  std::vector<float> everywhere;   // one frequency for all vertices, if a frame had that
-  std::vector<float> frequencies;  // of the last frame, with slack
+  std::vector<float> everywhere;   // a single frequency, expanded to all vertices
+  std::vector<float> frequencies;  // of the last frame, with a spacing tolerance
   double phase_step = 0;
   bool unchanged = false;
   FrameMilliseconds milliseconds;
@@ -65,7 +65,7 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
   return std::make_unique<AnimatorData>(surface, StripeAnimator(surface->surface, options));
 }
 
-// One frequency for all vertices; the vector is kept for the next frames.
+// A single frequency, expanded to all vertices; the vector is reused.
 std::span<const float> everywhere(AnimatorData& data, const Table& table) {
   const float frequency = numbers_of(table.view, "frequencies").front();
   const std::size_t vertices = data.surface->surface.mesh.vertex_count();
@@ -76,7 +76,7 @@ std::span<const float> everywhere(AnimatorData& data, const Table& table) {
   return data.everywhere;
 }
 
-// The array for the phases: `out`, if there is one, or a new one.
+// The array of phases: `out` if given, else a new one.
 py::array_t<Complex> phase_array(py::handle out, std::size_t count) {
   if (out.is_none()) return py::array_t<Complex>(static_cast<py::ssize_t>(count));
   if (!py::isinstance<py::array_t<Complex, py::array::c_style>>(out)) {
@@ -112,7 +112,7 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
     result = data.animator.frame(input, reports);
     std::copy(result.z.begin(), result.z.end(), target);
   });
-  // With Python's lock again, which whoever reads these holds.
+  // Under the GIL, which readers hold.
   data.phase_step = result.phase_step;
   data.unchanged = result.unchanged;
   data.milliseconds = result.milliseconds;

@@ -44,7 +44,7 @@ py::dtype dtype_of(NumberType type) {
 bool is_masked_array(py::handle object) {
   const auto& numpy = py::detail::npy_api::get();
   if (Py_TYPE(object.ptr()) == numpy.PyArray_Type_ || !py::isinstance<py::array>(object)) {
-    return false;  // which is nearly always so, and costs nothing
+    return false;  // the usual case, and free
   }
   return py::isinstance(object, py::module_::import("numpy.ma").attr("MaskedArray"));
 }
@@ -54,7 +54,7 @@ bool has_masked(py::handle object) {
          py::cast<bool>(py::module_::import("numpy.ma").attr("is_masked")(object));
 }
 
-// NaN where a mask says that there is nothing.
+// NaN at masked entries.
 py::array without_mask(py::array array) {
   if (!is_masked_array(array)) return array;
   if (!has_masked(array)) return array.attr("data");
@@ -63,7 +63,7 @@ py::array without_mask(py::array array) {
   return array.attr("filled")(std::numeric_limits<double>::quiet_NaN());
 }
 
-// What numpy makes of an object. Whatever numpy cannot read is an argument of the wrong shape.
+// numpy's conversion of an object. Objects that numpy cannot read are arguments of the wrong shape.
 py::array array_of(py::handle object, const std::string& what) {
   if (py::isinstance<py::array>(object)) {
     auto array = py::reinterpret_borrow<py::array>(object);
@@ -94,7 +94,7 @@ std::string type_name(const py::dtype& type) {
 template <class Row>
 constexpr int kColumns = sizeof(Row) / sizeof(float);
 
-// Whether the rows can be read where they are.
+// Whether the rows can be read in place.
 template <class Row>
 bool is_packed(const Table& table) {
   constexpr int kDimensions = kColumns<Row> == 1 ? 1 : 2;
@@ -122,13 +122,13 @@ Table table_of_array(py::array array, const std::string& what) {
   const py::ssize_t dimensions = array.ndim();
   if (kind != 'f' && kind != 'i' && kind != 'u') {
     if (array.size() > 0 || kind == 'O') refuse_type(what, array.dtype());
-    array = array.attr("astype")("f8");  // nothing at all is of no type
+    array = array.attr("astype")("f8");  // an empty object has no type
   }
   if (dimensions > 2) {
     throw Error(what + ": an array of " + std::to_string(dimensions) +
                 " dimensions; it must have one row per entry");
   }
-  // Half and long double precision, and the byte order of other machines.
+  // Half and long double precision, and foreign byte order.
   if (!number_type_of(array.dtype())) {
     array = array.attr("astype")(kind == 'f' ? py::dtype("f8")
                                              : array.dtype().attr("newbyteorder")("="));

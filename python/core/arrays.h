@@ -1,4 +1,4 @@
-/// numpy arrays into the library and out of it.
+/// Conversions between numpy arrays and the library.
 #pragma once
 
 #include <array>
@@ -19,39 +19,39 @@ namespace brindle::python {
 
 namespace py = pybind11;
 
-/// How many arrays were converted or copied so that functions that need no copy could read them.
-/// For tests.
+/// The number of arrays that were converted or copied for functions that can read in place. For
+/// tests.
 std::size_t converted_arrays();
 
-/// Real numbers of one or two dimensions that a caller handed over, of any type, order and stride.
+/// Real numbers of one or two dimensions from a caller, of any type, order and stride.
 struct Table {
-  py::array array;         ///< keeps the numbers alive; of a type that `view` knows
+  py::array array;         ///< owns the numbers; of a type that `view` supports
   ArrayView view;          ///< a row per entry of the first dimension
-  bool is_number = false;  ///< no dimension at all: a row of one
+  bool is_number = false;  ///< no dimension: a row of one
 };
 
-/// `what` names the argument in messages. Numbers that numpy masks are NaN. Throws TypeError for
-/// what holds no real numbers (complex ones, booleans, text, objects), Error for ragged lists and
-/// for more dimensions than two.
+/// `what` names the argument in messages. Masked numbers become NaN. Throws TypeError for other
+/// than real numbers (complex numbers, booleans, text, objects), Error for ragged lists and for
+/// more than two dimensions.
 Table table_of(py::handle object, const std::string& what);
 
-/// The object as an array without mask: NaN where it masks numbers.
+/// The object as an array without mask: masked numbers become NaN.
 py::array unmasked(py::handle object);
 
-/// Throws Error, naming the remedy, for whole numbers of which some are masked: they have no NaN.
+/// Throws Error with the remedy for masked integers, which have no NaN.
 void refuse_masked(py::handle object, const std::string& what);
 
-/// Throws Error for an array without a row, which to the library would be as good as none.
+/// Throws Error for an array without rows, which the library would treat as missing.
 void check_not_empty(std::size_t rows, const std::string& what);
 
-/// The numbers of a table that is not empty, one a row.
+/// The numbers of a non-empty table, one per row.
 std::vector<float> some_numbers_of(const Table& table, const std::string& what);
 
 /// Throws Error unless there is a row per vertex.
 void check_rows(const Table& table, std::size_t rows, const std::string& what);
 
-/// Rows of packed floats that are read during a call: the array's own where they are that already,
-/// otherwise a converted copy.
+/// Rows of packed floats, valid during a call: in place if the array has that form, else a
+/// converted copy.
 template <class Row>
 class RowsIn {
  public:
@@ -68,21 +68,21 @@ class RowsIn {
 extern template class RowsIn<Vec3>;
 extern template class RowsIn<float>;
 
-/// Phases exp(i Phi), one per vertex, of complex numbers of either precision; a copy. 0 where they
-/// are masked or not a number.
+/// Phases exp(i Phi), one per vertex, from complex numbers of either precision; a copy. 0 for
+/// masked entries and NaN.
 std::vector<Complex> phases_of(py::handle object, const std::string& what);
 
-/// A named array of a row per vertex or triangle; a copy. Of True and False it has 1 and 0, of
-/// tensors (n, 3, 3) rows of nine numbers.
+/// A named array with a row per vertex or triangle; a copy. True and False become 1 and 0, tensors
+/// (n, 3, 3) rows of nine numbers.
 DataArray data_array_of(const std::string& name, py::handle object);
 std::vector<DataArray> data_arrays_of(const py::dict& arrays);
 
 using Shape = std::vector<py::ssize_t>;
 
-/// An array that shares memory with `owner`, which it keeps alive, and may not be written to.
+/// A read-only array that shares the memory of `owner` and keeps it alive.
 py::array shared(const py::dtype& type, const void* data, const Shape& shape, py::handle owner);
 
-/// As `shared`, of arrays that nobody else has.
+/// As `shared`, for an array without another owner.
 py::array array_owning(DataArray&& array);
 py::dict dict_owning(std::vector<DataArray>&& arrays);
 
@@ -93,7 +93,7 @@ py::array shared(const Number* data, const Shape& shape, py::handle owner) {
 py::array shared(std::span<const Vec3> vectors, py::handle owner);
 py::array shared(const DataArray& array, py::handle owner);
 
-/// An array that owns what the vector held; nothing is copied.
+/// An array that takes over the vector's memory without copying.
 template <class Number, class Entry>
 py::array owned(std::vector<Entry>&& entries, Shape shape) {
   auto* kept = new std::vector<Entry>(std::move(entries));

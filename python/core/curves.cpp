@@ -22,11 +22,11 @@ namespace {
 struct CurvesData {
   SurfacePointer surface;
   StripeCurves curves;
-  std::array<std::size_t, kCurveEndKinds> ends{};  // before any were left out
-  std::size_t short_curves = 0;                    // left out
-  std::size_t jogs = 0;                            // edges that moved curves do not cross straight
-  std::optional<StripeCurves> traced;  // all of them, where some were left out or have other points
-  std::optional<Polylines> unshaped;   // those that are left, where these have other points
+  std::array<std::size_t, kCurveEndKinds> ends{};  // before short curves were left out
+  std::size_t short_curves = 0;                    // number left out
+  std::size_t jogs = 0;                            // edges at which moved curves have a jog
+  std::optional<StripeCurves> traced;              // all curves, if some were left out or reshaped
+  std::optional<Polylines> unshaped;               // the remaining curves, if they were reshaped
 };
 using CurvesPointer = std::shared_ptr<CurvesData>;
 
@@ -35,7 +35,7 @@ void check_not_negative(float value, const char* name) {
   throw Error(std::string(name) + ": " + std::to_string(value) + "; give 0 or a length above");
 }
 
-// Shares of making curves.
+// Shares of progress.
 constexpr double kTraced = 0.7, kResampled = 0.5;
 
 struct CurveRequest {
@@ -46,7 +46,7 @@ struct CurveRequest {
   std::optional<float> simplify, resample;
 };
 
-// Throws away short curves after all ends were counted.
+// Removes short curves after all ends are counted.
 void shape_lines(CurvesData& made, const CurveRequest& request, const Progress& progress) {
   made.ends = made.curves.end_counts();
   if (request.min_length > 0 || request.resample || request.simplify) made.traced = made.curves;
@@ -61,7 +61,7 @@ void shape_lines(CurvesData& made, const CurveRequest& request, const Progress& 
   if (request.simplify) lines = simplified(lines, *request.simplify, progress.part(kResampled, 1));
 }
 
-// Lines about what is probably not meant.
+// Lines about likely mistakes.
 std::string warnings_of_curves(const CurvesData& data) {
   return data.curves.lines.count() > 0 ? "" : brindle::why_no_curves("u", data.short_curves);
 }
@@ -91,7 +91,7 @@ CurvesPointer curves(const StripesData& stripes, const CurveRequest& request) {
 
 const CurvesData& curves_of(py::handle self) { return py::cast<const CurvesData&>(self); }
 
-// Pairs of point numbers; closed lines come back to their first point.
+// Pairs of point numbers; closed lines return to their first point.
 py::array edges_of(const CurvesData& data) {
   const Polylines& lines = data.curves.lines;
   std::vector<std::int32_t> edges;
@@ -184,8 +184,8 @@ py::dict dict_of(const CurveGaps& gaps) {
   return result;
 }
 
-// Lengths are those of the curves that there are, gaps those of all that were traced, and coverage
-// that of all that are left, before they get other points.
+// Lengths are those of the final curves, gaps those of all traced curves, and coverage that of the
+// remaining curves before reshaping.
 py::dict measures_of(const CurvesData& data, const StripesData& stripes, double line_width) {
   const Surface& surface = data.surface->surface;
   const StripeCurves& traced = data.traced ? *data.traced : data.curves;
@@ -252,7 +252,7 @@ void bind_curve_properties(py::module_& module) {
 struct SamplesData {
   SurfacePointer surface;
   std::vector<Sample> samples;
-  std::size_t doubles = 0;  // left out
+  std::size_t doubles = 0;  // number left out
 };
 using SamplesPointer = std::shared_ptr<SamplesData>;
 

@@ -1,4 +1,4 @@
-// Measured fields frame by frame.
+// Smooths measured fields frame by frame.
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -24,7 +24,7 @@ namespace {
 struct FieldDetailData {
   SurfacePointer surface;
   FieldDetail detail;
-  DirectionField last;  ///< of the frame before; empty in the first one
+  DirectionField last;  ///< of the last frame; empty in the first one
   std::atomic<bool> busy{false};
 
   FieldDetailData(SurfacePointer on, const FieldDetailOptions& options)
@@ -46,7 +46,7 @@ std::unique_ptr<FieldDetailData> make_field_detail(const SurfacePointer& surface
   return std::make_unique<FieldDetailData>(surface, options);
 }
 
-/// A row per vertex, or per triangle.
+/// A row per vertex or per triangle.
 MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::handle confidence) {
   const Mesh& mesh = surface.surface.mesh;
   MeasuredField measured;
@@ -91,7 +91,7 @@ py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::hand
   return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.agreement)));
 }
 
-/// As text, which Python reads: the keys are those of reports.
+/// As text that Python parses, with the keys of reports.
 std::string figures_of_detail(FieldDetailData& data) {
   const OneAtATime alone(data.busy, "this detail");
   const FieldDetailFigures figures = data.detail.figures();

@@ -62,7 +62,7 @@ std::vector<FieldStroke> strokes_of(const std::vector<StrokeTuple>& tuples) {
   return strokes;
 }
 
-// Throws Error for what has no effect: other values than the defaults are those that were given.
+// Throws Error for options without effect: those that differ from the defaults count as given.
 void check_smooth(const SmoothFieldOptions& options, bool points) {
   const SmoothFieldOptions unless_given;
   const brindle::IsGiven given = [&](const std::string& option) {
@@ -86,7 +86,7 @@ void check_smooth(const SmoothFieldOptions& options, bool points) {
   });
 }
 
-// (surface, directions, max_distance, match) of the field before; match is empty, "number" or
+// (surface, directions, max_distance, match) of the last field; match is empty, "number" or
 // "position".
 using LastTuple = std::tuple<SurfacePointer, py::object, double, std::string>;
 
@@ -110,7 +110,7 @@ DirectionField carried_last(const LastTuple& last, const DirectionField& directi
   return carried_directions(field, surface, symmetry, std::get<2>(last));
 }
 
-// The field, and the mean degrees that it turned by against the last one or None.
+// The field, and its mean turn from the last one in degrees, or None.
 py::tuple smooth_field(const SurfaceData& data, int symmetry, float curvature_anchor,
                        const std::string& curvature, float feature_anchor, float feature_angle,
                        float feature_radius, float normal_radius,
@@ -186,7 +186,7 @@ py::array raw_curvature_field(const SurfaceData& data, const std::string& which)
         curvature_direction_field(principal_curvatures(surface.mesh.positions, surface.normals,
                                                        *surface.neighborhood, progress),
                                   direction);
-    orient_alike(*surface.neighborhood, directions);  // solvers are faster so, as in the tool
+    orient_alike(*surface.neighborhood, directions);  // as in the tool, because solvers are faster
     return directions;
   }));
 }

@@ -23,8 +23,8 @@ DataArrays arrays_of(const py::dict& points, const py::dict& cells) {
   return {data_arrays_of(points), data_arrays_of(cells)};
 }
 
-// What the file holds of the arrays and those of an input, and lines about what it does not hold
-// and what was renamed.
+// The arrays that the file can hold, with those of an input, and lines about left-out and renamed
+// ones.
 std::vector<std::string> write(const std::string& path, const Mesh& mesh, DataArrays arrays,
                                const DataArrays& input, const std::string& png) {
   return without_lock([&] {

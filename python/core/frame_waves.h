@@ -1,4 +1,4 @@
-/// What a frame is told of its waves.
+/// Waves of frames.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@
 
 namespace brindle::python {
 
-/// Throws Error for what no frame is to take: the tool's bounds.
+/// Throws Error for numbers outside the tool's bounds.
 void check_numbers(float lambda, int sweeps, int cycles);
 
-/// Where an array of frequencies is not a number, there is no wave, as in patterns.
+/// NaN frequencies mean no wave, as in patterns.
 class FrameWaves {
  public:
-  /// The arrays must stay; `frequencies` is empty if there is no array of them.
+  /// The arrays must outlive this object; `frequencies` may be empty.
   FrameWaves(std::span<const Vec3> directions, std::span<const float> frequencies);
   FrameWaves(const FrameWaves&) = delete;
   FrameWaves& operator=(const FrameWaves&) = delete;
@@ -32,20 +32,20 @@ class FrameWaves {
   std::span<const float> frequencies_;
 };
 
-/// Frequencies of a number, for all vertices, or of an array.
+/// A single frequency, or an array.
 class FrequenciesIn {
  public:
   FrequenciesIn(py::handle given, std::size_t vertices, const std::string& what);
 
   std::span<const float> rows() const { return everywhere_.empty() ? rows_.rows() : everywhere_; }
-  std::span<const float> array() const { return rows_.rows(); }  ///< empty of a number
+  std::span<const float> array() const { return rows_.rows(); }  ///< empty for a single frequency
 
  private:
   std::vector<float> everywhere_;
   RowsIn<float> rows_;
 };
 
-/// No rows of None.
+/// No rows for None.
 RowsIn<Vec3> rows_if_given(py::handle given, const std::string& what);
 
 }  // namespace brindle::python

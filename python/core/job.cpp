@@ -6,10 +6,10 @@
 namespace brindle::python {
 namespace {
 
-// Taking Python's lock for every report would make frames wait for other threads.
+// Taking the GIL for every report would make frames wait for other threads.
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
-// Python's False and numpy's, as comparing makes it.
+// Python's False, or numpy's from a comparison.
 bool is_false(const py::object& answer) {
   const std::string_view type = Py_TYPE(answer.ptr())->tp_name;
   if (type != "bool" && type != "numpy.bool_" && type != "numpy.bool") return false;

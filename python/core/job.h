@@ -1,4 +1,4 @@
-/// Work for which Python waits: without its lock, with progress, and until Ctrl-C.
+/// Long calls: without the GIL, with progress, cancelled by Ctrl-C.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,14 @@ namespace brindle::python {
 
 namespace py = pybind11;
 
-/// One call that takes its time. Other threads of Python go on meanwhile; Ctrl-C and what
-/// `callback` raises are raised by `run`, whose objects then are as they were.
+/// A long call. Other Python threads run meanwhile. `run` rethrows Ctrl-C and exceptions of
+/// `callback`, and then leaves its objects unchanged.
 class Job {
  public:
   /// `callback(stage, fraction)` may be None; returning False cancels. `threads`: 0 for all.
   explicit Job(py::object callback = py::none(), int threads = 0);
 
-  /// Calls `work(progress)` without Python's lock. Throws what it throws, or what Python raised.
+  /// Calls `work(progress)` without the GIL. Throws what it throws, or what Python raised.
   template <class Work>
   auto run(const Work& work) {
     try {
@@ -47,21 +47,21 @@ class Job {
   std::optional<py::error_already_set> pending_;
 };
 
-/// As `Job::run` for work that nobody hears of: until Ctrl-C.
+/// As `Job::run` without a callback: until Ctrl-C.
 template <class Work>
 auto until_interrupted(const Work& work) {
   return Job().run(work);
 }
 
-/// As `Job::run` for work that reports no progress.
+/// As `Job::run` for work without progress.
 template <class Work>
 auto without_lock(const Work& work) {
   const OutsidePython outside;
   return work();
 }
 
-/// Lets one call at a time use an object. Throws Error for a second one, from another thread or
-/// from a callback of the first.
+/// Guards an object against concurrent calls. Throws Error for a second call, from another thread
+/// or from a callback of the first.
 class OneAtATime {
  public:
   OneAtATime(std::atomic<bool>& busy, const char* what);

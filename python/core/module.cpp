@@ -1,5 +1,5 @@
-// The C++ side of the Python package: arrays, objects and jobs, without Python's manners. The layer
-// over it, python/brindle, has names, defaults and documentation.
+// The C++ module of the Python package: arrays, objects and jobs. The layer above, python/brindle,
+// has names, defaults and documentation.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -19,7 +19,7 @@ namespace brindle::python {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The C++ side of brindle; use the package brindle.";
-  // Later ones are tried first.
+  // pybind11 tries the last registered first.
   const auto& error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
   py::register_exception<Cancelled>(module, "Cancelled", error);
   module.def("version", version);

@@ -1,4 +1,4 @@
-/// Patterns and all that they were made with.
+/// Patterns and their inputs.
 #pragma once
 
 #include <memory>
@@ -23,26 +23,27 @@
 
 namespace brindle::python {
 
-/// How to solve.
+/// Options of solving.
 struct Solving {
   StripeOptions stripes;
   int threads = 0;
   brindle::MakingOptions making;
 };
 
-/// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
+/// The spacing tolerance, a number or an array per vertex, and weights of branch avoidance; None
+/// for none.
 Slack slack_of(py::handle slack, py::handle calm);
 
-/// A dict, or None where no branches were to be merged.
+/// A dict, or None without cancelled branch pairs.
 pybind11::object merged_of(const std::optional<brindle::MergedBranches>& merged);
 
-/// Python hands these around; nobody changes one.
+/// Shared by Python objects; immutable.
 struct StripesData {
   SurfacePointer surface;
   StripePattern pattern;
   brindle::PreparationFigures prepared;
   Solver solver = Solver::multilevel;
-  int threads = 0;  ///< that were in force
+  int threads = 0;  ///< threads used
   std::optional<brindle::FollowedReport> followed;
   brindle::MakingFigures making;
 };
@@ -50,15 +51,15 @@ using StripesPointer = std::shared_ptr<StripesData>;
 
 /// Texture coordinates along two stripe patterns, or along the waves of a cross field.
 struct TextureData {
-  SurfacePointer surface;  ///< that corners belong to
-  StripesPointer u, v;     ///< of a cross field: its waves as far as they can be told apart
-  StripesPointer cover;    ///< of a cross field: both waves, on its covering
+  SurfacePointer surface;  ///< of the corners
+  StripesPointer u, v;     ///< for a cross field: its waves as far as they can be separated
+  StripesPointer cover;    ///< for a cross field: both waves, on its double cover
   TextureWaves waves;
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
-  std::vector<Index> triangle_origins;  ///< of a cross field: in the surface that was handed over
-  std::vector<Index> singular;          ///< of a cross field: triangles of that surface
+  std::vector<Index> triangle_origins;  ///< for a cross field: in the given surface
+  std::vector<Index> singular;          ///< for a cross field: triangles of the given surface
   brindle::WaveReport figures;
-  brindle::PatternQuality quality;  ///< what warnings look at
+  brindle::PatternQuality quality;  ///< for warnings
   std::optional<brindle::MergedBranches> merged;
   nlohmann::ordered_json report;  ///< without the invocation
 
@@ -66,43 +67,41 @@ struct TextureData {
 };
 using TexturePointer = std::shared_ptr<TextureData>;
 
-/// Waves of arrays.
+/// Waves from arrays.
 struct WavesIn {
   WaveSet waves;
   brindle::PreparationFigures prepared;
 };
 
-/// Where waves come from, for messages, and what is known of an array that they were made of.
+/// The origin of waves, for messages, and properties of their array.
 struct FieldOrigin {
   std::string source;  ///< "the array 'velocity'"
   std::optional<std::size_t> rows_nonfinite;
   std::optional<std::pair<std::size_t, std::size_t>> tensor;  ///< near the normal, isotropic
-  double milliseconds = 0;                                    ///< that making the field took
-  float turn_deg = 0;                      ///< by which waves are turned from their field
-  std::optional<double> field_turned_deg;  ///< of a smooth field that went on from a last one
-  bool measured = false;                   ///< it was handed over
-  /// At which scale of its stripes the field is seen; 0: as it is. `turn_deg` then is still to
-  /// come.
+  double milliseconds = 0;                                    ///< time of making the field
+  float turn_deg = 0;                      ///< turn of the waves from their field
+  std::optional<double> field_turned_deg;  ///< of a smooth field that continues the last one
+  bool measured = false;                   ///< given by the caller
+  /// Smoothing of the field; 0: none. `turn_deg` is then applied later.
   brindle::FieldDetailOptions detail = {.periods = 0};
-  /// The same of frequencies that are arrays.
+  /// Smoothing of frequencies from arrays.
   brindle::FrequencyDetailOptions frequency_detail = {.periods = 0};
   brindle::FieldData data = {};
   brindle::FieldWeight weight = {};
 };
 
-/// `directions` are of any length, a row per vertex, projected into the tangent planes: but unit
-/// tangent vectors stay as they are, so that fields that Brindle made are not rounded once more.
-/// One of `stripes` and `frequency`, a number or one per vertex where not finite means no wave, is
-/// given. Where `phases`, if there are any, are 0, there is no wave. Throws Error, as the tool
-/// does, if there is no wave at all.
+/// `directions` have a row per vertex, of any length, and are projected into the tangent planes;
+/// unit tangent vectors are kept, so that Brindle's own fields are not rounded again. Exactly one
+/// of `stripes` and `frequency` is given, a number or one per vertex, not finite for no wave. Zeros
+/// of optional `phases` mean no wave. Throws Error, as the tool does, if there is no wave.
 WavesIn waves_of_arrays(const SurfaceData& surface, py::handle directions, py::handle stripes,
                         py::handle frequency, const FieldOrigin& origin,
                         std::span<const Complex> phases = {});
 
-/// The direction of a vector of any length; unit tangent vectors stay as they are.
+/// The direction of a vector of any length; unit tangent vectors are kept.
 Vec3 direction_of(const Vec3& vector, const Vec3& normal);
 
-/// Frequencies of an array at the scale that the origin asks for, those that are not finite filled.
+/// Frequencies of an array, smoothed by the options of the origin, with filled gaps.
 brindle::DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                               const FieldOrigin& origin);
 

@@ -15,7 +15,7 @@
 namespace brindle::python {
 namespace {
 
-// One frame after the other; a second call meanwhile is refused.
+// One frame at a time; concurrent calls are rejected.
 struct PatternFramesData {
   SurfacePointer surface;
   PatternFrames frames;
@@ -26,7 +26,7 @@ struct PatternFramesData {
         frames(without_lock([&] { return PatternFrames(surface->surface); })) {}
 };
 
-// A frame as an animator had it and gave it. The arrays must stay.
+// Input and output of an animator's frame. The arrays must outlive this object.
 class FrameIn {
  public:
   FrameIn(const PatternFramesData& data, py::handle phases, py::handle directions,
@@ -56,7 +56,7 @@ class FrameIn {
   FrameResult result_;
 };
 
-// `out`, if there is one, or a new array of so many rows.
+// `out` if given, else a new array.
 py::array_t<float> float_array(py::handle out, std::size_t rows, std::size_t columns) {
   const auto size = [](std::size_t count) { return static_cast<py::ssize_t>(count); };
   if (out.is_none()) return py::array_t<float>({size(rows), size(columns)});
@@ -81,7 +81,7 @@ py::array vertices_of(PatternFramesData& data, py::handle phases, py::handle dir
   frame.input().normals = normals_in.rows();
   const std::size_t count = data.surface->surface.mesh.vertex_count();
   py::array_t<float> array = float_array(out, count, 12);
-  // Twelve floats are what a PatternVertex is, and numpy has them where any float may lie.
+  // A PatternVertex is twelve floats, and has the alignment of float.
   const std::span vertices(reinterpret_cast<PatternVertex*>(array.mutable_data()), count);
   without_lock([&] { data.frames.fill(frame.input(), frame.result(), vertices); });
   return array;
@@ -114,7 +114,7 @@ py::array normals_of(PatternFramesData& data, py::handle positions) {
   }));
 }
 
-// No kinds: shaders find what is in a triangle from its corners.
+// Kinds stay 0: shaders compute them from the corners.
 py::array triangles_of(const PatternFramesData& data) {
   std::vector<std::uint32_t> numbers;
   for (const Triangle& t : data.surface->surface.mesh.triangles) {

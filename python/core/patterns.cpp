@@ -25,7 +25,7 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// The phases that a pattern stays near to, and what a report says of them.
+// The phases to continue, and their part of a report.
 struct StyleBindings {
   std::vector<Complex> z;
   brindle::FollowedReport report;
@@ -52,7 +52,7 @@ void tell_step(const StyleBindings& followed, StripesData& made) {
   made.followed->phase_step = step.mean;
 }
 
-// Vertices that were joined with another get its wave, as in files.
+// Joined vertices get the wave of their partner, as in files.
 void copy_to_joined(StripesData& made) {
   const std::vector<Index>& partners = made.surface->partners;
   WaveSet& waves = made.pattern.waves;
@@ -97,7 +97,7 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
   });
 }
 
-// Measured phases that somebody else has: of an animator, of a file.
+// Measures existing phases, such as those of an animator or a file.
 StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle phases,
                                    py::handle directions, py::handle count, py::handle frequency,
                                    const FieldOrigin& origin, const Solving& solving) {
@@ -108,8 +108,8 @@ StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle pha
                       const SolverData&) {
     PhaseSolution solution;
     anchor_phases(*std::make_unique<PhaseGraph>(graph), z,
-                  1);                                    // throws for other than unit numbers
-    std::ranges::replace(z, Complex(0), Complex(0, 1));  // as solvers leave it without a wave
+                  1);                                    // throws unless unit complex numbers
+    std::ranges::replace(z, Complex(0), Complex(0, 1));  // as solvers leave vertices without a wave
     solution.energy = energy(graph, z);
     solution.z = std::move(z);
     return solution;
@@ -192,7 +192,7 @@ std::string report_of(const StripesData& data, const std::string& invocation) {
   return brindle::json_text(brindle::to_json(report));
 }
 
-// What the tool's report of a family of curves says of loops, windings and branches.
+// The loops, winding numbers and branches in the tool's report of curves.
 std::string making_of(const StripesData& data) {
   MakingFigures figures = data.making;
   without_lock([&] { brindle::measure_windings(data.surface->surface, data.pattern, figures); });
@@ -201,7 +201,7 @@ std::string making_of(const StripesData& data) {
   return json.dump();
 }
 
-// Lines about what is probably not meant.
+// Lines about likely mistakes.
 std::string warnings_of(const StripesData& data, const std::string& source) {
   return brindle::warnings(data.prepared.figures, source) +
          brindle::quality_warning(data.prepared.figures, data.pattern.quality,
@@ -309,7 +309,7 @@ Slack slack_of(py::handle slack, py::handle calm) {
 
 namespace {
 
-// The options that are given by their names, each at the first of the functions that refuses it.
+// The given options, by name; each is checked by the first function that rejects it.
 void check_solving(const Solving& solving, const std::set<std::string>& names, bool points) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   const SolverOptions& solver = solving.stripes.solver;
@@ -329,8 +329,8 @@ void check_solving(const Solving& solving, const std::set<std::string>& names, b
 
 namespace {
 
-/// The options that are given by their names, the tool's; the weight is a word of the data
-/// themselves, or numbers.
+/// Given smoothing options, by the tool's names; the weight is a word for the data's own, or
+/// numbers.
 struct DetailArguments {
   float periods = 0, frequency_periods = 0;
   int symmetry = 2;

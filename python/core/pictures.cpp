@@ -81,7 +81,7 @@ void set_stripe_width(Picture& picture, float width) {
   picture.options.stripe_width = width;
 }
 
-// A drawing with hidden lines removed, in a pen per list of lines, given by points and offsets.
+// A drawing without hidden lines: each pen has lists of lines, by points and offsets.
 struct HeldLines {
   Polylines lines;
   std::string name;

@@ -1,4 +1,4 @@
-/// What a picture shows, and from where.
+/// Content and camera of pictures.
 #pragma once
 
 #include <string>
@@ -15,23 +15,23 @@ namespace py = pybind11;
 /// Options of pictures and drawings, as Python sets them.
 struct Picture {
   RenderOptions options;
-  std::optional<Slice> slice;    ///< in the surface's own coordinates
+  std::optional<Slice> slice;    ///< in surface coordinates
   std::string view = "stripes";  ///< or branches, angle_error
 };
 
 /// The options with the slice, of surfaces relative to `origin`.
 RenderOptions options_relative_to(const Eigen::Vector3d& origin, const Picture& picture);
 
-/// Throws Error if the slice takes away all of a mesh that a picture shows alone.
+/// Throws Error if the slice removes the whole mesh of a picture.
 void check_slice_leaves_something(const Mesh& mesh, const RenderOptions& options);
 
-/// A mesh of one colour on the surface: tubes along curves, discs at samples.
+/// A single-coloured mesh on the surface: tubes along curves, discs at samples.
 struct Ornament {
   Mesh mesh;
   Color color;
 };
 
-/// Defined where there is OpenGL, and where there is none: then the functions throw Error.
+/// In builds without OpenGL, the functions throw Error.
 void bind_renderer(py::module_& module);
 
 }  // namespace brindle::python

@@ -15,15 +15,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Never freed: threads that stand still outlive all that is destroyed at exit.
+// Never destroyed: stopped threads outlive static destruction.
 struct Process {
-  std::atomic<int> at_work{0};       // calls outside of Python's lock
-  std::atomic<int> in_callbacks{0};  // of these
+  std::atomic<int> at_work{0};       // calls outside the GIL
+  std::atomic<int> in_callbacks{0};  // of these, calls in callbacks
   std::atomic<bool> leaving{false};
   std::thread::id leaving_thread;
   bool forked_amid = false;
   std::array<std::atomic<bool>, 2> used{};         // per UnforkableWork
-  std::array<std::atomic<bool>, 2> used_before{};  // in the process that this one was forked of
+  std::array<std::atomic<bool>, 2> used_before{};  // in the parent process of a fork
 };
 
 Process& process() {
@@ -31,13 +31,13 @@ Process& process() {
   return *the_process;
 }
 
-thread_local int own_calls = 0;  // of this thread that are at work, one around the other
+thread_local int own_calls = 0;  // nested calls of this thread
 
 [[noreturn]] void stand_still() {
   for (;;) std::this_thread::sleep_for(1h);
 }
 
-// Only the thread that forks is there in the new process. What others held is held for ever.
+// Only the forking thread exists in the child. Locks of other threads stay held.
 void after_fork() {
   Process& here = process();
   here.forked_amid = here.forked_amid || here.at_work > own_calls;
@@ -48,8 +48,8 @@ void after_fork() {
   }
 }
 
-// Waits until no thread is in the midst of C++. One whose callback does not return is left behind:
-// whatever it waits for, nobody is there any more to bring it.
+// Waits until no thread is in C++. Threads in callbacks that do not return are left behind: nothing
+// can wake them any more.
 void leave() {
   constexpr auto kForCallbacks = 1s;
   Process& here = process();

@@ -1,4 +1,4 @@
-/// What becomes of calls where the process forks, or Python leaves while a thread is in Brindle.
+/// Calls during a fork or the interpreter's exit.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,13 +7,13 @@ namespace brindle::python {
 
 namespace py = pybind11;
 
-/// Work outside of Python's lock. While the interpreter leaves, threads other than its own do not
-/// come back: they would be ended in the midst of C++, which aborts the process. They stand still
-/// instead until the process is gone, and no new work of theirs begins.
+/// Releases the GIL for C++ work. During interpreter exit, threads that take the GIL would be
+/// terminated within C++, which aborts the process. Here they stop instead until the process ends,
+/// and start no new work.
 class OutsidePython {
  public:
-  /// Gives the lock back. Throws RuntimeError in a process that was forked while a call was at
-  /// work.
+  /// The destructor takes the GIL back. The constructor throws RuntimeError in a process forked
+  /// during a call.
   OutsidePython();
   ~OutsidePython();
   OutsidePython(const OutsidePython&) = delete;
@@ -23,12 +23,12 @@ class OutsidePython {
   PyThreadState* thread_;
 };
 
-/// A callback of a call that is at work: Python's lock again, for as long.
+/// Takes the GIL for a callback within a call.
 class BackInPython {
  public:
   BackInPython() = default;
 
-  /// Calls the function. A thread that Python ends in it stands still instead.
+  /// Calls the function. A thread that the exiting interpreter would terminate stops instead.
   py::object call(py::handle function, const py::tuple& arguments) const;
 
  private:
@@ -42,14 +42,14 @@ class BackInPython {
   py::gil_scoped_acquire locked_;
 };
 
-/// Whether the interpreter leaves and this thread is to end its work.
+/// Whether the interpreter is exiting and this thread must end its work.
 bool is_leaving();
 
-/// What works no longer in a process that was forked after its first use: threads that it has
-/// started, and waits for, are not there.
+/// Features that cannot be used in a child process after their use in the parent: their threads do
+/// not exist there.
 enum class UnforkableWork { pictures, global_solver };
 
-/// Throws RuntimeError, naming the remedy, if that is so; otherwise notes its use.
+/// Throws RuntimeError with the remedy in such a child; otherwise records the use.
 void use_unforkable(UnforkableWork work);
 
 void bind_process(py::module_& module);

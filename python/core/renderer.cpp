@@ -17,8 +17,7 @@
 namespace brindle::python {
 namespace {
 
-constexpr float kLargestAngleErrorDeg =
-    30;  // darkest colour of the angle_error view, as the tool's
+constexpr float kLargestAngleErrorDeg = 30;  // end of the angle_error scale, as in the tool
 
 py::array array_of(Image&& image) {
   const py::ssize_t height = image.height, width = image.width;
@@ -66,7 +65,7 @@ Overlay overlay_of(const std::string& view, const StripesData& data) {
   return {};
 }
 
-// Throws Error where the picture would show nothing of the mesh.
+// Throws Error if the picture would show nothing of the mesh.
 RenderOptions options_of(const Picture& picture, const Mesh& mesh) {
   const RenderOptions options = options_relative_to(mesh.origin, picture);
   check_slice_leaves_something(mesh, options);
@@ -106,7 +105,7 @@ py::array render_stripes(const SurfaceData& surface, const StripesData* stripes,
   }));
 }
 
-// Throws Error for what does not look as crosses do.
+// Throws Error for tiles without the symmetry of crosses.
 void check_crosses(py::handle tile, const Picture& picture) {
   saying_in_pythons_words([&] {
     brindle::check_view_of_crosses(picture.view == "stripes");
@@ -114,14 +113,14 @@ void check_crosses(py::handle tile, const Picture& picture) {
   });
 }
 
-// Nothing where tiles are cut, as is asked for or suits the tile.
+// Empty if tiles are cut, by request or as the tile's default.
 std::optional<BrokenTiles> broken_tiles_of(const TextureData& texture, const TextureTile& tile,
                                            std::optional<bool> whole) {
   if (!whole.value_or(has_own_shape(tile))) return std::nullopt;
   return broken_tiles(texture.surface->surface.mesh.triangles, texture.waves, tile_figures(tile));
 }
 
-// 1 in triangles that a broken figure reaches, or None.
+// 1 in triangles that a broken motif covers, or None.
 py::object triangles_with_broken_tiles(const TextureData& texture, py::handle tile,
                                        std::optional<bool> whole) {
   const TextureTile chosen = tile_of(tile);

@@ -1,4 +1,4 @@
-// What stands in for pictures where the library was built without OpenGL.
+// Replaces pictures in builds without OpenGL.
 #include "brindle/error.h"
 #include "pictures.h"
 

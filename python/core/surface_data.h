@@ -1,4 +1,4 @@
-/// A surface and what came with it.
+/// A surface and its source data.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@ namespace brindle::python {
 
 namespace py = pybind11;
 
-/// Python hands these around; nobody changes one.
+/// Shared by Python objects; immutable.
 struct SurfaceData {
   Surface surface;
   std::string name;          ///< a file, a shape, or "arrays"
-  bool stands_on_z = false;  ///< the z axis points up, as that of built-in shapes
+  bool stands_on_z = false;  ///< z is the up axis, as for built-in shapes
   MeshRepair repair;
   std::optional<PointRepair> point_repair;  ///< of points
-  DataArrays arrays;                        ///< a row per vertex, and per triangle
-  std::string left_out;                     ///< lines about what the file has and this has not
+  DataArrays arrays;                        ///< per vertex and per triangle
+  std::string left_out;                     ///< lines about left-out parts of the file
   std::vector<Index> vertex_of_row;         ///< `LoadedMesh::vertex_of_row`
-  /// For every vertex, up to the last that was joined with another, the one that triangles use in
-  /// its place, whose wave it gets; empty if there are none.
+  /// For every vertex, up to the last joined one, the vertex that replaces it, whose wave it gets;
+  /// empty without joined vertices.
   std::vector<Index> partners;
   std::vector<std::int64_t> original_ids;  ///< numbers in the file or array; -1 of added vertices
-  std::vector<Index> kept_triangles;       ///< their numbers before repair; empty if all were kept
+  std::vector<Index> kept_triangles;       ///< numbers before the repair; empty if all were kept
   std::size_t vertices_joined = 0;
-  float crease_angle = 180;  ///< of the creases that have split the surface
+  float crease_angle = 180;  ///< of the creases that split the surface
   double load_milliseconds = 0;
   double topology_milliseconds = 0;
 
@@ -43,8 +43,8 @@ struct SurfaceData {
 
 using SurfacePointer = std::shared_ptr<SurfaceData>;
 
-/// Whether vertices of `mesh` are those of `last` with the same number: `match` is "number",
-/// "position", or empty for number where the triangles are the same. Throws Error for other words.
+/// Whether vertices of `mesh` correspond by number to those of `last`: `match` is "number",
+/// "position", or empty (number if the triangles are the same). Throws Error for other words.
 bool matches_by_number(const Mesh& last, const Mesh& mesh, const std::string& match);
 
 void bind_surfaces(py::module_& module);

@@ -30,20 +30,20 @@ namespace brindle::python {
 namespace {
 
 constexpr std::string_view kShapePrefix = "shape:";
-// Shares of making a surface.
+// Shares of progress.
 constexpr double kReading = 0.4, kSplit = 0.6;
 constexpr std::string_view kSearching = "nearest places";
-constexpr std::size_t kPointsBetweenLooks = 1024;  // a tenth of a second, if they are far away
+constexpr std::size_t kPointsBetweenLooks = 1024;  // a tenth of a second, for distant points
 constexpr std::size_t kPointsOfTask = 32;
 
-// The first `own` of so many vertices have numbers; those that were added have none.
+// The first `own` vertices have numbers; added ones have none.
 void number_vertices(SurfaceData& data, std::size_t count, std::size_t own) {
   data.original_ids.assign(count, -1);
   const auto end = data.original_ids.begin() + static_cast<std::ptrdiff_t>(own);
   std::iota(data.original_ids.begin(), end, std::int64_t{0});
 }
 
-// Derives all that depends on the mesh.
+// Completes a surface from its mesh.
 SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, Creases&& creases,
                         const Progress& progress) {
   Stopwatch watch;
@@ -52,7 +52,7 @@ SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, Creases&& creases,
   return std::make_shared<SurfaceData>(std::move(data));
 }
 
-// The same of a mesh that creases split first, with its arrays.
+// The same for a mesh that is first split at creases, with its arrays.
 SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, float crease_angle,
                         const Progress& progress) {
   if (data.original_ids.empty()) number_vertices(data, mesh.vertex_count(), mesh.vertex_count());
@@ -171,7 +171,7 @@ SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neig
   });
 }
 
-/// How often triangles are split, and how.
+/// Number and kind of subdivisions.
 struct Splitting {
   int times;
   Midpoints midpoints;
@@ -247,7 +247,7 @@ SurfacePointer from_shape(const std::string& spec, int times, bool rounded, floa
   });
 }
 
-// What stays with a surface whose mesh changes.
+// The data that a surface keeps when its mesh changes.
 SurfaceData data_along_with(const SurfaceData& from) {
   SurfaceData data;
   data.name = from.name;
@@ -260,7 +260,7 @@ SurfaceData data_along_with(const SurfaceData& from) {
   return data;
 }
 
-// Without the rows of copies.
+// Removes rows of copies.
 void drop_copies(std::size_t own, SurfaceData& data) {
   std::vector<Index> rows(own);
   std::iota(rows.begin(), rows.end(), Index{0});
@@ -273,7 +273,7 @@ SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
     Stopwatch watch;
-    // Edges are split as they were before creases, and creases are found again.
+    // Edges are split as before creases, then creases are found again.
     const std::size_t own = from.surface.own_vertex_count();
     Mesh mesh = joined_mesh(from.surface.mesh, from.surface.creases);
     mesh.positions.resize(own);
@@ -287,7 +287,7 @@ SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
   });
 }
 
-// The same triangles with vertices elsewhere.
+// The same triangles with moved vertices.
 SurfacePointer moved(const SurfaceData& from, py::handle positions) {
   const Table table = columns_of_three(positions, "vertices");
   const Mesh& mesh = from.surface.mesh;
@@ -303,7 +303,7 @@ SurfacePointer moved(const SurfaceData& from, py::handle positions) {
   });
 }
 
-// Where vertices stand: what the mesh has, or numbers of double precision if its zero is elsewhere.
+// Absolute positions: the mesh's floats, or doubles if its origin is not zero.
 py::array placed_points(std::span<const Vec3> points, const Eigen::Vector3d& origin,
                         py::handle owner) {
   if (origin.isZero(0)) return shared(points, owner);
@@ -318,7 +318,7 @@ py::array placed_points(std::span<const Vec3> points, const Eigen::Vector3d& ori
 
 const SurfaceData& data_of(py::handle self) { return py::cast<const SurfaceData&>(self); }
 
-// Signed, because differences of unsigned numbers surprise; no mesh has 2^31 vertices here.
+// Signed, because unsigned differences surprise; no mesh here has 2^31 vertices.
 template <class Row>
 py::array indices(const std::vector<Row>& rows, Shape shape, py::handle owner) {
   return shared(reinterpret_cast<const std::int32_t*>(rows.data()), shape, owner);
@@ -408,13 +408,13 @@ py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_
                         owned(std::move(distances)));
 }
 
-// The means of numbers or those of axes.
+// Means of numbers, or of axes.
 DataArray chosen(DataArray array, bool axes) {
   if (axes && !array.axis_bytes.empty()) array.bytes = std::move(array.axis_bytes);
   return array;
 }
 
-// An array of one surface at the vertices of another.
+// Transfers an array to the vertices of another surface.
 py::array carried(const SurfaceData& from, const std::string& name, py::handle array,
                   const SurfaceData& to, double max_distance, bool axes) {
   const DataArray values = data_array_of(name, array);
@@ -440,7 +440,7 @@ py::array moved_to_points(const SurfaceData& data, const std::string& name, py::
       without_lock([&] { return chosen(cells_to_points(data.surface.mesh, values), axes); }));
 }
 
-// The array NAME, points/NAME or cells/NAME: axes, one per vertex.
+// The array NAME, points/NAME or cells/NAME as axes, one per vertex.
 py::array axes_named(const SurfaceData& data, const std::string& name) {
   const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);
   return array_owning(without_lock([&] {
@@ -448,8 +448,8 @@ py::array axes_named(const SurfaceData& data, const std::string& name) {
   }));
 }
 
-// Polygons of any number of corners, `corners[offsets[i]] .. corners[offsets[i + 1] - 1]`, as
-// triangles; of which polygon each is; and a line on those that cross themselves.
+// Triangulates polygons `corners[offsets[i]] .. corners[offsets[i + 1] - 1]`; returns the polygon
+// of each triangle, and a line about those that intersect themselves.
 py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::handle corners) {
   const Table positions = columns_of_three(vertices, "vertices");
   const Mesh placed = unchecked_points(positions.view);
@@ -483,7 +483,8 @@ py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::han
                         owned(std::move(origins)), describe(crossed));
 }
 
-// The array NAME, points/NAME or cells/NAME: its own name, itself, and whether it is of triangles.
+// The array NAME, points/NAME or cells/NAME: its name, its numbers, and whether rows are those of
+// triangles.
 py::tuple array_named(py::handle self, const std::string& name) {
   const SurfaceData& data = data_of(self);
   const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kOrientations[] = {"afresh", "kept", "continued", "shortened"};
 
-// One frame after the other; a second call meanwhile is refused.
+// One frame at a time; concurrent calls are rejected.
 struct TextureAnimatorData {
   SurfacePointer surface;
   PhaseShiftKind phase_shift;

@@ -79,7 +79,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
   });
 }
 
-// Rows of the covered surface's arrays, for triangles and barycentres of the texture's.
+// Rows of the original surface's arrays, for triangles and barycentres of the texture's.
 DataArrays split_arrays(const SurfaceData& from, const CrossCover& cover,
                         std::span<const Index> triangle_origins) {
   std::vector<RowBlend> points;
@@ -93,7 +93,7 @@ DataArrays split_arrays(const SurfaceData& from, const CrossCover& cover,
   return {blended(from.arrays.points, points), rows_of(from.arrays.cells, triangle_origins)};
 }
 
-// How much data agree at the vertices of split triangles, too.
+// The coherence of the data, also at the vertices of split triangles.
 void split_agreement(const Mesh& mesh, const CrossCover& cover, std::vector<float>& agreement) {
   if (agreement.empty()) return;
   for (const Index t : cover.singular) {
@@ -102,7 +102,7 @@ void split_agreement(const Mesh& mesh, const CrossCover& cover, std::vector<floa
   }
 }
 
-// What came with a surface, for the nodes of its cover: two for each vertex.
+// The surface's data for the nodes of its double cover: two per vertex.
 SurfacePointer cover_data(const SurfaceData& from, const CrossCover& cover, Surface&& surface) {
   auto data = std::make_shared<SurfaceData>();
   data->name = from.name;
@@ -175,7 +175,7 @@ py::array corner_uv(const TextureData& data) {
   return owned<float>(std::move(uv), {static_cast<py::ssize_t>(data.waves.triangle_count()), 3, 2});
 }
 
-// A mesh with coordinates as Python holds it.
+// A mesh with texture coordinates, for Python.
 struct TexturedData {
   TexturedMesh textured;
   SurfacePointer from;
@@ -211,7 +211,7 @@ py::array index_rows(const std::vector<Row>& rows, py::ssize_t columns, py::hand
                 columns == 1 ? Shape{count} : Shape{count, columns}, owner);
 }
 
-// Those of the patterns, then those of the surface with other names.
+// The patterns' arrays, then the surface's with other names.
 py::tuple textured_arrays_of(const TexturedData& data) {
   DataArrays own = without_lock([&] {
     std::vector<brindle::NamedPattern> patterns;

@@ -65,7 +65,7 @@ void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepare
   saying_in_pythons_words([&] { brindle::check_wave_report(prepared.figures, origin.source); });
 }
 
-/// The data of a field that is to be seen at the scale of its stripes.
+/// The data of a field to smooth.
 MeasuredField measured_of(const Surface& surface, const FieldOrigin& origin,
                           const DirectionField& directions) {
   brindle::FieldWeight weight = origin.weight;
@@ -75,7 +75,7 @@ MeasuredField measured_of(const Surface& surface, const FieldOrigin& origin,
   return brindle::measured_field(origin.data, directions, weight);
 }
 
-/// A number, or a row per vertex, which may have gaps.
+/// A number, or a row per vertex, possibly with gaps.
 void find_frequencies(const Surface& surface, py::handle stripes, py::handle frequency,
                       brindle::WaveInput& found) {
   const std::size_t count = surface.mesh.vertex_count();
@@ -97,7 +97,7 @@ void find_frequencies(const Surface& surface, py::handle stripes, py::handle fre
   found.may_have_gaps = true;
 }
 
-/// The detail of frequencies is for arrays alone; a field that was not seen at detail is turned.
+/// Frequency smoothing is for arrays only; fields without smoothing are turned here.
 brindle::WaveRequest request_of(const FieldOrigin& origin, bool array_of_frequencies) {
   brindle::WaveRequest request{0, origin.detail, origin.frequency_detail};
   if (origin.detail.periods > 0) request.turn_deg = origin.turn_deg;

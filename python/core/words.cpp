@@ -6,7 +6,7 @@
 namespace brindle::python {
 namespace {
 
-// Options whose arguments have other names than theirs.
+// Options whose arguments have other names.
 const std::map<std::string, std::string>& other_names() {
   static const std::map<std::string, std::string> kNames = {
       {"lambda", "lambda_"},   {"curvature-direction", "curvature"},
@@ -28,7 +28,7 @@ bool is_of_option(char letter) {
   return std::islower(static_cast<unsigned char>(letter)) != 0 || letter == '-';
 }
 
-// Not within a word, as in the name of a file.
+// Not within a word, such as a file name.
 bool begins_option(const std::string& text, std::size_t i) {
   if (text.compare(i, 2, "--") != 0 || i + 2 >= text.size()) return false;
   if (std::islower(static_cast<unsigned char>(text[i + 2])) == 0) return false;

@@ -1,4 +1,4 @@
-/// What the tool and Python call by different names.
+/// Maps the tool's names to Python's.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace brindle::python {
 
-/// The tool's messages name options; here they are arguments: --frequency-by is frequency_by.
+/// Replaces option names in the tool's messages by argument names: --frequency-by is frequency_by.
 std::string in_pythons_words(const std::string& text);
 
-/// Calls `work`, whose errors are of the tool's sources.
+/// Calls `work` and translates errors from the tool's sources.
 template <class Work>
 auto saying_in_pythons_words(const Work& work) {
   try {

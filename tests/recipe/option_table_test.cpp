@@ -50,6 +50,7 @@ TEST(OptionTable, SaysOfEveryOptionWhatItIs) {
     EXPECT_NE(info.jobs, 0U);
     EXPECT_FALSE(info.group.empty());
     EXPECT_FALSE(info.help.empty());
+    EXPECT_LE(info.help.size(), 70U) << "more than a line of --help";
     EXPECT_FALSE(info.help.ends_with('.'));
     EXPECT_EQ(info.form.empty(), info.kind == OptionKind::flag);
     EXPECT_EQ(info.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), info.name.npos);

@@ -32,7 +32,7 @@ constexpr const char* kExamples = R"(Examples:
   brindle bench flow.vtp --field array:velocity
   brindle bench --figure 13)";
 
-// Along no symmetry of any built-in shape.
+// Not parallel to a symmetry axis or plane of any built-in shape.
 const Vec3 kDirection(0.31f, 0.9f, 0.27f);
 
 struct Arguments {
@@ -57,7 +57,7 @@ Subject subject_of(const Arguments& arguments, const BenchPlan& plan, const std:
   return subject;
 }
 
-// All before the first measurement: a mistyped name shows at once.
+// Loads everything before the first measurement, so that a mistyped name fails at once.
 std::vector<Subject> subjects_of(const Arguments& arguments, const BenchPlan& plan,
                                  ProgressDisplay& display) {
   std::vector<Subject> subjects;
@@ -89,7 +89,7 @@ MeshFigures empty_figures(const Subject& subject) {
   return figures;
 }
 
-/// Nothing, and a note, where pictures cannot be drawn.
+/// Empty, with a note, if pictures cannot be drawn.
 std::optional<DrawFigures> draw_figures(const Subject& subject, const BenchPlan& plan,
                                         const Progress& progress, std::vector<std::string>& notes) {
   try {
@@ -107,7 +107,7 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
                        int global_limit, ProgressDisplay& display,
                        std::vector<std::string>& notes) {
   MeshFigures figures = empty_figures(subject);
-  // What is shown while solvers report stages of their own.
+  // Progress while solvers report their own stages.
   const auto progress = [&](const std::string& name) {
     return Progress(
         [&display, stage = formatted("%s, %zu vertices", name.c_str(), subject.vertex_count())](
@@ -116,7 +116,7 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
           return true;
         });
   };
-  // First, while nothing has been freed that could be used again unseen.
+  // First, before anything is freed and reused unnoticed.
   if (plan.memory) figures.memory = measure_memory(subject);
   if (device.gpu() != nullptr) {
     figures.gpu_frames = measure_gpu_frames(device, subject, plan.repetitions, progress("frames"));
@@ -137,7 +137,7 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
   for (const SolverCase& solver : plan.solvers) {
     if (is_left_out(solver, subject, global_limit)) continue;
     for (const int threads : plan.threads) {
-      // CHOLMOD's threads are not Brindle's to limit.
+      // Brindle cannot limit CHOLMOD's threads.
       if (solver.options.solver == Solver::global && threads != plan.threads.back()) continue;
       const ThreadLimit limit(threads);
       figures.solvers.push_back(
@@ -150,7 +150,7 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
   return figures;
 }
 
-/// Its solvers; threads of the processor make no difference, and its memory says nothing.
+/// Leaves only measurements with a GPU version; threads and resident memory do not apply.
 void keep_what_the_gpu_has(BenchPlan& plan) {
   std::erase_if(plan.solvers, [](const SolverCase& solver) {
     return !has_solver(DeviceKind::gpu, solver.options.solver);
@@ -224,16 +224,14 @@ double parse_seconds(const std::string& option, const std::string& text) {
 
 void add_bench_options(CLI::App& app, BenchArguments& bench) {
   app.add_option("MESH", bench.meshes,
-                 "files or built-in shapes (default: built-in shapes that suit the run)")
+                 "files or built-in shapes (default: shapes that suit the run)")
       ->type_name("");
   app.add_option("--figure", bench.figure,
-                 "repeat a figure of the paper: 13 sizes, two orthogonal fields; 14 shapes; 16 "
-                 "sizes, with the averaged hierarchy")
+                 "repeat Figure 13 (sizes), 14 (shapes) or 16 (averaged) of the paper")
       ->type_name("13|14|16")
       ->check(CLI::IsMember({13, 14, 16}));
   app.add_option("--subdivide", bench.subdivide,
-                 "also measure each mesh with every triangle split in four, K times (default 2; "
-                 "0: not), except for figures")
+                 "also measure meshes split in four K times (default 2; 0: not)")
       ->type_name("K")
       ->check(CLI::Range(0, 5));
   app.add_option("--threads", bench.threads,
@@ -245,13 +243,13 @@ void add_bench_options(CLI::App& app, BenchArguments& bench) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
   add_parsed_option(app, "--seconds", bench.budget_seconds, parse_seconds,
-                    "begin no further repetition of a measurement after S seconds (default 2)")
+                    "start no repetition after S seconds of a measurement (default 2)")
       ->type_name("S");
   app.add_option("--global-limit", bench.global_limit,
                  "leave the global solver out above N vertices (default 120000)")
       ->type_name("N")
       ->check(CLI::Range(0, 1 << 30));
-  app.add_flag("--quick", bench.quick, "small shapes and two repetitions: does it work at all?");
+  app.add_flag("--quick", bench.quick, "small shapes and two repetitions: a quick check");
 }
 
 void run_measurements(const CLI::App& command, Arguments& arguments) {
@@ -265,7 +263,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
   add_bench_options(command, arguments.bench);
   add_wave_options(command, arguments.waves);
   add_field(command, "--device", arguments.device);
-  command.add_option("--json", arguments.json, "write all figures here")->type_name("FILE.json");
+  command.add_option("--json", arguments.json, "write all measurements here")
+      ->type_name("FILE.json");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
 

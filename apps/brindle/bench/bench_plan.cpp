@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kSmallShape = "shape:molecule,resolution=15";
 
-// Of the molecule: 2.5k, 5k, 10k, 20k, 48k, 100k, 200k, 400k and 800k vertices.
+// Molecules of 2.5k, 5k, 10k, 20k, 48k, 100k, 200k, 400k and 800k vertices.
 constexpr int kResolutions[] = {15, 22, 30, 44, 65, 93, 133, 188, 265};
 
 std::vector<std::string> growing_shapes(bool quick) {
@@ -22,7 +22,7 @@ std::vector<std::string> growing_shapes(bool quick) {
   return meshes;
 }
 
-// Of about 30k vertices each, as the paper's models are.
+// Of about 30k vertices each, like the paper's models.
 std::vector<std::string> different_shapes(bool quick) {
   if (quick) return {"shape:torus,resolution=60", "shape:sphere,resolution=14"};
   return {"shape:sphere,resolution=55",          "shape:torus,resolution=234",
@@ -79,7 +79,7 @@ std::vector<SolverCase> solvers_of(int figure) {
   }
 }
 
-// One, two, four and so on up to all.
+// 1, 2, 4 ... and all.
 std::vector<int> thread_counts(int most) {
   std::vector<int> counts;
   for (int count = 1; count < most; count *= 2) counts.push_back(count);

@@ -33,7 +33,7 @@ std::string title_of(const MeshFigures& mesh) {
 const SolverFigures* find_solver(const MeshFigures& mesh, const std::string& name) {
   const SolverFigures* found = nullptr;
   for (const SolverFigures& solver : mesh.solvers) {
-    if (solver.name == name) found = &solver;  // the last has the most threads
+    if (solver.name == name) found = &solver;  // the last one has the most threads
   }
   return found;
 }
@@ -280,7 +280,7 @@ void print_frames(std::ostream& out, const MeshFigures& mesh) {
   row("slack, frame", mesh.slack->in_frame, mesh.slack->sweeps_in_frame);
 }
 
-/// One line a stage, against the floor that bytes and bandwidth set.
+/// One line per stage, with the lower bound by bytes and bandwidth.
 void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double bandwidth) {
   const auto row = [&](const std::string& name, const Spread& time, std::size_t bytes) {
     out << formatted("%-24s %9.3f %9.3f", name.c_str(), time.min, time.median);
@@ -354,7 +354,7 @@ void print_ratios(std::ostream& out, const std::vector<Ratio>& ratios) {
   }
 }
 
-/// One line a method, as the paper's plots have one curve a method.
+/// One line per method, as the paper's plots have one curve per method.
 void print_figure(std::ostream& out, const BenchReport& report) {
   out << formatted("Figure %d of the paper, fields: %zu\n", report.figure, report.meshes[0].fields)
       << "                                       colours                         ms\n"

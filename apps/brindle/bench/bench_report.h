@@ -1,4 +1,4 @@
-/// What `brindle bench` found, for people and for programs.
+/// Results of `brindle bench` as text and JSON.
 #pragma once
 
 #include <iosfwd>
@@ -14,13 +14,12 @@
 
 namespace brindle::tool {
 
-/// Where the figures come from.
+/// The machine of a measurement.
 struct Machine {
-  std::string processor;        ///< empty where the system does not tell
-  int threads = 0;              ///< that run at the same time
-  std::string instruction_set;  ///< that the kernels chose
-  double load = -1;  ///< processes that ran or waited in the last minute, before the measurements;
-                     ///< -1: unknown
+  std::string processor;        ///< empty if the system does not report it
+  int threads = 0;              ///< hardware threads
+  std::string instruction_set;  ///< of the kernels
+  double load = -1;  ///< runnable processes in the minute before the measurements; -1: unknown
 };
 
 Machine this_machine();
@@ -31,20 +30,20 @@ struct MeshFigures {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t edges = 0;
-  Index luby_colors = 0;    ///< of the paper's colouring, which relaxation uses
-  Index greedy_colors = 0;  ///< of the colouring that multilevel and the animator use
+  Index luby_colors = 0;    ///< of the paper's colouring, for relaxation
+  Index greedy_colors = 0;  ///< of the colouring of multilevel and the animator
   std::size_t fields = 1;
   double neighborhood_milliseconds = 0;
   std::vector<SolverFigures> solvers;
   std::vector<FrameFigures> frames;           ///< on the processor
-  std::optional<SlackFigures> slack;          ///< with the most threads, on the processor
+  std::optional<SlackFigures> slack;          ///< on the processor, with the most threads
   std::optional<GpuFrameFigures> gpu_frames;  ///< on the GPU
   std::vector<SurroundingFigures> surroundings;
   std::optional<MemoryFigures> memory;
   std::optional<DrawFigures> draw;
 };
 
-/// Two figures of one run against each other.
+/// A ratio of two measurements of one run.
 struct Quotient {
   double numerator = 0;
   double denominator = 0;
@@ -54,23 +53,22 @@ struct Quotient {
 
 struct Ratio {
   std::string name;
-  std::string unit;  ///< of numerators and denominators
+  std::string unit;  ///< of numerator and denominator
   Quotient median;   ///< of medians
-  Quotient min;      ///< of minima, which others on the machine disturb less
+  Quotient min;      ///< of minima, which other processes disturb less
 };
 
 struct BenchReport {
   Machine machine;
-  nlohmann::ordered_json device;  ///< as Device::description gives it
-  double copy_bandwidth = 0;      ///< of the GPU, bytes a second read and written
+  nlohmann::ordered_json device;  ///< from Device::description
+  double copy_bandwidth = 0;      ///< of the GPU, bytes per second, read and written
   int figure = 0;                 ///< of the paper; 0: the default run
   std::vector<MeshFigures> meshes;
   std::vector<std::string> notes;
 };
 
-/// What a default run says of the goals: frames and topology against the other
-/// solvers, a finer mesh against its original, many threads against one. Empty for a figure and for
-/// the GPU.
+/// Ratios of a default run: frames and topology to the other solvers, a finer mesh to its original,
+/// many threads to one. Empty for figures and for the GPU.
 std::vector<Ratio> ratios_of(const BenchReport& report);
 
 nlohmann::ordered_json to_json(const BenchReport& report);

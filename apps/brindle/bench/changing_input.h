@@ -1,4 +1,4 @@
-/// Input that changes from frame to frame, for measuring, and what frames leave of it.
+/// Input that changes from frame to frame, and the quality of its frames.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace brindle::tool {
 
-/// Two inputs to go back and forth between: the second one is turned by a degree about the normals
-/// and its frequencies are higher by 1 %.
+/// Two alternating inputs: the second is turned by a degree about the normals, with 1 % higher
+/// frequencies.
 struct ChangingInput {
   std::vector<Vec3> positions;
   std::array<std::vector<Vec3>, 2> directions;
@@ -30,13 +30,13 @@ struct ChangingInput {
 
 ChangingInput changing_input(const Surface& surface, const WaveSet& waves);
 
-/// One for every field.
+/// One per field.
 std::vector<ChangingInput> changing_inputs(const Subject& subject);
 
-/// Adds the figures of one of `fields` fields.
+/// Adds the metrics of one of `fields` fields.
 void add(Quality& sum, double energy, const PatternQuality& quality, std::size_t fields);
 
-/// What the phases of frame `number` are worth, one vector a field.
+/// The quality of the phases of frame `number`, one vector per field.
 Quality quality_of(const Subject& subject, const std::vector<ChangingInput>& inputs, int number,
                    std::span<const std::vector<Complex>> z);
 

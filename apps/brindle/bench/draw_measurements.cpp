@@ -14,7 +14,7 @@
 namespace brindle::tool {
 namespace {
 
-/// What turns a camera so little that pictures look alike, and are drawn anew all the same.
+/// Changes the camera too little to be seen, but enough to redraw the picture.
 constexpr float kTurn = 0.01f;  // degrees
 
 /// The first pass alone.
@@ -42,8 +42,8 @@ Spread visible_time(const DrawnSurface& drawn, RenderOptions options, PictureQua
 Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQuality quality,
                     const Repetitions& repetitions) {
   options.quality = quality;
-  // The first picture of all waits for the driver to compile shaders, which may take so long that
-  // no other run would be left.
+  // The very first picture waits for the driver's shader compiler, which could use up the time
+  // budget.
   RenderOptions small = options;
   small.width = small.height = 16;
   renderer.draw(small);

@@ -20,14 +20,14 @@
 namespace brindle::tool {
 namespace {
 
-// More than any device's cache holds, and no more than software Mesa's buffers do.
+// More than any device's cache, and within the buffer size of software Mesa.
 constexpr std::size_t kCopiedBytes = std::size_t{128} << 20;
 constexpr int kCopies = 8;
 // Groups of 64 vectors of 16 bytes.
 constexpr GLuint kCopyRows = 4, kCopyColumns = kCopiedBytes / (64 * 16 * kCopyRows);
 
-// A copy by a shader: glCopyNamedBufferSubData takes a copy engine, which some devices have for the
-// way to the processor and which is ten times as slow there.
+// Copies by a shader: glCopyNamedBufferSubData may use the copy engine for host transfers, which is
+// ten times as slow on some devices.
 constexpr std::string_view kCopy = R"glsl(
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) restrict readonly buffer From { uvec4 from[]; };
@@ -40,7 +40,7 @@ void main() {
 }
 )glsl";
 
-/// An animator for every field, all with their first frame behind them.
+/// An animator per field, after its first frame.
 std::vector<GpuAnimator> started_animators(const Device& device, const Subject& subject,
                                            const std::vector<ChangingInput>& inputs) {
   std::vector<GpuAnimator> animators;
@@ -71,7 +71,7 @@ void add(std::vector<StageTime>& sums, const std::vector<StageTime>& stages) {
   for (std::size_t s = 0; s < sums.size(); ++s) sums[s].second += stages[s].second;
 }
 
-/// The two inputs of a field, which take turns, on the device.
+/// The two alternating inputs of a field, in device memory.
 class ResidentInput {
  public:
   explicit ResidentInput(const ChangingInput& input) {
@@ -92,7 +92,7 @@ class ResidentInput {
   std::vector<std::array<GlBuffer, 3>> buffers_;
 };
 
-/// A frame of every field, from inputs on either side.
+/// A frame of each field, from inputs on the host or the device.
 template <class Input>
 Sample sample_of(std::vector<GpuAnimator>& animators, const std::vector<Input>& inputs,
                  int number) {
@@ -108,7 +108,7 @@ Sample sample_of(std::vector<GpuAnimator>& animators, const std::vector<Input>& 
   return sample;
 }
 
-/// Devices that have rested take a while to come to their clock.
+/// Idle devices take a while to raise their clock.
 template <class Frame>
 void warm_up(const Frame& frame) {
   constexpr double kMilliseconds = 500;
@@ -192,7 +192,7 @@ double copy_bandwidth() {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, from);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, to);
   glUseProgram(copy.name());
-  std::array<GLuint, 2> marks{};  // software Mesa knows times, but not how much of it has passed
+  std::array<GLuint, 2> marks{};  // software Mesa has timestamps, but no elapsed-time queries
   glCreateQueries(GL_TIMESTAMP, 2, marks.data());
   std::vector<GLuint64> nanoseconds(kCopies);
   for (GLuint64& time : nanoseconds) {

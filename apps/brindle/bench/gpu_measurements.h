@@ -1,4 +1,4 @@
-/// Times of frames on the GPU, by stage, for `brindle bench`.
+/// Times of GPU frames by stage, for `brindle bench`.
 #pragma once
 
 #include <string>
@@ -13,27 +13,27 @@ namespace brindle::tool {
 struct GpuStage {
   std::string name;
   Spread time;            ///< on the device, sum over fields
-  std::size_t bytes = 0;  ///< that it moves at least, sum over fields; 0: not known
+  std::size_t bytes = 0;  ///< least memory traffic, sum over fields; 0: unknown
 };
 
 /// A frame of GpuAnimator, from changed waves to phases, all fields of a subject.
 struct GpuFrameFigures {
   double topology_milliseconds = 0;  ///< on the processor, once for all fields
   std::vector<GpuStage> stages;
-  Spread device;    ///< sum of all stages, of input that is on the device already
-  Spread wall;      ///< from the call until the device has finished, input from the processor
-  Spread resident;  ///< the same of input that is on the device already
-  Spread picture;   ///< of the first field in 1920 x 1080, from its buffer, and its way back
+  Spread device;    ///< sum of all stages, with input on the device
+  Spread wall;      ///< from the call until the device has finished, with input from the host
+  Spread resident;  ///< the same with input on the device
+  Spread picture;   ///< of the first field at 1920 x 1080, from its buffer, with readback
   std::size_t dispatches = 0;  ///< sum over fields
   Quality quality;             ///< of the last frame
 };
 
-/// Frames change as those of `measure_frames`.
+/// Frames change as in `measure_frames`.
 GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
                                    const Repetitions& repetitions, const Progress& progress);
 
-/// Bytes a second, read and written, that the current context copies from buffer to buffer; the
-/// best of a few times.
+/// The current context's copy bandwidth between buffers, bytes per second read and written; the
+/// best of several runs.
 double copy_bandwidth();
 
 }  // namespace brindle::tool

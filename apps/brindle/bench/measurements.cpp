@@ -19,7 +19,7 @@
 namespace brindle::tool {
 namespace {
 
-/// An animator for every field, all with their first frame behind them.
+/// An animator per field, after its first frame.
 std::vector<StripeAnimator> started_animators(const Subject& subject,
                                               const std::vector<ChangingInput>& inputs) {
   std::vector<StripeAnimator> animators;
@@ -32,7 +32,7 @@ std::vector<StripeAnimator> started_animators(const Subject& subject,
   return animators;
 }
 
-/// Corner phases, branches and errors of frame `number`, over and over.
+/// Repeats corner phases, branches and errors of frame `number`.
 Spread measuring_time(const Subject& subject, const std::vector<ChangingInput>& inputs, int number,
                       const std::vector<std::vector<Complex>>& z, const Repetitions& repetitions) {
   const Mesh& mesh = subject.surface.mesh;
@@ -49,7 +49,7 @@ Spread measuring_time(const Subject& subject, const std::vector<ChangingInput>& 
   }));
 }
 
-/// What the tile of that name is to keep whole, also in builds that draw no tiles.
+/// The motif that stays whole for the tile of that name, also in builds without tiles.
 TileFigures dots() {
   TileFigures figures;
   figures.extents.fill({Eigen::Vector2f(-0.29f, -0.29f), Eigen::Vector2f(0.29f, 0.29f)});
@@ -93,7 +93,7 @@ SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, c
     for (const WaveSet& waves : subject.fields) {
       const StripePattern pattern = stripe_pattern(subject.surface, waves, options, progress);
       const StripeMilliseconds& time = pattern.milliseconds;
-      // Averages follow the field; colours and aggregates serve all fields.
+      // Averages depend on the field; colours and aggregates do not.
       const bool shared = solver.options.solver != Solver::averaged;
       sum.topology = shared ? time.topology : sum.topology + time.topology;
       sum.couple += time.couple;
@@ -157,7 +157,8 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
   options.whole_tiles = dots();
   TextureAnimator animator(surface, options);
   animator.frame({input.frame(0), {}, {}});
-  // Frames with and without whole tiles in turns: these are found while others are measured.
+  // Frames with and without whole tiles alternate: broken tiles are computed while others are
+  // measured.
   int number = 0;
   std::vector<double> more;
   figures.texture = spread_of(samples_of(repetitions, [&] {

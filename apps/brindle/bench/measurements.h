@@ -1,4 +1,4 @@
-/// Times, quality and memory of every way from waves to stripes, for `brindle bench`.
+/// Times, quality and memory of all ways from waves to stripes, for `brindle bench`.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace brindle::tool {
 
-/// How often something is measured.
+/// Number of repetitions.
 struct Repetitions {
-  int count = 20;             ///< after a first run that warms caches and does not count
-  double budget_seconds = 2;  ///< no further run once this is spent; a first run that takes
-                              ///< longer is the only one, and counts
+  int count = 20;             ///< after an unmeasured run that warms caches
+  double budget_seconds = 2;  ///< no further repetition after this; a first run that takes longer
+                              ///< is the only one, and is measured
 };
 
 /// Milliseconds of repeated runs.
@@ -30,7 +30,7 @@ struct Spread {
 
 Spread spread_of(std::vector<double> milliseconds);
 
-/// What `run` returned each time.
+/// The results of repeated `run()`.
 template <class Run>
 auto samples_of(const Repetitions& wanted, const Run& run) {
   Stopwatch watch;
@@ -46,7 +46,7 @@ auto samples_of(const Repetitions& wanted, const Run& run) {
   return samples;
 }
 
-/// One part of what each run returned.
+/// One part of each result.
 template <class Sample, class Part>
 Spread spread_of(const std::vector<Sample>& samples, const Part& part) {
   std::vector<double> values(samples.size());
@@ -54,10 +54,10 @@ Spread spread_of(const std::vector<Sample>& samples, const Part& part) {
   return spread_of(std::move(values));
 }
 
-/// What is measured: a surface with one field, or with a second one at right angles to it.
+/// A surface with one field, or with a second one at right angles to it.
 struct Subject {
   std::string name;
-  int subdivided = 0;  ///< how often `name` was, to give `surface`
+  int subdivided = 0;  ///< subdivisions of `name` that gave `surface`
   Surface surface;
   std::vector<WaveSet> fields;
   double neighborhood_milliseconds = 0;  ///< neighbourhood and normals
@@ -65,10 +65,10 @@ struct Subject {
   std::size_t vertex_count() const { return surface.mesh.vertex_count(); }
 };
 
-/// Adds the field that crosses the first one.
+/// Adds the field at right angles to the first one.
 void add_crossing_field(Subject& subject);
 
-/// Makes the field a cross field: the surface becomes its cover, with two vertices for each.
+/// Makes the field a cross field: the surface becomes its double cover.
 void make_cross_field(Subject& subject);
 
 struct Quality {
@@ -87,7 +87,7 @@ struct SolverFigures {
   std::string name;
   int threads = 0;
   int iterations = 0;  ///< of the last field
-  Spread topology;     ///< once per connectivity; once for all fields
+  Spread topology;     ///< once per connectivity, for all fields
   Spread couple;       ///< from waves to couplings, sum over fields
   Spread solve;        ///< from couplings to phases, sum over fields
   Quality quality;
@@ -99,7 +99,7 @@ SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, c
 /// A frame of StripeAnimator, from changed waves to phases, all fields of a subject.
 struct FrameFigures {
   int threads = 0;
-  Spread topology;  ///< once per connectivity; once for all fields
+  Spread topology;  ///< once per connectivity, for all fields
   Spread couple;    ///< these three: sums over fields
   Spread sum;
   Spread solve;
@@ -108,29 +108,30 @@ struct FrameFigures {
   Quality quality;  ///< of the last frame
 };
 
-/// Every frame has other directions and frequencies than the one before: turned by a degree about
-/// the normals and higher by 1 %, or turned back.
+/// Each frame differs from the last one: directions are turned by a degree about the normals and
+/// frequencies are 1 % higher, or back.
 FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
                             const Progress& progress);
 
-/// What surrounds the stripes, each on a surface with one field.
+/// Stages around the solver, each on a surface with one field.
 struct SurroundingFigures {
   int threads = 0;
-  Spread texture;       ///< a frame of TextureAnimator but for solving: orientation, seams, errors
-  Spread whole_tiles;   ///< how much longer it takes with broken tiles found
-  Spread cross_frame;   ///< a frame of CrossAnimator but for solving: matching, corners, errors
-  Spread cross;         ///< the same of a cross field, once: `cross_texture`, corner phases, errors
+  Spread texture;       ///< a frame of TextureAnimator without solving: orientation, seams, errors
+  Spread whole_tiles;   ///< additional time to find broken tiles
+  Spread cross_frame;   ///< a frame of CrossAnimator without solving: matching, corners, errors
+  Spread cross;         ///< the same for one cross field: `cross_texture`, corner phases, errors
   Spread smooth_field;  ///< `smooth_direction_field`, once
 };
 
 SurroundingFigures measure_surroundings(const Subject& subject, const Repetitions& repetitions,
                                         const Progress& progress);
 
-/// Frequencies that yield by a quarter, of the first field of a subject.
+/// A spacing tolerance of a quarter, for the first field of a subject.
 struct SlackFigures {
   int threads = 0;
-  Spread from_scratch;  ///< all that depends on connectivity included
-  Spread in_frame;      ///< started from the last frame's, for input as `measure_frames` has it
+  Spread from_scratch;  ///< including everything that depends on connectivity alone
+  Spread
+      in_frame;  ///< started from the last frame's frequencies, with the input of `measure_frames`
   int sweeps_from_scratch = 0;
   int sweeps_in_frame = 0;  ///< of the last frame
 };
@@ -138,15 +139,15 @@ struct SlackFigures {
 SlackFigures measure_slack(const Subject& subject, const Repetitions& repetitions,
                            const Progress& progress);
 
-/// Bytes that following one field takes beyond the mesh and the field itself.
+/// Memory of following one field, in addition to the mesh and the field.
 struct MemoryFigures {
   std::size_t neighborhood = 0;   ///< neighbour lists
   std::size_t animator = 0;       ///< growth of resident memory after two frames
-  std::size_t animator_peak = 0;  ///< highest growth on the way there, in the first frame
+  std::size_t animator_peak = 0;  ///< peak growth in the first frame
   std::size_t sibling = 0;        ///< further growth by an animator for a second field
 };
 
-/// Nothing where the system does not tell.
+/// Empty if the system does not report it.
 std::optional<MemoryFigures> measure_memory(const Subject& subject);
 
 }  // namespace brindle::tool

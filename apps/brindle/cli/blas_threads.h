@@ -1,10 +1,8 @@
-/// Starts a program anew without threads that its libraries start before `main`, where these would
-/// keep it from ending.
+/// Restarts the program without OpenBLAS threads where they would keep it from ending.
 ///
-/// OpenBLAS, which the global solver stands on, starts a thread for every core as soon as it is
-/// loaded, whatever the command is. Each asks for 128 MB of addresses, again and again if there are
-/// none (ulimit -v), and is waited for at the end, which then never comes. The global solver works
-/// on one thread in any case.
+/// OpenBLAS, a dependency of the global solver, starts a thread per core when it is loaded, for any
+/// command. Each requests 128 MB of address space, retries forever if that fails (ulimit -v), and
+/// is joined at exit, which then hangs. The global solver uses one thread anyway.
 #pragma once
 
 #include <cstdlib>
@@ -16,14 +14,14 @@
 
 namespace brindle::tool {
 
-/// To be called first in `main`. Does nothing unless addresses are limited and nobody has said how
-/// many threads OpenBLAS may start.
+/// Call this first in `main`. Does nothing unless the address space is limited and the user has not
+/// set OpenBLAS's number of threads.
 inline void leave_out_blas_threads([[maybe_unused]] char** arguments) {
 #if defined(__linux__)
   constexpr const char* kThreads = "OPENBLAS_NUM_THREADS";
   constexpr const char* kAnew = "BRINDLE_STARTED_ANEW";
   if (std::getenv(kAnew) != nullptr) {
-    // Programs that this one starts have what the user says.
+    // Child processes get the user's setting.
     unsetenv(kAnew);
     unsetenv(kThreads);
     return;
@@ -34,7 +32,7 @@ inline void leave_out_blas_threads([[maybe_unused]] char** arguments) {
   setenv(kThreads, "1", 1);
   setenv(kAnew, "1", 1);
   execv("/proc/self/exe", arguments);
-  // It goes on as it was started where there is no such file.
+  // Continues unchanged if there is no such file.
   unsetenv(kAnew);
   unsetenv(kThreads);
 #endif

@@ -5,7 +5,7 @@
 namespace brindle::tool {
 namespace {
 
-// A list where there may be more than one.
+// A list if the option may be repeated.
 nlohmann::ordered_json value_of(const CLI::Option& option) {
   if (option.get_expected_max() == 0) return true;
   if (option.get_expected_max() > 1 ||

@@ -1,4 +1,4 @@
-/// What was asked for on the command line.
+/// Options given on the command line.
 #pragma once
 
 #include <functional>
@@ -15,20 +15,19 @@ namespace brindle::tool {
 
 bool is_given(const CLI::App& command, const std::string& option);
 
-/// Throws CLI::ValidationError for the first of `options` that was given: it has no effect, and
-/// `why` says why. Options that the command does not have are passed over.
+/// Throws CLI::ValidationError for the first of `options` that was given; `why` gives the reason
+/// that it has no effect. Skips options that the command does not have.
 void refuse_given(const CLI::App& command, const std::vector<std::string>& options,
                   std::string_view why);
 
-/// Calls `check`. An option that it refuses (RefusedOption) is wrong usage: throws
-/// CLI::ValidationError.
+/// Calls `check`, and throws CLI::ValidationError for an option that it rejects (RefusedOption).
 void refuse_usage(const std::function<void()>& check);
 
-/// The same, and hands it what was given.
+/// The same, with access to the given options.
 void refuse_usage(const CLI::App& command, const std::function<void(const IsGiven& given)>& check);
 
-/// Where a report comes from: `version`, `command`, `input` and `options` by their names, as they
-/// were given; flags are true, and options and inputs that may be repeated are lists.
+/// The origin of a report: `version`, `command`, `input` and the given `options` by name. Flags are
+/// true; repeatable options and inputs are lists.
 nlohmann::ordered_json invocation_of(const CLI::App& command);
 
 }  // namespace brindle::tool

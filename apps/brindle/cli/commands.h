@@ -1,4 +1,4 @@
-/// The commands of the tool. Each adds itself to `app` and returns what to run when it is chosen.
+/// The commands of the tool. Each function adds its command to `app` and returns what to run.
 #pragma once
 
 #include <functional>
@@ -16,8 +16,8 @@ struct Command {
   std::function<void()> run;
 };
 
-/// Adds a command with arguments of its own. `add_options(app, arguments)` adds its options,
-/// `run(app, arguments)` does the work; both are given the command and what was parsed into.
+/// Adds a command. `add_options(app, arguments)` adds its options, `run(app, arguments)` does the
+/// work; both receive the command and the parsed arguments.
 template <class Arguments, class AddOptions, class Run>
 Command add_command(CLI::App& app, const std::string& name, const std::string& description,
                     const std::string& examples, const AddOptions& add_options, const Run& run) {

@@ -8,7 +8,7 @@
 namespace brindle::tool {
 namespace {
 
-// Under any of its names.
+// By any of its names.
 const OptionInfo* row_of(const CLI::Option& option, PatternJob job) {
   for (const std::string& name : option.get_lnames()) {
     if (const OptionInfo* info = find_option(name, job)) return info;
@@ -24,7 +24,7 @@ void describe_option(CLI::Option& option, const OptionInfo& info) {
   if (info.kind == OptionKind::whole && range.contains(range.most)) {
     CLI::Range in_range(static_cast<std::int64_t>(range.least),
                         static_cast<std::int64_t>(range.most));
-    // In the words that other numbers are refused in.
+    // The same message as for other numbers out of range.
     const auto refuse = [in_range, &info](std::string& text) {
       return in_range(text).empty() ? "" : unlike(info, text);
     };
@@ -32,7 +32,7 @@ void describe_option(CLI::Option& option, const OptionInfo& info) {
   }
 }
 
-// A command may lack what others have.
+// The command may lack some of these options.
 void link(CLI::App& app, CLI::Option& option, const OptionInfo& info) {
   for (const std::string& name : option_names(info.needs)) {
     if (CLI::Option* needed = app.get_option_no_throw("--" + name)) option.needs(needed);

@@ -1,4 +1,4 @@
-/// The command line's side of the table of options.
+/// Connects command lines to the option table.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace brindle::tool {
 
-/// The job that a command does; of those that do none, whose options are `stripe`'s, that.
+/// The job of a command; `stripe` for commands without one, as they have its options.
 PatternJob job_of(const std::string& command);
 
-/// Says what the table has of the options of `app`: help, form, range, and which of them need and
-/// exclude each other. Options that have been described already keep their words.
+/// Sets help, form, range, needs and excludes of the options of `app` from the table. Options with
+/// a description keep it.
 void describe_options(CLI::App& app, PatternJob job);
 
-/// The words between the spaces of `needs` and `excludes`.
+/// Splits `needs` or `excludes` at spaces.
 std::vector<std::string> option_names(std::string_view words);
 
 }  // namespace brindle::tool

@@ -1,4 +1,4 @@
-/// Who hears of a long job.
+/// Receives stages, progress and notes of a long job.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,20 @@ class JobListener {
  public:
   virtual ~JobListener() = default;
 
-  /// All stages of the job, in their order, so that it has one fraction. Without, each stage has
-  /// its own.
+  /// All stages of the job, in order, for one common progress. Otherwise each stage has its own.
   void plan(std::vector<JobStage> stages) {
     planned_ = stages;
     stages_.emplace(whole_progress(), std::move(stages));
   }
 
-  /// What to hand to what the present stage does.
+  /// Progress of the present stage.
   Progress progress() { return stages_ ? present_ : whole_progress(); }
 
-  /// Names the stage that begins. Throws Cancelled if the job is to stop.
+  /// Begins a stage. Throws Cancelled.
   void stage(std::string_view name) {
     const auto planned = std::ranges::find(planned_, name, &JobStage::name);
     if (planned != planned_.end()) {
-      // A stage that comes once more, as other surfaces are read, is part of the present one.
+      // A repeated stage, as for further surfaces, is part of the present one.
       planned_.erase(planned_.begin(), planned + 1);
       whole_stage_ = present_ = stages_->begin(name);
     } else {
@@ -38,18 +37,18 @@ class JobListener {
     }
   }
 
-  /// What is done from now on is this share of the present stage, `begin` to `end`, in [0, 1]: of
-  /// frames that are each many jobs. Without a plan nothing changes.
+  /// Maps further progress to the share `begin` to `end` of the present stage, in [0, 1], for
+  /// frames that are jobs themselves. No effect without a plan.
   void narrow(double begin, double end) { present_ = whole_stage_.part(begin, end); }
 
-  /// Lines for the user; nothing if the text is empty.
+  /// Lines for the user; ignores empty text.
   virtual void note(const std::string& text) = 0;
 
  private:
-  /// What to hand to the whole job, or to a stage of one that was not planned.
+  /// Progress of the whole job, or of an unplanned stage.
   virtual Progress whole_progress() = 0;
 
-  std::vector<JobStage> planned_;  // those that have not begun
+  std::vector<JobStage> planned_;  // not begun yet
   std::optional<JobStages> stages_;
   Progress whole_stage_;
   Progress present_;  // of that

@@ -1,6 +1,6 @@
-/// Options whose values are fields of a struct. What lists them, `visit`, calls
-/// `add("--option", field)` for each, or `add("--option", field, parse)` where a function of the
-/// library reads its words; all else follows from the field's type and the table of options.
+/// Options for struct fields. A struct's `visit` calls `add("--option", field)` for each, or
+/// `add("--option", field, parse)` with a parser of the library; the rest follows from the field's
+/// type and the option table.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@ struct ValueOf<std::optional<Field>> {
   using Type = Field;
 };
 
-/// Refuses what is no whole number of this type in words that say which there are.
+/// Rejects text that is no integer of this type, with a message about the range.
 template <class Number>
 CLI::Validator whole_number() {
   return CLI::Validator(
@@ -39,7 +39,7 @@ CLI::Validator whole_number() {
       "");
 }
 
-/// Adds an option for a field. Enumerations have the words of the option's row in their order.
+/// Adds an option for a field. Enumerators are in the order of the row's choices.
 class AddField {
  public:
   explicit AddField(CLI::App& app) : app_(&app) {}
@@ -81,7 +81,7 @@ void add_field(CLI::App& app, const std::string& option, Field& field) {
   add(option, field);
 }
 
-/// Adds the options that a struct's member `visit` lists.
+/// Adds the options of a struct's member `visit`.
 template <class Options>
 void add_fields(CLI::App& app, Options& options) {
   options.visit(AddField(app));

@@ -29,7 +29,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 namespace {
 
-// Empty unless all of the text is one finite number.
+// Empty unless the whole text is one finite number.
 template <class Number = float>
 std::optional<Number> finite_number(const std::string& text) {
   const bool plus = !text.empty() && text.front() == '+';

@@ -1,5 +1,5 @@
-/// How the values of options are written. Each function throws CLI::ValidationError, naming the
-/// option and what it expects, so that a mistyped value ends as wrong usage.
+/// Parsers of option values. They throw CLI::ValidationError with the option and the expected
+/// syntax, so that a mistyped value ends as wrong usage.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace brindle::tool {
 
-/// The wrong use of an option.
+/// Throws for a wrong value of an option.
 [[noreturn]] void wrong_usage(const std::string& option, const std::string& expected,
                               const std::string& value);
 
-/// A finite number and nothing else.
+/// A finite number.
 float parse_number(const std::string& option, const std::string& text);
 
 /// A finite number, zero or more.
@@ -26,13 +26,13 @@ float parse_not_negative_number(const std::string& option, const std::string& te
 /// A finite number above zero.
 float parse_positive_number(const std::string& option, const std::string& text);
 
-/// "x,y,z", finite; a file's coordinates may have more digits than a float.
+/// "x,y,z", finite; in doubles, because coordinates of files may exceed float precision.
 Eigen::Vector3d parse_place(const std::string& option, const std::string& text);
 
 /// "x,y,z", finite and not all zero; or an axis such as "x" or "-z".
 Vec3 parse_direction(const std::string& option, const std::string& text);
 
-/// A length in the mesh's units, or as a share of the bounding box's diagonal.
+/// A length in the mesh's units, or relative to the bounding box's diagonal.
 struct Length {
   float value = 0;
   bool of_diagonal = false;
@@ -43,8 +43,8 @@ struct Length {
 /// The parts of "a,b,c".
 std::vector<std::string> split(const std::string& text, char separator);
 
-/// Adds an option whose text `parse(option, text)` turns into the value of `target`. What it is and
-/// how its value is written is said by the table of options (described_options.h), or here.
+/// Adds an option with `target = parse(option, text)`. Description and syntax come from the option
+/// table (described_options.h) or from here.
 template <class Target, class Parse>
 CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, Target& target, Parse parse,
                                const std::string& description = "") {
@@ -59,11 +59,11 @@ float parse_number_of(const OptionInfo& row, const std::string& option, const st
 /// "0.02" or "1.5%", in the row's range.
 Length parse_length_of(const OptionInfo& row, const std::string& option, const std::string& text);
 
-/// Which of the row's words it is, from 0 on.
+/// The index of the choice in the row.
 std::size_t parse_choice_of(const OptionInfo& row, const std::string& option,
                             const std::string& text);
 
-/// Adds an option for a number in the range that the table of options has.
+/// Adds an option for a number in the range of its row.
 template <class Target>
 CLI::Option* add_number_option(CLI::App& app, const std::string& name, Target& target,
                                const std::string& description = "") {
@@ -84,8 +84,7 @@ CLI::Option* add_length_option(CLI::App& app, const std::string& name, Target& t
   return add_parsed_option(app, name, target, parse);
 }
 
-/// Adds an option that takes one of the few names that its form has; `value_of(name)` gives an
-/// optional value.
+/// Adds an option with a few named values; `value_of(name)` returns an optional value.
 template <class Target, class ValueOf>
 CLI::Option* add_named_option(CLI::App& app, const std::string& name, Target& target,
                               ValueOf value_of, const std::string& description = "") {

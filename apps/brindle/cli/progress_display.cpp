@@ -13,10 +13,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Ctrl-C, what `kill` and a system that shuts down send, and what a closed terminal does.
+/// Ctrl-C, `kill` and shutdown, and a closed terminal.
 constexpr std::array<int, 3> kEnding = {SIGINT, SIGTERM, SIGHUP};
 
-/// The first of them that came, or 0.
+/// The first signal that arrived, or 0.
 volatile std::sig_atomic_t ended_by = 0;
 
 void on_ending(int signal) {
@@ -32,7 +32,7 @@ ProgressDisplay::ProgressDisplay(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
   for (std::size_t i = 0; i < kEnding.size(); ++i) {
     previous_[i] = std::signal(kEnding[i], on_ending);
-    // Started in the background, or by nohup.
+    // Ignored by the parent, as by nohup or in the background.
     if (previous_[i] == SIG_IGN) std::signal(kEnding[i], SIG_IGN);
   }
   if (!quiet) watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
@@ -70,7 +70,7 @@ bool ProgressDisplay::update(const ProgressReport& report) {
   return ended_by == 0;
 }
 
-// A thread of its own, because a stage may not report for seconds.
+// On its own thread, because a stage may not report for seconds.
 void ProgressDisplay::watch(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, stop, 100ms, [] { return false; }) && !stop.stop_requested()) {

@@ -1,15 +1,15 @@
-/// A folder for files that nobody keeps.
+/// Temporary folders.
 #pragma once
 
 #include <filesystem>
 
 namespace brindle::tool {
 
-/// Empty, with a name of its own where the system keeps temporary files; removed with all that is
-/// in it when this goes.
+/// An empty folder with a unique name in the system's place for temporary files; removed with its
+/// content on destruction.
 class TemporaryFolder {
  public:
-  /// Throws Error if it cannot be made.
+  /// Throws Error if it cannot be created.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

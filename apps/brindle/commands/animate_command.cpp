@@ -47,14 +47,14 @@ constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate shape:sphere --scene vortices --texture arrows --texture-flow 1 --output flow.mp4
   brindle animate --series run.pvd --field array:velocity --color-by array:speed --output speed.mp4
 
-A series has a file per step: a mesh each, or fields (.csv) over MESH. Its stripes stay near to
-those of the step before, also where the mesh changes. .vtp files are written per step, with a .pvd
-that lists them for ParaView.
+A series has one file per step: meshes, or fields (.csv) over MESH. Its stripes stay near to those
+of the last step, even if the mesh changes. .vtp outputs come with a .pvd that lists them for
+ParaView.
 
-Scenes: zoom, the frequency grows by 1 % a frame; vortices, two vortex cores orbit the surface;
-rotate, the direction turns by 1 degree a frame; wobble, a wave moves the vertices; brush, a stroke
-is drawn and a smooth field follows it. Frames are numbered from 0. Without --output the frames are
-solved and measured only.)";
+Scenes: zoom, the frequency grows by 1 % per frame; vortices, two vortex cores orbit the surface;
+rotate, the direction turns by 1 degree per frame; wobble, a wave moves the vertices; brush, a
+stroke is drawn and a smooth field follows it. Frames are numbered from 0. Without --output, frames
+are solved and measured only. See 'brindle stripe --help' for VALUE.)";
 
 struct AnimateArguments {
   SurfaceOptions surface;
@@ -85,7 +85,7 @@ std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
   return kind == PhaseShiftKind::common_source ? std::nullopt : kind;
 }
 
-/// What of fields and waves only series have: all but what scenes have, too.
+/// Options of fields and waves for series only, not for scenes.
 std::vector<std::string> series_options() {
   const std::set<std::string_view> of_scenes = {"direction", "along", "stripes", "frequency"};
   std::vector<std::string> options;
@@ -146,7 +146,7 @@ void add_frame_output_options(CLI::App& app, AnimateArguments& arguments) {
 
 bool is_series(const AnimateArguments& arguments) { return !arguments.series.name.empty(); }
 
-/// How many frames and steps there will be.
+/// Number of frames and steps.
 struct Counts {
   std::size_t frames = 0, steps = 0;
 };
@@ -247,14 +247,14 @@ void check_styles(const CLI::App& command, const AnimateArguments& arguments) {
   }
 }
 
-// Options that would change nothing.
+// Rejects options without effect.
 void check_options(const CLI::App& command, const AnimateArguments& arguments) {
   const AnimationOptions& animation = arguments.animation;
   if (animation.animator.solver == FrameSolver::multilevel) {
     refuse_given(command, {"--iterations"}, "it is for --solver relaxation");
   } else {
     refuse_given(command, {"--lambda"}, "it is for --solver multilevel");
-    // Frames from scratch are solved by multilevel.
+    // Frames from scratch use multilevel.
     if (!animation.compare_from_scratch) {
       refuse_given(command, {"--sweeps"}, "it is for --solver multilevel");
     }
@@ -263,7 +263,7 @@ void check_options(const CLI::App& command, const AnimateArguments& arguments) {
     refuse_picture_options(command, arguments.waves, "no picture is written; add --output");
   }
   check_styles(command, arguments);
-  // Textures flow by the second.
+  // Textures flow at a speed per second.
   if (std::ranges::none_of(arguments.outputs, &FrameOutput::is_video) &&
       arguments.style.texture_flow.isZero(0)) {
     refuse_given(command, {"--fps"}, "no video is written; add --output FILE.mp4");
@@ -292,7 +292,7 @@ AnimationReport play_scene(const AnimateArguments& arguments, const Device& devi
   animation.along = arguments.waves.along;
   animation.subdivided = arguments.surface.subdivide;
   animation.animator.slack = make_slack(arguments.slack, surface, vertex_of_row);
-  // A row for every vertex of the file says nothing of vertices that were added.
+  // Field files have no rows for vertices added by subdivision.
   const bool rows = arguments.surface.subdivide == 0;
   const FrameData data{surface, arrays, arguments.surface.mesh,
                        rows ? std::span(vertex_of_row) : std::span<const Index>()};
@@ -300,7 +300,7 @@ AnimationReport play_scene(const AnimateArguments& arguments, const Device& devi
   return play(data, animation, device, show, display);
 }
 
-/// Smooth fields follow where frames do.
+/// Whether smooth fields follow the last frame, as phases do.
 SeriesFields smooth_fields(const AnimateArguments& arguments) {
   const AnimatorOptions& animator = arguments.animation.animator;
   const bool follow = animator.solver == FrameSolver::relaxation || animator.lambda > 0;
@@ -329,7 +329,7 @@ AnimationReport play_series(const AnimateArguments& arguments, Series& series,
   return report;
 }
 
-// Nothing if frames are drawn as they are.
+// Empty if frames are drawn without a style.
 std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArguments& arguments,
                                       ProgressDisplay& display) {
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, false);
@@ -345,7 +345,8 @@ std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArgu
                     .display = display};
 }
 
-/// Frames of which a slice leaves nothing: said of the first one at once, of all at the end.
+/// Frames in which the slice leaves nothing: reported for the first one at once, for all at the
+/// end.
 class EmptyFrames {
  public:
   void note(const std::string& nothing_left, JobListener& listener) {
@@ -394,7 +395,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
                     : play_scene(arguments, device, show, display);
     report.invocation = invocation_of(command);
     if (picture) report.picture_quality = quality_name(*arguments.picture);
-    // One output stands for itself, as it did before there could be several.
+    // A single output is no list, for compatibility of reports.
     auto& options = report.invocation["options"];
     if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
     device.check_errors("solving on the GPU");
@@ -408,7 +409,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
   print_report(std::cout, report);
   for (const FrameOutput& output : arguments.outputs) {
     std::vector<std::filesystem::path> files = files_of(output, counts_of(arguments, series));
-    if (output.meshes) files.pop_back();  // the collection, which is one of a kind
+    if (output.meshes) files.pop_back();  // the collection, of which there is one
     print_written(std::cout, files);
     if (output.meshes) print_written(std::cout, collection_path(output));
   }

@@ -54,7 +54,7 @@ std::vector<Report> reports_of_all(const CompareArguments& arguments) {
         stripe_pattern(prepared.surface, prepared.waves, options, display.progress());
     reports.push_back(make_report(prepared.surface, prepared, pattern, solver));
   }
-  // Of the last solver alone: all see the same waves.
+  // For the last solver alone: all have the same waves.
   display.note(quality_warning(prepared.figures, reports.back().quality, reports.back().triangles));
   return reports;
 }

@@ -20,10 +20,10 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
 
-Files by extension: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh
-of tubes; .svg or .pdf a drawing with hidden lines removed; .png a picture; .json a report. Lengths are in
-the mesh's units, or in percent of the bounding box's diagonal. --help of 'brindle stripe' tells
-more of fields and cameras.)";
+Outputs: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh of tubes;
+.svg or .pdf a drawing without hidden lines; .png a picture; .json a report. Lengths are in the
+mesh's units, or in percent of the bounding box's diagonal. See 'brindle stripe --help' for
+VALUE.)";
 
 void write(CurveOutput kind, const std::string& path, const CLI::App& command,
            const CurvesArguments& arguments, const CurvesJob& job, ProgressDisplay& display) {

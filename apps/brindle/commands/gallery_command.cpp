@@ -36,9 +36,9 @@ constexpr const char* kGalleryExamples = R"(Examples:
   brindle gallery nested --data nested
   brindle gallery hatching --surface scan.obj --output scan.png
 
-Without a name, all items are listed; with a name alone, its pictures and the command lines that draw
-them. --data keeps the item's data, so that these command lines can be run and changed. All options of
-these command lines are taken here, too, such as --up, --camera, --stripes or --depth-cue.)";
+Without a name, all items are listed; with a name alone, its pictures and their command lines.
+--data keeps the item's data, so that you can run and change these lines. Their options, such as
+--up, --camera, --stripes or --depth-cue, are options here, too.)";
 
 struct GalleryArguments {
   std::string name;
@@ -77,7 +77,7 @@ const GalleryPicture& picture_named(const GalleryItem& item, const std::string& 
                              "'" + item.name + "' has no '" + name + "'; there are: " + list);
 }
 
-/// As a shell reads it.
+/// Quoted for a shell.
 std::string quoted(const std::string& word) {
   constexpr const char* kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:=+@%";
@@ -87,7 +87,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The words as a command line for a shell, an option with its value never parted.
+/// A shell command line; lines break only between options with their values.
 std::string command_line_of(const std::vector<std::string>& words) {
   constexpr std::size_t kColumns = 100;
   std::string text = "brindle", line;
@@ -108,13 +108,13 @@ std::string command_line_of(const std::vector<std::string>& words) {
   return text + line;
 }
 
-/// The job of the command that draws the picture.
+/// The job of the picture's command.
 PatternJob job_of(const GalleryPicture& picture) {
   if (picture.line.starts_with("animate ")) return PatternJob::animate;
   return picture.line.starts_with("sample ") ? PatternJob::sample : PatternJob::stripe;
 }
 
-/// Leaves an option out of a picture's command line, with its value if it has one.
+/// Removes an option and its value from a picture's command line.
 void leave_out(std::vector<std::string>& words, std::string_view name,
                const GalleryPicture& picture) {
   const auto at = std::ranges::find(words, "--" + std::string(name));
@@ -123,7 +123,7 @@ void leave_out(std::vector<std::string>& words, std::string_view name,
   words.erase(at, at + (option->kind == OptionKind::flag ? 1 : 2));
 }
 
-/// Puts the user's options in the place of the picture's, and of those that they exclude.
+/// Replaces the picture's options by the user's, also those that they exclude.
 void put_options(std::vector<std::string>& words, const GalleryPicture& picture,
                  const std::map<std::string, std::vector<std::string>>& options) {
   for (const auto& [name, values] : options) {
@@ -139,7 +139,7 @@ void put_options(std::vector<std::string>& words, const GalleryPicture& picture,
   }
 }
 
-/// The axis that files of this kind are said, or wont, to have up.
+/// The usual up axis of files of this kind.
 const char* up_of_file(const std::string& path) {
   const std::string extension = lower_extension(path);
   const bool is_y = extension == ".gltf" || extension == ".glb" || extension == ".obj" ||
@@ -147,7 +147,7 @@ const char* up_of_file(const std::string& path) {
   return is_y ? "y" : "z";
 }
 
-/// Whether the user's own file says nothing of what is up, and its kind has to.
+/// Whether the up axis of the user's file is guessed from its kind.
 bool guesses_up(const GalleryArguments& arguments) {
   return !arguments.surface.empty() && !arguments.surface.starts_with("shape:") &&
          !arguments.options.contains("up");
@@ -160,7 +160,7 @@ std::string default_output(const GalleryItem& item, const GalleryPicture& pictur
   return item.name + (first ? "" : "_" + picture.name) + (is_moving(picture) ? ".mp4" : ".png");
 }
 
-/// Items are drawn: what else they have is in their data.
+/// Rejects outputs other than pictures; meshes are in the item's data.
 void check_is_drawn(const std::string& output) {
   const std::string extension = lower_extension(output);
   if (extension == ".png" || extension == ".svg" || extension == ".mp4") return;
@@ -169,7 +169,7 @@ void check_is_drawn(const std::string& output) {
                 "meshes are written by --data FOLDER");
 }
 
-/// The command line that draws a picture of data in `folder`.
+/// The command line that draws a picture from data in `folder`.
 std::vector<std::string> words_of(const GalleryPicture& picture, const GalleryArguments& arguments,
                                   const std::string& folder, const std::string& output) {
   std::vector<std::string> words =
@@ -221,14 +221,14 @@ void check_replacements(const GalleryItem& item, const GalleryArguments& argumen
   }
 }
 
-/// Whether a picture is drawn, or its command line printed.
+/// Whether a picture is drawn or its command line printed.
 bool is_shown(const GalleryPicture& picture, const GalleryArguments& arguments,
               const GalleryItem& item) {
   if (!arguments.picture.empty()) return picture.name == arguments.picture;
   return arguments.output.empty() || &picture == &item.pictures.front();
 }
 
-/// Options that no picture's command has.
+/// Rejects options that no command of the pictures has.
 void check_options(const GalleryItem& item, const GalleryArguments& arguments) {
   for (const auto& [name, values] : arguments.options) {
     const bool used = std::ranges::any_of(item.pictures, [&, &option = name](const auto& picture) {
@@ -262,7 +262,7 @@ void check(const CLI::App& command, const GalleryArguments& arguments) {
   }
 }
 
-/// The user's own files, which nothing may overwrite.
+/// The user's input files, which must not be overwritten.
 std::vector<UsedFile> inputs_of_gallery(const GalleryArguments& arguments) {
   std::vector<UsedFile> inputs;
   for (const auto& [option, value] :
@@ -339,7 +339,7 @@ double parse_detail(const std::string& option, const std::string& text) {
   return static_cast<double>(detail);
 }
 
-/// All options of the command lines of items, which help names together.
+/// Adds all options of the items' command lines, hidden: the footer mentions them.
 void add_line_options(CLI::App& command, GalleryArguments& arguments) {
   for (const OptionInfo& option : option_table()) {
     const std::string name(option.name);
@@ -383,11 +383,10 @@ void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
   command.add_option("--values", arguments.values, "its values, such as array:NAME of its file")
       ->type_name("VALUE");
   command.add_option("--size", arguments.size, "pixels")->type_name("WIDTHxHEIGHT");
-  command.add_option("--quality", arguments.quality, "drawn fast, or with care (default final)")
+  command.add_option("--quality", arguments.quality, "fast or careful (default final)")
       ->type_name("interactive|final");
-  add_parsed_option(
-      command, "--detail", arguments.detail, parse_detail,
-      "how fine its data are: a factor of edges along a length, 0.25 to 4 (default 1)")
+  add_parsed_option(command, "--detail", arguments.detail, parse_detail,
+                    "resolution of its data: 0.25 to 4 times the edges (default 1)")
       ->type_name("F");
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
   add_line_options(command, arguments);
@@ -396,7 +395,7 @@ void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
 }  // namespace
 
 Command add_gallery_command(CLI::App& app) {
-  return add_command<GalleryArguments>(app, "gallery", "Show what patterns are good for",
+  return add_command<GalleryArguments>(app, "gallery", "Render examples from generated data",
                                        kGalleryExamples, add_gallery_options, run_gallery);
 }
 

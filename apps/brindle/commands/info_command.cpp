@@ -22,7 +22,7 @@ constexpr const char* kInfoExamples = R"(Examples:
   brindle info points.csv
   brindle info flow.vtp)";
 
-// Coordinates far from zero need the digits that tell them apart.
+// Coordinates far from zero need more digits.
 std::string coordinates(const Vec3& point, const Eigen::Vector3d& origin) {
   std::ostringstream text;
   if (origin.isZero(0)) {
@@ -84,7 +84,7 @@ std::string range_of(const DataArray& array, const ArrayFigures& figures) {
   return text.str();
 }
 
-// A line per array, its columns below each other.
+// A line per array, in aligned columns.
 void print_arrays(std::ostream& out, const std::string& of, std::span<const DataArray> arrays) {
   if (arrays.empty()) return;
   std::size_t name_width = 0, type_width = 0;

@@ -10,7 +10,7 @@ void run_words(std::vector<std::string> words) {
   CLI::App app{"", "brindle"};
   const std::vector<Command> commands = {add_stripe_command(app), add_curves_command(app),
                                          add_sample_command(app), add_animate_command(app)};
-  std::ranges::reverse(words);  // as CLI11 takes them
+  std::ranges::reverse(words);  // CLI11's order
   app.parse(words);
   for (const Command& command : commands) {
     if (command.app->parsed()) command.run();

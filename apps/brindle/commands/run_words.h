@@ -1,4 +1,4 @@
-/// Commands of the tool that other commands run, as if they had been typed.
+/// Runs commands of the tool from other commands.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace brindle::tool {
 
-/// Runs `words`, the command's name first, in this process: stripe, curves, sample or animate.
-/// Throws CLI::ParseError for words that the command does not understand, and what it throws.
+/// Runs `words` in this process; the first one is the command: stripe, curves, sample or animate.
+/// Throws CLI::ParseError for wrong usage, and whatever the command throws.
 void run_words(std::vector<std::string> words);
 
 }  // namespace brindle::tool

@@ -15,8 +15,8 @@ namespace brindle::tool {
 namespace {
 
 constexpr const char* kStripeExamples =
-    R"(Stripes run ACROSS the direction: a wave runs along it, and stripes are the wave's crests. --along
-turns them.
+    R"(Stripes run ACROSS the direction: a wave runs along it, and stripes are its crests.
+--along turns them.
 
     --direction 1,0,0    |  |  |  |        --direction 1,0,0    -----------
       or a field of      |  |  |  |          --along            -----------
@@ -45,12 +45,18 @@ Examples:
   brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
   brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
 
-Files by extension: .png a picture; .svg or .pdf a drawing of the stripes' outlines; .ply .vtp .gltf .glb a mesh with phase (radians; not a number
-where there is no wave, and valid is 0), its sine, which is 1 on the crests, direction, frequency,
-branch (1 at the corners of triangles where a stripe begins or ends) and original_id (the number in
-MESH) at every vertex, and all arrays that MESH has; .obj the mesh alone; .json a report. With
---texture, meshes have texture coordinates and show the tile: .gltf and .glb hold it, others have it
-beside them; --uv gives coordinates alone.)";
+MESH: a file (.vtp .vtu .vtk .ply .obj .stl .off .gltf .glb) or a built-in shape.
+--field: smooth; curvature, smooth but drawn to principal curvature; raw-curvature, that alone;
+array:NAME, array:points/NAME or array:cells/NAME, vectors or tensors of MESH; or FILE.csv[:NAME]
+with a row x,y,z[,frequency[,frequency_v]] per vertex.
+VALUE: array:NAME, FILE.csv[:COLUMN], distance:X,Y,Z, distance:camera, curvature, height, light or
+agreement.
+
+Outputs: .png a picture; .svg or .pdf a drawing; .json a report; .obj the mesh alone; .ply .vtp
+.gltf .glb a mesh with its arrays and, at every vertex, phase (radians; NaN where valid is 0: no
+wave), sine (1 on crests), direction, frequency, branch (1 at triangles where a stripe begins or
+ends) and original_id (the number in MESH). --texture adds texture coordinates and the tile's
+image, --uv coordinates alone.)";
 
 constexpr const char* kStripes = "stripes";
 constexpr const char* kStyle = "stripes of the style";

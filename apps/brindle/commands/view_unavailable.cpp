@@ -1,4 +1,4 @@
-// The window of a build without one.
+// `brindle view` in builds without a window.
 #include <string>
 #include <vector>
 

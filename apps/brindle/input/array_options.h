@@ -1,4 +1,4 @@
-/// Waves from arrays of the mesh's file or of another one: what may be asked for.
+/// Options of waves from arrays of the mesh's file or of another one.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@
 namespace brindle::tool {
 
 struct ArrayOptions {
-  std::optional<TensorAxis> tensor;    ///< of a field that is a tensor; major if not given
-  std::string frequency;               ///< array of stripes per unit length
-  std::string frequency_by;            ///< value that --stripes or --frequency are multiplied by
+  std::optional<TensorAxis> tensor;    ///< for tensors; empty: major
+  std::string frequency;               ///< name of the array with stripes per unit length
+  std::string frequency_by;            ///< value that scales --stripes or --frequency
   FrequencyRange range;                ///< of the factors
-  std::string mesh;                    ///< file that all arrays are from; empty: the mesh's own
-  std::optional<Length> max_distance;  ///< from `mesh`
+  std::string mesh;                    ///< file of all arrays; empty: the mesh's own
+  std::optional<Length> max_distance;  ///< to `mesh`
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--tensor", tensor);
@@ -33,14 +33,13 @@ struct ArrayOptions {
 /// Whether an option's value names an array: "array:NAME", "array:points/NAME".
 bool is_array(std::string_view value);
 
-/// What follows "array:". Throws CLI::ValidationError for other values and for an empty name.
+/// The text after "array:". Throws CLI::ValidationError for other values and for an empty name.
 std::string parse_array(const std::string& option, const std::string& value);
 
 /// --tensor, --frequency-by, --frequency-range, --field-mesh and --max-distance.
 void add_array_options(CLI::App& app, ArrayOptions& options);
 
-/// Throws CLI::ValidationError for options that leave each other without effect. `field` is what
-/// --field says.
+/// Throws CLI::ValidationError for options without effect. `field` is the value of --field.
 void check_array_options(const CLI::App& command, const ArrayOptions& options,
                          const std::string& field);
 

@@ -15,7 +15,7 @@
 namespace brindle::tool {
 namespace {
 
-/// Every line with the name of the file before it.
+/// Prefixes each line with the name of the file.
 std::string lines_about(const std::string& file, const std::string& text) {
   std::string lines;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -1,4 +1,4 @@
-/// Arrays of the mesh's file or of another one, by the names that users give them.
+/// Arrays of the mesh's file or of another one, by name.
 #pragma once
 
 #include <memory>
@@ -14,16 +14,15 @@
 
 namespace brindle::tool {
 
-/// --max-distance where it is not given.
+/// The default of --max-distance.
 inline constexpr Length kDefaultMaxDistance = {0.02f, true};
 
 struct OtherMesh;
 
 class ArraySource {
  public:
-  /// Arrays of the surface's file, which is called `file` in messages; or those of the file that
-  /// the options name, which is read. What is handed over must outlive this. Throws Error for a
-  /// file that cannot be read.
+  /// Arrays of the surface's file, named `file` in messages, or of the file in the options, which
+  /// is read. The arguments must outlive this object. Throws Error if a file cannot be read.
   ArraySource(const Surface& surface, const DataArrays& arrays, std::string file,
               const ArrayOptions& options);
   ~ArraySource();
@@ -32,20 +31,20 @@ class ArraySource {
 
   struct PerVertex {
     DataArray array;                 ///< a row per vertex of the surface
-    std::size_t rows_nonfinite = 0;  ///< of the array as it was read
-    /// As it was read, a row per triangle, if it is one of the surface's own cells.
+    std::size_t rows_nonfinite = 0;  ///< of the array in the file
+    /// The original rows per triangle, if it is a cell array of the surface's file.
     std::optional<DataArray> of_cells = std::nullopt;
   };
 
-  /// The array NAME: that of points, or else that of cells, moved to the vertices; points/NAME and
-  /// cells/NAME tell them apart. Throws Error, naming all arrays there are, for another name.
+  /// The array NAME of points or else of cells, transferred to the vertices; points/NAME and
+  /// cells/NAME select one. Throws Error with all names if there is none.
   PerVertex array(const std::string& name) const;
 
-  /// Takes the wave from vertices that are too far from the other file's mesh, and returns how many
-  /// of them have neighbours; nothing without another file.
+  /// Removes the waves of vertices too far from the other file's mesh, and returns how many of
+  /// these have neighbours; empty without another file.
   std::optional<std::size_t> drop_too_far(DirectionField& directions) const;
 
-  /// Whether the other file's mesh is near enough to a vertex; without another file all are.
+  /// Whether the other file's mesh is near enough to a vertex; true without another file.
   bool is_near(Index vertex) const;
 
   /// Lines for the user about the other file's mesh.

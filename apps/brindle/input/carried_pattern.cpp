@@ -75,7 +75,7 @@ void set_turn(KeptPattern& pattern) {
   }
 }
 
-/// An id per vertex; nothing where it is negative.
+/// An id per vertex; empty for negative ids.
 std::vector<std::optional<std::int64_t>> ids_of(const std::string& file,
                                                 std::span<const DataArray> arrays,
                                                 const std::string& name, std::size_t vertices) {
@@ -86,7 +86,7 @@ std::vector<std::optional<std::int64_t>> ids_of(const std::string& file,
   std::vector<std::optional<std::int64_t>> ids(vertices);
   for_each_number(array->view(), [&](std::size_t row, std::size_t, auto number) {
     if constexpr (std::is_floating_point_v<decltype(number)>) {
-      // Beyond, not every whole number is one of type double.
+      // The largest integer up to which all are exact doubles.
       constexpr double kLargest = 9007199254740992.0;
       const auto value = static_cast<double>(number);
       if (!(std::abs(value) <= kLargest) || value != std::floor(value)) {

@@ -1,4 +1,4 @@
-/// Patterns that the next ones follow: vertex by vertex, or over another mesh.
+/// Patterns that the next ones continue, vertex by vertex or over another mesh.
 #pragma once
 
 #include <filesystem>
@@ -14,61 +14,61 @@
 
 namespace brindle::tool {
 
-/// How vertices find those of the last pattern.
+/// Vertex matching with the last pattern.
 enum class Matching {
-  number,   ///< by their number
-  id,       ///< by an array of whole numbers that names them
-  position  ///< where they are: the last pattern's wave at the nearest place
+  number,   ///< by vertex number
+  id,       ///< by an array of integer ids
+  position  ///< by position: the last pattern's wave at the nearest point
 };
 std::string_view name_of(Matching matching);
 
 struct MatchOptions {
-  std::optional<Matching> by;  ///< none: number where both have the same triangles, else position
-  std::string array;           ///< of the ids
+  std::optional<Matching> by;  ///< empty: number if both have the same triangles, else position
+  std::string array;           ///< name of the array of ids
 };
 
 /// --match.
 CLI::Option* add_match_option(CLI::App& app, MatchOptions& options);
 
-/// What of a surface its vertices are matched by.
+/// The data of a surface for vertex matching.
 struct MatchSide {
-  std::string name;  ///< of its file, for messages
+  std::string name;  ///< file name, for messages
   const Mesh& mesh;
   std::span<const DataArray> arrays;  ///< of points
 };
 
 struct VertexMatch {
   Matching by = Matching::number;
-  std::vector<Index> counterparts;  ///< by id: as `matched_phases` wants them
+  std::vector<Index> counterparts;  ///< by id: for `matched_phases`
 };
 
-/// How the vertices of `follower` find those of `last`. Throws Error, naming the files, if they
-/// cannot be matched as the options want.
+/// Matches the vertices of `follower` to those of `last`. Throws Error with the files if they
+/// cannot be matched by the options.
 VertexMatch match_vertices(const MatchSide& last, const MatchSide& follower,
                            const MatchOptions& options);
 
-/// What is kept of a pattern.
+/// The kept data of a pattern.
 struct KeptPattern {
-  std::string name;  ///< of its file, for messages
+  std::string name;  ///< file name, for messages
   Mesh mesh;
   WaveSet waves;
   std::vector<Complex> z;
   std::vector<DataArray> arrays;   ///< of points
-  std::vector<Vec3> normals = {};  ///< of points without triangles whose file has them
-  float turn_deg = 0;  ///< by which the waves are turned from the field that they were made of
+  std::vector<Vec3> normals = {};  ///< of a point cloud whose file has normals
+  float turn_deg = 0;              ///< turn of the waves from their field
 
   LastPattern view() const { return {mesh, waves, z}; }
   MatchSide side() const { return {name, mesh, arrays}; }
 };
 
-/// Reads a mesh or points with arrays `phase`, `direction` and `frequency`, as brindle writes them.
-/// Where one of them is not finite, or zero, there is no wave. Throws Error, naming the file, if it
-/// cannot be read or lacks one of them.
+/// Reads a mesh or points with the arrays `phase`, `direction` and `frequency` of a Brindle output.
+/// Vertices without finite, non-zero values have no wave. Throws Error with the file if it cannot
+/// be read or lacks an array.
 KeptPattern read_pattern(const std::filesystem::path& path);
 
-/// What follows a pattern.
+/// The input of the pattern that continues another.
 struct Follower {
-  std::string name;  ///< of its file, for messages
+  std::string name;  ///< file name, for messages
   const Mesh& mesh;
   const WaveSet& waves;
   std::span<const DataArray> arrays;  ///< of points
@@ -77,16 +77,16 @@ struct Follower {
 };
 
 struct CarriedPattern {
-  std::vector<Complex> z;  ///< a last phase per vertex, 0 where there is none
+  std::vector<Complex> z;  ///< the last phase per vertex, 0 if there is none
   Matching matched_by = Matching::number;
   std::size_t unmatched = 0;  ///< waves without a last phase
 };
 
-/// Throws Error, naming the files, if vertices cannot be matched as the options want.
+/// Throws Error with the files if vertices cannot be matched by the options.
 CarriedPattern carry(const KeptPattern& last, const Follower& follower,
                      const MatchOptions& options);
 
-/// Whether both have as many vertices and the same triangles.
+/// Whether both have the same triangles and number of vertices.
 bool same_connectivity(const Mesh& a, const Mesh& b);
 
 }  // namespace brindle::tool

@@ -15,12 +15,12 @@
 namespace brindle::tool {
 namespace {
 
-/// ParaView writes positions and normals with all that it writes.
+/// ParaView adds positions and normals to all its CSV files.
 bool is_data_vector(const DataArray& array) {
   return array.components == 3 && array.name != "Points" && array.name != "Normals";
 }
 
-/// Whether frequencies alone follow the vector, as in files without names.
+/// Whether only frequencies follow the vector, as in files without names.
 bool has_vector_first(const std::vector<DataArray>& arrays) {
   const DataArray in_order = make_data_array(arrays[0].name, 3, std::vector<double>{0, 1, 2});
   const auto is = [&](std::size_t place, const char* name) {
@@ -32,7 +32,7 @@ bool has_vector_first(const std::vector<DataArray>& arrays) {
 constexpr const char* kEast = "east";
 constexpr const char* kNorth = "north";
 
-/// Columns of one number with these names, in files whose vectors are told so.
+/// Columns of one number with these names, in files whose vectors are identified that way.
 bool has_east_and_north(const std::vector<DataArray>& arrays) {
   const auto is_there = [&](const char* name) {
     const DataArray* found = find_array(arrays, name);
@@ -51,7 +51,7 @@ DataArray east_and_north(const DataArrays& arrays) {
   return make_data_array("east and north", 2, rows);
 }
 
-/// What can be opened once alone is not looked into.
+/// Pipes can be opened only once and are not examined.
 bool is_regular(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(path, ignored);
@@ -61,8 +61,8 @@ bool is_of_globe(const std::string& path) {
   return is_regular(path) && has_east_and_north(csv_columns(path));
 }
 
-/// The only vector or, where there is none, the only tensor. Empty if there is neither, or if a
-/// vector stands where files without names have it.
+/// The only vector or, without any, the only tensor. Empty if there is neither, or if a vector is
+/// in the first columns, as in files without names.
 std::string only_field_in(const std::string& path) {
   if (!is_regular(path)) return "";
   const std::vector<DataArray> arrays = csv_columns(path);

@@ -1,4 +1,4 @@
-/// Fields in CSV files whose first row names their columns.
+/// Fields in CSV files with named columns.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,24 @@ namespace brindle::tool {
 /// "wind.csv" or "wind.csv:velocity".
 struct CsvFieldName {
   std::string path;
-  std::string array;  ///< empty if there is none
+  std::string array;  ///< empty if not given
 };
 
 CsvFieldName csv_field_name(const std::string& field);
 
 struct CsvField {
-  DataArray array;                     ///< vectors, or tensors; two numbers a row of a globe
-  bool of_globe = false;               ///< towards the east and the north
-  std::optional<DataArray> frequency;  ///< the column of this name, if there is one
+  DataArray array;                     ///< vectors or tensors; two components for `of_globe`
+  bool of_globe = false;               ///< east and north components
+  std::optional<DataArray> frequency;  ///< the column of this name, if any
 };
 
-/// The array that is the field: that of the name, or else the columns `east` and `north`, or else
-/// the only vector or, without any, the only tensor. Nothing for a file that `read_field_csv` is
-/// for: one without such arrays, or with a vector first, its components in order, and at most two
-/// numbers behind it. Throws Error, naming all arrays, for another name, and if there are several
-/// and no name.
+/// The field array: the one named, or the columns `east` and `north`, or the only vector or,
+/// without any, the only tensor. Empty for files of `read_field_csv`: those without such arrays, or
+/// with the components of a vector in the first columns and at most two numbers after it. Throws
+/// Error with all arrays for an unknown name, and for several arrays without a name.
 std::optional<CsvField> read_csv_field(const CsvFieldName& name);
 
-/// `read_field_csv`, with the rows of vertices that creases have split for all their copies.
+/// `read_field_csv`, with rows copied to the vertices that creases split off.
 FieldFile read_rows(const Surface& surface, const std::string& path,
                     std::span<const Index> vertex_of_row);
 

@@ -1,5 +1,5 @@
-/// Where phases are solved: on the processor, or on what OpenGL works on. A build without OpenGL
-/// refuses the latter.
+/// The device that solves: the processor, or the GPU by OpenGL. Builds without OpenGL reject the
+/// latter.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace brindle::tool {
 
-enum class DeviceKind { cpu, gpu };  // the words of --device
+enum class DeviceKind { cpu, gpu };  // the choices of --device
 
 /// Whether the device has the solver.
 bool has_solver(DeviceKind device, Solver solver);
@@ -21,42 +21,41 @@ bool has_solver(DeviceKind device, Solver solver);
 /// Throws CLI::ValidationError if it does not, or not with these options.
 void check_solver(DeviceKind device, const SolverOptions& options);
 
-/// Follows changing input, wherever that is done.
+/// An animator on either device.
 class Animator {
  public:
   virtual ~Animator() = default;
 
-  /// As StripeAnimator's.
+  /// As StripeAnimator::frame.
   virtual FrameResult frame(const FrameInput& input, const Progress& progress) = 0;
   virtual double topology_milliseconds() const = 0;
 
-  /// Name of the OpenGL buffer that the last frame's phases lie in, too; 0 for none.
+  /// Name of the OpenGL buffer with a copy of the last frame's phases; 0 for none.
   virtual unsigned phase_buffer() const { return 0; }
 };
 
-/// A device while a command runs.
+/// The device of a running command.
 class Device {
  public:
-  /// On the processor there is nothing to it. Throws Error, naming what was found, if no OpenGL 4.5
-  /// context is to be had.
+  /// No work for the processor. Throws Error with what was found if there is no OpenGL 4.5 context.
   explicit Device(DeviceKind kind);
   ~Device();
 
   SolvePhases solver() const;
   std::unique_ptr<Animator> animator(const Surface& surface, const AnimatorOptions& options) const;
 
-  /// Whether an OpenGL context of its own is current.
+  /// Whether its own OpenGL context is current.
   bool has_context() const { return gpu_ != nullptr; }
 
-  /// Throws Error with everything that OpenGL has complained of.
+  /// Throws Error with all of OpenGL's error messages.
   void check_errors(const std::string& job) const;
 
-  /// `{"kind": "cpu"}`, or kind, renderer, vendor, version and limits of the GPU.
+  /// `{"kind": "cpu"}`, or the GPU's kind, renderer, vendor, version and limits.
   nlohmann::ordered_json description() const;
 
   struct Gpu;
 
-  /// Nothing on the processor.
+  /// Null on the processor.
   const Gpu* gpu() const { return gpu_.get(); }
 
  private:

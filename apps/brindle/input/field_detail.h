@@ -1,5 +1,4 @@
-/// Measured fields at the scale of their stripes: what may be asked for, and the field that
-/// follows.
+/// Options for smoothing measured fields.
 #pragma once
 
 #include <optional>
@@ -15,15 +14,15 @@
 namespace brindle::tool {
 
 struct FieldDetailChoice {
-  float periods = 0;          ///< P; 0: as the field is given
-  std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
-  std::optional<float> fill;  ///< how far holes are filled, in periods
-  bool arrows = false;        ///< vectors have a sign
-  std::optional<int> singularities;  ///< at most so many; nothing: all stay
-  float memory = 0;                  ///< of the step before, in a series
-  float frequency_periods = 0;       ///< the same scale for frequencies; 0: as they are
+  float periods = 0;          ///< P; 0: no smoothing
+  std::string weight;         ///< weight of the data; empty: tensors by anisotropy, others alike
+  std::optional<float> fill;  ///< distance over which holes are filled, in periods
+  bool arrows = false;        ///< vectors have signs
+  std::optional<int> singularities;  ///< keep at most so many; empty: all
+  float memory = 0;                  ///< weight of the last step of a series
+  float frequency_periods = 0;       ///< the same smoothing for frequencies; 0: none
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--field-detail", periods);
@@ -38,15 +37,15 @@ struct FieldDetailChoice {
 /// --frequency-detail.
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
 
-/// Whether a weight follows from the data themselves: "", "length" or "anisotropy".
+/// Whether a weight is computed from the data themselves: "", "length" or "anisotropy".
 bool is_own_weight(const std::string& weight);
 
-/// What data count by that are per vertex or, some, per triangle. Throws Error for arrays and
-/// columns as `vertex_values` does.
+/// Weights of data per vertex or, for some, per triangle. Throws Error for arrays and columns as
+/// `vertex_values` does.
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
                          const FieldDetailChoice& choice, bool of_triangles);
 
-/// The options of the library's filter for a field with so many directions alike.
+/// The library's options for a field of this rotational symmetry.
 FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry);
 
 FrequencyDetailOptions frequency_detail_options(const FieldDetailChoice& choice);

@@ -1,4 +1,4 @@
-/// Smooth fields that go on from those of the surface before.
+/// Smooth fields that start from those of the last surface.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,26 @@
 
 namespace brindle::tool {
 
-/// What is kept of a field.
+/// The kept data of a field.
 struct KeptField {
-  std::string name;  ///< of its surface's file, for messages
+  std::string name;  ///< file name of its surface, for messages
   Mesh mesh;
   std::vector<Vec3> normals;
-  DirectionField directions;      ///< before they were turned
+  DirectionField directions;      ///< before they are turned
   std::vector<DataArray> arrays;  ///< of points
-  double period = 0;              ///< mean, of its waves: as far as it is known around the mesh
+  double period = 0;              ///< mean over its waves that are known on the mesh
 };
 
-/// The field of a pattern, before it was turned. The normals of points are those of their file, or
-/// fitted to `neighbors`.
+/// The field of a pattern, before it was turned. Normals of points are those of the file, or fitted
+/// to `neighbors`.
 KeptField field_of(const KeptPattern& pattern, std::optional<int> neighbors);
 
-/// A line about a pattern whose waves are turned from their field by another angle than these;
-/// empty if they are not. Their field goes on; phases of waves that run elsewhere cannot.
+/// A note on a pattern whose waves are turned from its field by another angle than these; else
+/// empty. The field is continued; the phases of other waves cannot be.
 std::string turn_note(const KeptPattern& pattern, const WaveOptions& waves);
 
-/// Its directions as they are found on the surface that is `prepared`, of the file `name`. Throws
-/// Error as `match_vertices` does.
+/// The field transferred to the `prepared` surface of the file `name`. Throws Error as
+/// `match_vertices` does.
 DirectionField carry_field(const KeptField& last, const std::string& name,
                            const Preparation& prepared, const WaveOptions& waves,
                            const MatchOptions& options);

@@ -10,7 +10,7 @@
 namespace brindle::tool {
 namespace {
 
-/// Phases come back after every frame, to be measured as those of the processor are.
+/// Reads phases back after every frame, to be measured like those of the processor.
 class OnGpu : public Animator {
  public:
   explicit OnGpu(GpuAnimator animator) : animator_(std::move(animator)) {

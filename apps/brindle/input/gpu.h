@@ -1,4 +1,4 @@
-/// An OpenGL context and the solvers in it. A build without OpenGL throws when it is made.
+/// An OpenGL context and its solvers. The constructor throws in builds without OpenGL.
 #pragma once
 
 #include <memory>

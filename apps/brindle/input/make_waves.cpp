@@ -142,20 +142,20 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
     const auto curvatures = principal_curvatures(surface.mesh.positions, surface.normals,
                                                  *surface.neighborhood, progress.part(0, 0.6));
     DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
-    // The solvers are faster where few neighbours run against each other.
+    // Solvers are faster if few adjacent directions are opposite.
     orient_alike(*surface.neighborhood, directions, progress.part(0.6, 1));
     return {{std::move(directions), {}, {}}};
   }
   if (!is_array(options.field)) return file_field(surface, options, data);
   ArraySource::PerVertex found = arrays.array(parse_array("--field", options.field));
   Field field = array_field(surface, found.array, options);
-  field.rows_nonfinite = found.rows_nonfinite;  // before rows were moved to vertices
-  // Eigenvectors of the mean of tensors are better than means of eigenvectors.
+  field.rows_nonfinite = found.rows_nonfinite;  // before rows are transferred to vertices
+  // Eigenvectors of mean tensors are better than means of eigenvectors.
   if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};
   return field;
 }
 
-/// What frequencies follow: an array as it is, or a number per vertex.
+/// Values that frequencies follow: an array, or a number per vertex.
 DataArray frequency_values(const Surface& surface, const ArrayOptions& options,
                            const FileData& data, const ArraySource& arrays) {
   const std::string option = "--frequency-by", &value = options.frequency_by;
@@ -166,7 +166,7 @@ DataArray frequency_values(const Surface& surface, const ArrayOptions& options,
   return make_data_array(values.title, 1, values.values);
 }
 
-/// What options say of frequencies goes before what the field says; nothing: it has none.
+/// Frequencies of options override those of the field; empty if options have none.
 std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const WaveOptions& options,
                                                  const FileData& data, const ArraySource& arrays,
                                                  const Field& field) {
@@ -185,8 +185,8 @@ std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const W
   return constant;
 }
 
-/// The frequencies of all waves, NaN where there is none. Throws CLI::ValidationError for
-/// --frequency-detail if there is one for all vertices.
+/// Sets the frequencies of all waves, NaN if there is none. Throws CLI::ValidationError for
+/// --frequency-detail with one frequency for all vertices.
 void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
                         Field& field) {
   const bool field_says = !field.frequencies.empty();
@@ -201,7 +201,7 @@ void choose_frequencies(const Surface& surface, const WaveOptions& options, cons
   if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
 }
 
-/// Those of crossing stripes that options say, which are the same everywhere.
+/// Sets those of crossing stripes from options, which are uniform.
 void choose_crossing_frequencies(const Surface& surface, const WaveOptions& options,
                                  FrequencyField& frequencies_v) {
   const auto everywhere = [&](float frequency) {

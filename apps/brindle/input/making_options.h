@@ -1,4 +1,4 @@
-/// Options for the maker's hand on where stripes begin, wind and branch.
+/// Options of fabrication: where stripes begin, wind and branch.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,8 +9,8 @@ namespace brindle::tool {
 
 void add_making_options(CLI::App& app, MakingOptions& options);
 
-/// A whole number, or a loop's name and one: "boundary-1:2". Throws CLI::ValidationError for
-/// another text.
+/// An integer, or a loop's name and an integer: "boundary-1:2". Throws CLI::ValidationError for
+/// other text.
 WantedWinding parse_winding(const std::string& option, const std::string& text);
 
 /// Throws CLI::ValidationError for options that contradict each other or the solver.

@@ -14,7 +14,7 @@
 namespace brindle::tool {
 namespace {
 
-// One side of a triangle; sorted, the sides of an edge lie side by side.
+// One side of a triangle; in sorted order, the sides of an edge are adjacent.
 struct Side {
   Index low;
   Index high;
@@ -39,14 +39,14 @@ std::vector<Side> sorted_sides(const Mesh& mesh, const Progress& progress) {
   return sides;
 }
 
-// Disjoint sets, each element with its parity relative to the set's root.
+// Disjoint sets; each element has a parity relative to its root.
 class ParitySets {
  public:
   explicit ParitySets(std::size_t count) : parent_(count), parity_(count, 0) {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  // Says that a and b differ by `parity`; false if that contradicts what was said before.
+  // Records that the parities of a and b differ by `parity`; false on contradiction.
   bool unite(Index a, Index b, int parity) {
     const auto [root_a, parity_a] = root_of(a);
     const auto [root_b, parity_b] = root_of(b);

@@ -1,4 +1,4 @@
-/// What kind of surface a mesh or a point cloud is.
+/// Statistics of meshes and point clouds.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace brindle::tool {
 
 struct MeshStatistics {
   std::size_t edges = 0;
-  std::size_t boundary_edges = 0;      ///< with one triangle
-  std::size_t non_manifold_edges = 0;  ///< with three or more
-  std::size_t unused_vertices = 0;     ///< without a triangle
-  std::size_t components = 0;          ///< connected over common vertices
-  bool orientable = true;              ///< all triangles can be wound alike over manifold edges
-  bool wound_alike = true;             ///< and they are
+  std::size_t boundary_edges = 0;      ///< of one triangle
+  std::size_t non_manifold_edges = 0;  ///< of three or more triangles
+  std::size_t unused_vertices = 0;     ///< without triangles
+  std::size_t components = 0;          ///< connected by shared vertices
+  bool orientable = true;              ///< consistent winding across manifold edges is possible
+  bool wound_alike = true;             ///< and is the case
   double edge_length_mean = 0;
   double edge_length_min = 0;
   double edge_length_max = 0;
@@ -25,21 +25,21 @@ struct MeshStatistics {
   BoundingBox box;
 };
 
-/// Throws Cancelled if `progress` asks for it.
+/// Throws Cancelled.
 MeshStatistics mesh_statistics(const Mesh& mesh, const Progress& progress = {});
 
 struct PointStatistics {
-  std::size_t used = 0;        ///< finite, and the first at their place
+  std::size_t used = 0;        ///< finite, and the first at their position
   std::size_t edges = 0;       ///< between neighbours
-  double neighbors_mean = 0;   ///< of a point
-  std::size_t components = 0;  ///< connected over neighbours
+  double neighbors_mean = 0;   ///< per point
+  std::size_t components = 0;  ///< connected by neighbour relations
   double spacing_mean = 0;     ///< distances to the nearest neighbour
   double spacing_min = 0;
   double spacing_max = 0;
-  BoundingBox box;  ///< of the points used
+  BoundingBox box;  ///< of the used points
 };
 
-/// `neighborhood` as `point_neighborhood` makes it.
+/// `neighborhood` is from `point_neighborhood`.
 PointStatistics point_statistics(const PointCloud& cloud, const Adjacency& neighborhood);
 
 }  // namespace brindle::tool

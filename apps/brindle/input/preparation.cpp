@@ -19,7 +19,7 @@ constexpr const char* kField = "direction field";
 
 std::string loading(const SurfaceOptions& options) { return "loading " + shown(options.mesh); }
 
-// Errors then name the file.
+// Adds the file name to errors.
 template <class Make>
 Surface of_file(const std::string& mesh, const Make& make) {
   try {
@@ -31,7 +31,7 @@ Surface of_file(const std::string& mesh, const Make& make) {
   }
 }
 
-// Loads a surface into `result`, with the time that takes.
+// Loads a surface into `result`, with the time spent.
 void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListener& listener) {
   Stopwatch watch;
   LoadedSurface loaded = load_mesh(options, listener.progress());
@@ -39,7 +39,7 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListene
   result.original_ids = original_ids_of(loaded);
   result.vertices_joined = loaded.repair.vertices_joined;
   if (!loaded.renumbered) result.partners = loaded.vertex_of_row;
-  // A row of a field for every vertex of the file says nothing of vertices that were added.
+  // Field files have no rows for vertices added by subdivision.
   if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
   result.load_milliseconds = watch.lap();
   listener.stage(kNeighborhood);
@@ -131,7 +131,7 @@ FileData data_of(const Preparation& prepared, const SurfaceOptions& surface,
 
 }  // namespace
 
-/// How much of the time for waves goes into their field before it is turned and seen at detail.
+/// The share of time for the field before it is turned and smoothed.
 constexpr double kFieldShare = 0.7;
 
 BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surface,

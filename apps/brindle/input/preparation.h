@@ -1,4 +1,4 @@
-/// The stages that come before the stripes, the same for every command.
+/// The stages before the stripes, common to all commands.
 #pragma once
 
 #include <cstdint>
@@ -18,65 +18,63 @@ namespace brindle::tool {
 
 struct KeptPattern;
 
-/// A surface with waves, and what it took.
+/// A surface with waves, and the time spent.
 struct Preparation : PreparationFigures {
   Surface surface;
   WaveSet waves;
   FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
-  DataArrays arrays;    ///< of the mesh's file: a row per vertex of the surface, and per triangle
-  bool points = false;  ///< the surface has no triangles
-  /// For every vertex of the mesh's file the vertex that triangles use in its place; empty if none
-  /// was joined with another. What rows of field files may stand for.
+  DataArrays arrays;             ///< of the mesh's file, per vertex and per triangle of the surface
+  bool points = false;           ///< the surface has no triangles
+  /// The vertex that replaces each vertex of the mesh's file after joining; empty if none were
+  /// joined. Field files may have these rows.
   std::vector<Index> vertex_of_row;
-  /// The same for every vertex of the surface, up to the last that was joined: what files say of a
-  /// vertex is what its partner has.
+  /// The same for the vertices of the surface, up to the last joined one; output files give both
+  /// the same values.
   std::vector<Index> partners;
-  /// The number in the file or shape of every vertex of the surface: of several that were joined
-  /// to one, the first; -1 of those that were added.
+  /// Vertex numbers in the file or shape: of joined vertices, the first; -1 for added vertices.
   std::vector<std::int64_t> original_ids;
-  DirectionField kept_field;  ///< before it was turned, if that of a next step may go on from it
-  /// What the smooth field went on from, if that was read from a file.
+  DirectionField kept_field;  ///< before it is turned, if the next step may start from it
+  /// The pattern that the smooth field started from, if it was read from a file.
   std::shared_ptr<const KeptPattern> previous = nullptr;
 };
 
-/// Finds what the field of a surface, which has no waves yet, goes on from.
+/// Finds the field that a surface without waves starts from.
 using FindLastDirections = std::function<LastDirections(Preparation& surface)>;
 
-/// `Preparation::original_ids` of a surface that was read or made.
+/// `Preparation::original_ids` of a loaded surface.
 std::vector<std::int64_t> original_ids_of(const LoadedSurface& loaded);
 
-/// Loads the mesh and makes its waves. Notes what had to be repaired and what is
-/// probably not meant. Pictures, if there are any, are taken from `viewpoint`. Throws Error if no
-/// vertex has a wave, and what `find_last` throws, which is asked for fields that go on
-/// from a last one.
+/// Loads the mesh and makes its waves. Notes repairs and likely mistakes. `viewpoint` is that of
+/// pictures, if any. Throws Error if no vertex has a wave, and whatever `find_last` throws, which
+/// is called for fields that continue the last one.
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, JobListener& listener,
                     const std::optional<Viewpoint>& viewpoint = std::nullopt,
                     const FindLastDirections& find_last = {});
 
-/// The stages of that, in their order, as `JobListener::stage` hears of them.
+/// Its stages, in order, for `JobListener`.
 std::vector<JobStage> preparation_stages(const SurfaceOptions& surface);
 
 /// Throws CLI::ValidationError if the waves need arrays that the surface cannot have.
 void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves);
 
-/// The same in two steps: a surface without waves, and the waves of such a surface, which may be
-/// made again and again.
+/// The same in two steps: a surface without waves, and its waves, which may be recomputed.
 Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener);
 
-/// Waves on a surface, and what they took.
+/// Waves on a surface, and the time spent.
 struct PreparedWaves {
   WaveSet waves;
   FrequencyField frequencies_v;
   WaveReport figures;
   std::optional<std::size_t> field_rows_nonfinite;
   std::optional<FieldStep> field_step;
-  float turn_deg = 0;  ///< by which waves are turned from their field
+  float turn_deg = 0;  ///< turn of the waves from their field
   double field_milliseconds = 0;
-  std::vector<float> agreement;  ///< of a measured field's data, one per vertex; mostly empty
-  DirectionField seen_field;     ///< as WavesOfField has it
+  std::vector<float>
+      agreement;              ///< coherence of a measured field's data, per vertex; otherwise empty
+  DirectionField seen_field;  ///< as WavesOfField has it
 };
 
-/// Those of a base field that is there already, whose time does not count.
+/// Waves of an existing base field, whose time is not included.
 PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
                             const WaveOptions& waves, BaseField field, JobListener& listener,
                             const std::optional<Viewpoint>& viewpoint = std::nullopt);
@@ -86,15 +84,15 @@ BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surfa
                         const WaveOptions& waves, JobListener& listener,
                         const LastDirections& last = {});
 
-/// The waves alone, of a field that is found anew; nothing is noted.
+/// The waves of a field computed from scratch; makes no notes.
 WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
                      const WaveOptions& waves, const std::optional<Viewpoint>& viewpoint);
 
-/// Puts the waves on their surface.
+/// Moves the waves to their surface.
 void take_waves(PreparedWaves waves, Preparation& prepared);
 
-/// Measures waves; throws and notes as `prepare` does. `source` says where they come from: "the
-/// field of V"; `figures`, what is known of them beside what is measured here.
+/// Measures waves; throws and notes as `prepare` does. `source` names their origin: "the field of
+/// V"; `figures` has what else is known of them.
 WaveReport noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
                        JobListener& listener, WaveReport figures = {});
 

@@ -1,4 +1,4 @@
-/// How far frequencies may yield.
+/// Options of the spacing tolerance.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct SlackOptions {
   float slack = 0;
   std::string calm;  ///< a file; empty: none
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--slack", slack);
@@ -25,20 +25,20 @@ struct SlackOptions {
   }
 };
 
-/// Throws CLI::ValidationError for --calm without slack.
+/// Throws CLI::ValidationError for --calm without --slack.
 void check_slack_options(const CLI::App& command, const SlackOptions& options);
 
 /// Adds the file of --calm.
 void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs);
 
-/// Reads the file of --calm, if there is one: a number from 0 to 1 per row, in the only column or
-/// in the one that its first row names calm. A row stands for a vertex or, if there are as many as
-/// entries in `vertex_of_row`, for a vertex of the mesh's file; of the rows of one vertex the
-/// largest counts. Throws Error naming the file, the line and the remedy.
+/// Reads the file of --calm, if any: a number from 0 to 1 per row, in the only column or in the one
+/// named calm. Rows are those of the vertices or, if there are as many as `vertex_of_row` has, of
+/// the mesh's file; joined vertices take the largest. Throws Error with the file, the line and the
+/// remedy.
 Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
                  std::span<const Index> vertex_of_row);
 
-/// The same for a surface that creases may have split.
+/// The same for a surface that may be split at creases.
 Slack make_slack(const SlackOptions& options, const Surface& surface,
                  std::span<const Index> vertex_of_row);
 

@@ -1,4 +1,4 @@
-/// How the phases are found.
+/// Options of the solvers.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,16 +13,17 @@ namespace brindle::tool {
 struct SolvingOptions {
   StripeOptions stripes;
   SlackOptions slack;
-  int threads = 0;  ///< 0: all that the machine has
+  int threads = 0;  ///< 0: all hardware threads
 };
 
 /// All options but --solver.
 void add_solving_options(CLI::App& app, SolvingOptions& options);
 
-/// What frames have of them: all but slack and weights.
+/// The subset for frames: all but spacing tolerance and weights.
 AnimatorOptions frame_options(const StripeOptions& stripes);
 
-/// The options for this surface, slack and all. Throws Error if the file of --calm does not fit.
+/// The options for this surface, including the spacing tolerance. Throws Error if the file of
+/// --calm does not fit.
 StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared);
 
 /// Throws CLI::ValidationError for options of solvers other than the chosen one.

@@ -26,13 +26,13 @@ Mesh make_named_shape(const SurfaceOptions& options, const Progress& progress) {
   } catch (const Cancelled&) {
     throw;
   } catch (const TooLarge&) {
-    throw;  // what is asked for is right elsewhere
+    throw;  // a misspelt parameter: the shape exists
   } catch (const Error& error) {
     throw CLI::ValidationError("MESH", error.what());
   }
 }
 
-/// A path that is no file may be the name of a shape.
+/// A missing file may be the name of a shape.
 void check_exists(const SurfaceOptions& options) {
   std::error_code ignored;
   if (is_shape(options) || std::filesystem::exists(options.mesh, ignored)) return;
@@ -53,9 +53,7 @@ SurfaceFile& file_of(const SurfaceOptions& options) {
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options) {
   app.add_option("MESH", options.mesh,
-                 "a file (.vtp .vtu .vtk .ply .obj .stl .off .gltf .glb) or a built-in shape, such "
-                 "as shape:torus "
-                 "or shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
+                 "a mesh file or a built-in shape such as shape:torus (see --shapes)")
       ->required()
       ->check([](const std::string& mesh) {
         return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");
@@ -77,7 +75,7 @@ void refuse_points(const SurfaceOptions& options, const std::string& command) {
 }
 
 std::string describe_kind(const SurfaceOptions& options) {
-  // A CSV file could have none.
+  // For CSV files, this is the normal case.
   const bool given = options.points || is_shape(options) || lower_extension(options.mesh) == ".csv";
   return given ? "" : shown(options.mesh) + " has no faces: its vertices are taken for points\n";
 }

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One name for all ways to a file, whether or not it exists.
+// One name for all paths to a file, which need not exist.
 fs::path place_of(const fs::path& path) {
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
 }
 
-// What all links to an existing file share; nothing for one that does not exist.
+// Device and inode, equal for all links to a file; empty if it does not exist.
 using FileId = std::pair<dev_t, ino_t>;
 
 std::optional<FileId> id_of(const fs::path& path) {
@@ -34,7 +34,7 @@ std::optional<FileId> id_of(const fs::path& path) {
   return FileId(status.st_dev, status.st_ino);
 }
 
-// Finds inputs by any way that leads to them. A series has thousands.
+// Finds inputs by any path or link. A series has thousands.
 class Inputs {
  public:
   explicit Inputs(const std::vector<UsedFile>& files) {
@@ -58,8 +58,8 @@ class Inputs {
   std::map<FileId, const UsedFile*> by_id_;
 };
 
-// The inputs and what they name: glTF files have their data in others. They are read for that only
-// where an output would replace a file.
+// The inputs and the files that they refer to, such as glTF buffers. Inputs are read for that only
+// if an output would replace a file.
 std::vector<UsedFile> with_named_files(const std::vector<UsedFile>& inputs,
                                        const std::vector<UsedFile>& outputs) {
   std::vector<UsedFile> files = inputs;

@@ -1,4 +1,4 @@
-/// The files that a command reads and writes, which must not get into each other's way.
+/// Conflicts between the files that a command reads and writes.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,24 @@
 namespace brindle::tool {
 
 struct UsedFile {
-  std::string option;  ///< that names it
+  std::string option;  ///< that gives it
   std::filesystem::path path;
-  bool beside = false;  ///< a picture beside a mesh, which meshes of one name share
+  bool beside = false;  ///< an image beside a mesh; meshes of the same name share it
 };
 
-/// The files of a mesh and of its field: none for shapes and fields that are made. Throws
+/// The files of a mesh and of its field, without built-in shapes and computed fields. Throws
 /// CLI::ValidationError for a mesh without a name.
 std::vector<UsedFile> input_files(const SurfaceOptions& surface, const WaveOptions& waves);
 
-/// Those of the field alone.
+/// The files of the field alone.
 std::vector<UsedFile> field_files(const WaveOptions& waves);
 
-/// Throws CLI::ValidationError if an output is the same file as an input, which would be lost, or
-/// as another output. Devices and pipes may be used as often as one likes.
+/// Throws CLI::ValidationError if an output is also an input, which would be lost, or another
+/// output. Devices and pipes may be repeated.
 void check_files(const std::vector<UsedFile>& inputs, const std::vector<UsedFile>& outputs);
 
-/// Throws CLI::ValidationError unless the file ends in .json or is a device, Error if it could not
-/// be written there. Without a path, nothing.
+/// Throws CLI::ValidationError unless the file ends in .json or is a device, Error if it cannot be
+/// written. Ignores an empty path.
 void check_report(const std::string& option, const std::string& path);
 
 }  // namespace brindle::tool

@@ -26,7 +26,7 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool is_csv(const std::string& text) { return csv_field_name(text).path.ends_with(".csv"); }
 
-/// Of files whose rows stand for other vertices, those of the vertices that are used.
+/// Selects the rows of the used vertices from a file with rows for others.
 DataArray rows_of_vertices(const DataArray& column, std::size_t vertices,
                            std::span<const Index> vertex_of_row) {
   if (vertex_of_row.size() != column.rows() || column.rows() == vertices) return column;
@@ -104,13 +104,13 @@ VertexValues curvatures(const Surface& surface) {
   return result;
 }
 
-/// The title says so where they are not what a picture shows as heights.
+/// The title mentions the axis if it is not the picture's up axis.
 VertexValues heights(const Surface& surface, const Viewpoint* viewpoint) {
   const UpAxis axis = viewpoint != nullptr ? viewpoint->height_axis : UpAxis::z;
   const bool differs = viewpoint != nullptr && viewpoint->view.up != axis;
   VertexValues result{{}, differs ? "height (z)" : "height"};
   const int up = axis == UpAxis::y ? 1 : 2;
-  const auto ground = static_cast<float>(surface.mesh.origin[up]);  // as the file has it
+  const auto ground = static_cast<float>(surface.mesh.origin[up]);  // in file coordinates
   for (const Vec3& position : surface.mesh.positions) {
     result.values.push_back(ground + position[up]);
   }
@@ -127,7 +127,7 @@ VertexValues agreement_values(const std::string& option, const ValueSource& sour
   return {{source.agreement.begin(), source.agreement.end()}, std::string(kAgreement)};
 }
 
-/// What a picture has to do with.
+/// Values that depend on a picture.
 VertexValues values_of_camera(const std::string& option, const std::string& text,
                               const ValueSource& source) {
   if (source.viewpoint == nullptr) {
@@ -194,7 +194,7 @@ VertexValues values_at_all(const std::string& option, const std::string& text,
   if (depends_on_field(text)) return agreement_values(option, source);
   if (depends_on_camera(text)) return values_of_camera(option, text, source);
   if (text.starts_with(kDistance)) {
-    // As the file has it, while positions are relative to the mesh's origin.
+    // In file coordinates; positions are relative to the mesh's origin.
     const Eigen::Vector3d relative =
         parse_place(option, text.substr(kDistance.size())) - surface.mesh.origin;
     return distances_to(relative.cast<float>(), surface, "distance");
@@ -209,7 +209,7 @@ VertexValues values_at_all(const std::string& option, const std::string& text,
 VertexValues vertex_values(const std::string& option, const std::string& text,
                            const ValueSource& source) {
   VertexValues values = values_at_all(option, text, source);
-  // Nothing is drawn at vertices that no triangle uses. Of a piece its rank knows which do.
+  // Vertices without triangles are not drawn. On a partition, its rank knows which these are.
   const Adjacency* neighborhood = source.surface.neighborhood.get();
   for (Index v = 0; neighborhood != nullptr && v < values.values.size(); ++v) {
     if (neighborhood->of(v).empty()) values.values[v] = kNone;

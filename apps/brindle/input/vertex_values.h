@@ -1,4 +1,4 @@
-/// Numbers per vertex that styles follow, from what options ask for.
+/// Values per vertex for styles, from options.
 #pragma once
 
 #include <optional>
@@ -13,69 +13,69 @@
 
 namespace brindle::tool {
 
-/// What values may be taken from.
+/// Sources of values.
 struct ValueSource {
   const Surface& surface;
-  const DataArrays& arrays;  ///< of the mesh's file: a row per vertex, and per triangle
-  std::string file;          ///< the mesh's, for messages
+  const DataArrays& arrays;  ///< of the mesh's file, per vertex and per triangle
+  std::string file;          ///< the mesh's name, for messages
   const ArrayOptions& options;
-  std::span<const Index> vertex_of_row;   ///< as FileData has it
-  const Viewpoint* viewpoint = nullptr;   ///< of the picture; null: there is none
-  std::span<const float> agreement = {};  ///< of a measured field's data; empty: there is none
+  std::span<const Index> vertex_of_row;   ///< as in FileData
+  const Viewpoint* viewpoint = nullptr;   ///< of the picture; null: none
+  std::span<const float> agreement = {};  ///< coherence of a measured field's data; empty: none
 };
 
 struct VertexValues {
-  std::vector<float> values;  ///< one per vertex; NaN: none
+  std::vector<float> values;  ///< one per vertex; NaN without a value
   std::string title;          ///< for legends
-  /// Of a range that is given, and not that of the values themselves.
+  /// Of a given range, instead of that of the values.
   std::optional<Eigen::Vector2f> ends = std::nullopt;
 
-  /// The ends of all finite values, unless others are given. Throws Error, naming `option`, if
-  /// there are none.
+  /// The range of all finite values, unless `ends` has one. Throws Error with `option` if there are
+  /// none.
   Eigen::Vector2f range(const std::string& option) const;
 };
 
-/// What VALUE may be, for the help text. Heights are z, or along the axis that --up names.
+/// The syntax of VALUE, for help. Heights are along the axis of --up, z by default.
 inline constexpr const char* kValueNames =
     "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light|agreement";
 
-/// Throws CLI::ValidationError, naming the option, unless `text` can name values. `names` are those
-/// that messages list.
+/// Throws CLI::ValidationError with the option unless `text` can name values. Messages list
+/// `names`.
 void check_value_name(const std::string& option, const std::string& text,
                       const std::string& names = kValueNames);
 
-/// The values of FILE.csv or FILE.csv:COLUMN for a mesh of so many vertices; rows may stand for
-/// those of the mesh's file, as FileData has them. Throws as `vertex_values` does.
+/// The values of FILE.csv or FILE.csv:COLUMN for a mesh of `vertices` vertices; rows may be those
+/// of the mesh's file, as in FileData. Throws as `vertex_values` does.
 VertexValues csv_values(const std::string& option, const std::string& text, std::size_t vertices,
                         std::span<const Index> vertex_of_row);
 
-/// The numbers of an array that has one a row, or the lengths of its vectors; a row per vertex, NaN
-/// where it is not finite. Throws as `vertex_values` does.
+/// The numbers of an array, or the lengths of its vectors, per vertex; NaN if not finite. Throws as
+/// `vertex_values` does.
 std::vector<float> scalar_values(const std::string& option, const DataArray& array,
                                  std::size_t vertices, const std::string& file);
 
-/// The file that `text` names values of; empty if it names none.
+/// The file of `text`; empty if there is none.
 std::string value_file(const std::string& text);
 
-/// Whether values belong to a file, and not to the shape and its place.
+/// Whether values come from a file, not from the shape and its position.
 bool is_of_file(const std::string& text);
 
-/// Whether the values are others from another viewpoint.
+/// Whether the values depend on the viewpoint.
 bool depends_on_camera(const std::string& text);
 
-/// Whether they are others where the light comes from elsewhere.
+/// Whether the values depend on the light.
 bool depends_on_light(const std::string& text);
 
-/// Whether they are others where another axis points up.
+/// Whether the values depend on the up axis.
 bool depends_on_up(const std::string& text);
 
-/// Whether they are others where the field is.
+/// Whether the values depend on the field.
 bool depends_on_field(const std::string& text);
 
-/// Values of vertices that triangles use, or that are points; none at others. Throws Error for
-/// arrays and columns that are not there, that have not one number a row (vectors
-/// count by their lengths) or not a row per vertex, for values of a camera without a
-/// viewpoint, and for the agreement of data that were not seen at any scale.
+/// Values of vertices with triangles, or of points; NaN at others. Throws Error for unknown arrays
+/// and columns, for rows that are neither numbers nor vectors (whose lengths are taken) or not one
+/// per vertex, for camera values without a viewpoint, and for the coherence of fields that were not
+/// smoothed.
 VertexValues vertex_values(const std::string& option, const std::string& text,
                            const ValueSource& source);
 

@@ -1,4 +1,4 @@
-/// Where a picture is taken from, before there is one.
+/// The viewpoint of a future picture.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@
 namespace brindle::tool {
 
 struct Viewpoint {
-  CameraView view;                            ///< its slice is in the coordinates of files
+  CameraView view;                            ///< with the slice in file coordinates
   int width = 0;                              ///< of the picture, pixels
   int height = 0;                             ///< of the picture, pixels
-  std::optional<Mesh> framed = std::nullopt;  ///< by the camera, instead of the surface itself
-  UpAxis height_axis = UpAxis::z;             ///< what heights are measured along
+  std::optional<Mesh> framed = std::nullopt;  ///< framed by the camera, instead of the surface
+  UpAxis height_axis = UpAxis::z;             ///< the axis of heights
   std::optional<LightDirection> light_from = std::nullopt;  ///< of the picture
 };
 
-/// The camera of this viewpoint, relative to the origin of `mesh`; of meshes without triangles, all
-/// vertices are framed.
+/// The camera of this viewpoint, relative to the origin of `mesh`. It frames all vertices of meshes
+/// without triangles.
 Camera camera_of(const Viewpoint& viewpoint, const Mesh& mesh);
 
 /// Whether the command draws pictures from a viewpoint.

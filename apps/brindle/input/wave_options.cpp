@@ -15,13 +15,13 @@ namespace brindle::tool {
 namespace {
 
 constexpr float kDefaultStripes = 40;
-constexpr float kDefaultCurvatureAnchor = 0.1f;  // of --field curvature
+constexpr float kDefaultCurvatureAnchor = 0.1f;  // with --field curvature
 
 const std::vector<std::string> kMadeFields = {"smooth", "curvature", "raw-curvature"};
 
-// What neither is a field nor looks like a file.
+// Rejects names that are neither fields nor files.
 void check_field_name(const WaveOptions& options) {
-  if (is_array(options.field)) parse_array("--field", options.field);  // which may be mistyped
+  if (is_array(options.field)) parse_array("--field", options.field);  // rejects misspelt names
   const std::filesystem::path path(options.field);
   std::error_code ignored;
   if (!is_field_file(options) || path.has_extension() || std::filesystem::exists(path, ignored)) {

@@ -1,4 +1,4 @@
-/// Where the waves run and how dense they are.
+/// Directions and frequencies of waves.
 #pragma once
 
 #include <optional>
@@ -17,29 +17,29 @@
 namespace brindle::tool {
 
 struct WaveOptions {
-  std::optional<Vec3> direction;  ///< a global vector, instead of `field`
+  std::optional<Vec3> direction;  ///< one vector for all vertices, instead of `field`
   std::string field = "smooth";   ///< "smooth", "curvature", "raw-curvature", an array or a file
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
-  std::optional<float> curvature_anchor;  ///< of the smooth field; "curvature" has one anyway
+  std::optional<float> curvature_anchor;  ///< of smooth fields; "curvature" has a default
   float feature_anchor = 0;               ///< of the smooth field
   float feature_angle_deg = 40;
   std::optional<Length> feature_radius;
-  std::optional<Length> normal_radius;  ///< of the smooth field; nothing: its normals are its own
+  std::optional<Length> normal_radius;  ///< of the smooth field; empty: use the surface's normals
   std::string strokes;  ///< file of strokes that the smooth field follows; empty: none
-  std::vector<FieldStroke> drawn_strokes;  ///< further ones, that were drawn and not read
+  std::vector<FieldStroke> drawn_strokes;  ///< further strokes, drawn in the window
   bool cross = false;                      ///< the field is a cross field
-  bool along = false;                      ///< stripes run along the field, not across it
+  bool along = false;                      ///< stripes along the field, not across it
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
   std::optional<float> stripes_v;  ///< the same of the crossing stripes
   std::optional<float> frequency_v;
-  bool oriented = false;       ///< of a texture: the field's signs are meant
-  float frequency_factor = 1;  ///< multiplies all frequencies, whoever says them
+  bool oriented = false;       ///< for textures: keep the field's signs
+  float frequency_factor = 1;  ///< multiplies all frequencies, of any source
   ArrayOptions arrays;
   FieldDetailChoice detail;
 
-  /// Calls `add("--option", field)` for what all patterns of stripes have.
+  /// Calls `add("--option", field)` for the options of all stripe patterns.
   template <class Add>
   void visit(const Add& add) {
     add("--field", field);
@@ -64,61 +64,60 @@ struct WaveOptions {
   }
 };
 
-/// Whether the field is `smooth_direction_field`, drawn to curvature with this weight or not.
+/// Whether the field is `smooth_direction_field`, with any curvature anchor.
 bool is_smooth(const WaveOptions& options);
 float curvature_anchor(const WaveOptions& options);
 
-/// Whether vectors of the field run one way, and not both: opposite ones cancel each other.
+/// Whether vectors of the field have signs: opposite ones cancel.
 bool has_signs(const WaveOptions& options);
 
-/// How many directions of the field are alike: 1 of arrows, 2 of lines, 4 of crosses.
+/// The rotational symmetry of the field: 1 for arrows, 2 for lines, 4 for crosses.
 int symmetry_of(const WaveOptions& options);
 
-/// Degrees that waves are turned by against their field: --rotate and --along.
+/// Turn of the waves from their field, in degrees: --rotate and --along.
 float turn_deg(const WaveOptions& options);
 
-/// Whether the field was measured, as far as anyone can tell: it is an array, a file, or curvature
-/// as it is.
+/// Whether the field counts as measured: an array, a file or raw curvature.
 bool is_measured(const WaveOptions& options);
 
-/// Whether the field of a next step goes on from this one's: it is smooth, or has a memory.
+/// Whether the next step's field starts from this one: it is smooth, or has temporal smoothing.
 bool goes_on_from_last(const WaveOptions& options);
 
 /// Whether the field comes from a file of its own.
 bool is_field_file(const WaveOptions& options);
 
-/// Whether an option says a frequency for every vertex.
+/// Whether an option sets frequencies per vertex.
 bool says_frequencies(const WaveOptions& options);
 
-/// Throws CLI::ValidationError: there is one for all.
+/// Throws CLI::ValidationError: the frequency is uniform.
 [[noreturn]] void refuse_frequency_detail();
 
-/// Whether vertices may have different frequencies: those of an array, a file or a value.
+/// Whether frequencies may differ between vertices: from an array, a file or a value.
 bool may_vary(const WaveOptions& options);
 
-/// What a message calls the field: "the field 'wind.csv'".
+/// The field in messages: "the field 'wind.csv'".
 std::string source_of(const WaveOptions& options);
 
-/// Whether arrays of the mesh's own file are asked for.
+/// Whether options use arrays of the mesh's own file.
 bool needs_own_arrays(const WaveOptions& options);
 
 /// --cross.
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options);
 
-/// All options but those of crossing stripes.
+/// All options except for crossing stripes.
 void add_wave_options(CLI::App& app, WaveOptions& options);
 
-/// Throws CLI::ValidationError for options that the chosen field takes no notice of, and for a
-/// field that is neither known nor a file.
+/// Throws CLI::ValidationError for options without effect on the chosen field, and for a field that
+/// is neither known nor a file.
 void check_field_options(const CLI::App& command, const WaveOptions& options);
 
-/// Throws CLI::ValidationError for options that were given and need triangles: points have none.
+/// Throws CLI::ValidationError for given options that need triangles.
 void refuse_triangle_options(const CLI::App& command);
 
-/// The frequency that the options ask for everywhere; 40 stripes if they ask for none.
+/// The uniform frequency of the options; the default is 40 stripes.
 float constant_frequency(const Mesh& mesh, const WaveOptions& options);
 
-/// The same for a surface whose bounding box has this diagonal.
+/// The same for a bounding box with this diagonal.
 float constant_frequency(float diagonal, const WaveOptions& options);
 
 }  // namespace brindle::tool

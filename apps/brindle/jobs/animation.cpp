@@ -73,7 +73,7 @@ nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
   return json;
 }
 
-/// The figures of `figures` against those of `scratch`.
+/// The metrics of `figures` relative to those of `scratch`.
 nlohmann::ordered_json comparison(const FrameQuality& figures, const FrameQuality& scratch) {
   return {{"energy_ratio", ratio(figures.energy, scratch.energy)},
           {"phase_step_ratio", ratio(figures.phase_step, scratch.phase_step)},
@@ -95,7 +95,7 @@ nlohmann::ordered_json means(const std::vector<FrameReport>& frames) {
             {"render", of([](const FrameReport& f) { return f.render_milliseconds; })}}}};
 }
 
-/// Over the steps whose field followed; nothing if none did.
+/// Mean over the steps whose field continued the last one; empty if none did.
 std::optional<double> mean_field_turn(const std::vector<FrameReport>& frames) {
   double sum = 0;
   std::size_t count = 0;

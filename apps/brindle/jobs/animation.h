@@ -1,4 +1,4 @@
-/// A scene played frame by frame, and its figures.
+/// Plays a scene frame by frame and reports its metrics.
 #pragma once
 
 #include <functional>
@@ -23,30 +23,31 @@
 
 namespace brindle::tool {
 
-/// What a frame's phases are worth.
+/// The quality of a frame's phases.
 struct FrameQuality {
   double energy = 0;
   PatternQuality quality;
   double phase_step = 0;  ///< mean over vertices with a wave, radians; 0 in the first frame
 };
 
-/// What a frame of a series has besides.
+/// Further metrics of a frame in a series.
 struct SeriesFrameReport {
   std::string file;  ///< empty between two steps
   double time = 0;
-  std::optional<Matching> matched_by;           ///< not in the first frame
-  std::size_t vertices_unmatched = 0;           ///< waves without a last phase
-  std::optional<double> field_turned_deg = {};  ///< mean, of a step's smooth field, which followed
+  std::optional<Matching> matched_by;  ///< empty in the first frame
+  std::size_t vertices_unmatched = 0;  ///< waves without a last phase
+  std::optional<double> field_turned_deg =
+      {};  ///< mean, of smooth fields that continued the last step's
 };
 
 struct FrameReport {
   FrameQuality figures;
   std::optional<SeriesFrameReport> series;
-  bool unchanged = false;  ///< the input was that of the last frame
+  bool unchanged = false;  ///< whether the input equals that of the last frame
   double scene_milliseconds = 0;
   FrameMilliseconds milliseconds;
   double render_milliseconds = 0;            ///< drawing and writing
-  std::optional<FrequencyReport> frequency;  ///< with slack
+  std::optional<FrequencyReport> frequency;  ///< with a spacing tolerance
   std::optional<FrameQuality> from_scratch;  ///< the same input, solved without the last frame
 };
 
@@ -57,7 +58,7 @@ struct SeriesReport {
 };
 
 struct AnimationReport {
-  nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< as `invocation_of`
+  nlohmann::ordered_json invocation = nlohmann::ordered_json::object();  ///< from `invocation_of`
   SceneKind scene = SceneKind::zoom;
   std::optional<SeriesReport> series;  ///< instead of a scene
   AnimatorOptions options;
@@ -67,29 +68,30 @@ struct AnimationReport {
   int threads = 0;
   WaveReport waves;  ///< of the first frame
   double topology_milliseconds = 0;
-  nlohmann::ordered_json device;  ///< as Device::description gives it
+  nlohmann::ordered_json device;  ///< from Device::description
   std::vector<FrameReport> frames;
   std::string picture_quality;  ///< empty if nothing is drawn
 };
 
-/// What a frame comes from: a surface as its file has it, and what else the file says.
+/// The source of a frame: a surface as in its file, and the file's other data.
 struct FrameData {
-  const Surface& surface;  ///< has the triangles of the frame; its vertices may have moved since
+  const Surface& surface;  ///< with the triangles of the frame; its vertices may have moved since
   const DataArrays& arrays;
   std::string file;                      ///< for messages
-  std::span<const Index> vertex_of_row;  ///< as Preparation has it
-  std::size_t step = 0;                  ///< number of the file in a series
-  float share = 1;                       ///< of the way to it from the file before
+  std::span<const Index> vertex_of_row;  ///< as in Preparation
+  std::size_t step = 0;                  ///< index of the file in a series
+  float share = 1;                       ///< position between the last file (0) and this one (1)
 };
 
-/// A frame as it is solved.
+/// A solved frame.
 struct SolvedFrame {
   const FrameData& data;
   const SceneFrame& scene;
   std::span<const Complex> z;
-  unsigned phase_buffer;  ///< name of the OpenGL buffer that z lies in, too; 0 for none
+  unsigned phase_buffer;  ///< name of an OpenGL buffer with a copy of z; 0 for none
   std::span<const CornerPhases> corners;
-  std::span<const float> frequencies_wanted;  ///< with slack, beside those of the scene's waves
+  std::span<const float>
+      frequencies_wanted;  ///< with a spacing tolerance, besides those of the scene's waves
 };
 
 /// Receives every frame.
@@ -99,18 +101,17 @@ struct AnimationOptions {
   SceneOptions scene;
   AnimatorOptions animator;
   int frames = 121;
-  int subdivided = 0;  ///< times that triangles were split, for warnings
-  bool along = false;  ///< waves are turned by 90 degrees: stripes run along the scene's field
+  int subdivided = 0;  ///< subdivisions, for warnings
+  bool along = false;  ///< stripes along the scene's field: waves are turned by 90 degrees
   bool compare_from_scratch = false;
 };
 
-/// Solves and measures all frames of the surface; `show` may be empty. Notes on the display what is
-/// probably not meant. Throws what the animator and `show` do, Error if the first frame has no wave
-/// at all, and Cancelled if the display asks for it.
+/// Solves and measures all frames of the surface; `show` may be empty. Notes likely mistakes.
+/// Throws what the animator and `show` throw, Error if the first frame has no waves, and Cancelled.
 AnimationReport play(const FrameData& data, const AnimationOptions& options, const Device& device,
                      const ShowFrame& show, ProgressDisplay& display);
 
-/// A frame's phases, lifted and measured.
+/// A frame's lifted and measured phases.
 struct MeasuredFrame {
   FrameQuality figures;
   std::vector<CornerPhases> corners;
@@ -121,12 +122,13 @@ MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const Fr
 
 class YieldedFrame;
 
-/// The figures alone.
+/// The metrics alone.
 FrameQuality measure_yielded(const YieldedFrame& yielded,
                              std::shared_ptr<const Adjacency> neighborhood,
                              const FrameResult& result, PhaseShiftKind kind);
 
-/// A frame with the frequencies that it was solved for, which may have yielded.
+/// A frame with the frequencies that it was solved for, which the spacing tolerance may have
+/// changed.
 class YieldedFrame {
  public:
   YieldedFrame(const SceneFrame& wanted, const FrameResult& result);
@@ -135,7 +137,7 @@ class YieldedFrame {
 
   const SceneFrame& frame() const { return yielded_ ? *yielded_ : wanted_; }
 
-  /// Empty where nothing yields.
+  /// Empty without a spacing tolerance.
   std::span<const float> frequencies_wanted() const;
   std::optional<FrequencyReport> report(std::span<const CornerPhases> corners,
                                         const FrameResult& result) const;
@@ -147,7 +149,8 @@ class YieldedFrame {
 
 nlohmann::ordered_json to_json(const AnimationReport& report);
 
-/// A row every few frames, the means, and the last frame against from-scratch if that was solved.
+/// Prints every few frames, the means, and a comparison of the last frame with its from-scratch
+/// solution, if there is one.
 void print_report(std::ostream& out, const AnimationReport& report);
 
 }  // namespace brindle::tool

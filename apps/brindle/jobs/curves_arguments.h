@@ -1,4 +1,4 @@
-/// What `brindle curves` is asked for.
+/// Arguments of `brindle curves`.
 #pragma once
 
 #include <memory>
@@ -22,14 +22,14 @@ namespace brindle::tool {
 
 enum class TracedWaves { u, v, both };
 
-/// How lines are written.
+/// The shape of written lines.
 struct LineShape {
   std::optional<Length> simplify, resample, tube_radius;
   int tube_sides = 8;
   Length min_length;                 ///< shorter lines are left out
   std::optional<Length> line_width;  ///< of drawings
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--min-length", min_length);
@@ -47,7 +47,7 @@ struct TracingOptions : LineShape {
   float offset = 0;
   CurveOptions curves;
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--lines", traced);
@@ -73,15 +73,14 @@ enum class CurveOutput { lines, tubes, drawing, picture, report };
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
 
-/// Throws CLI::ValidationError for options that have no effect on these files, or leave each other
-/// without one.
+/// Throws CLI::ValidationError for options without effect on these files or beside other options.
 void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
                           const PlannedFiles<CurveOutput>& files);
 
-/// Throws Error if the mesh's file holds points alone, and reads it for that.
+/// Reads the mesh's file if necessary, and throws Error if it has only points.
 void check_curves_points(const CurvesArguments& arguments);
 
-/// All files that are read.
+/// All input files.
 std::vector<UsedFile> curves_inputs(const CurvesArguments& arguments);
 
 }  // namespace brindle::tool

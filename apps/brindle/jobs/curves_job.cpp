@@ -16,7 +16,7 @@ constexpr const char* kEdges = "edges";
 
 std::string stripes_of(const char* family) { return std::string("stripes of ") + family; }
 
-// What to ask for instead of more curves than there is room for.
+// Advice for a pattern with more curves than memory.
 std::string fewer_stripes(const WaveOptions& waves, double share) {
   const auto fewer = [&](const char* option, float asked) {
     return std::string("; ") + option + ' ' + rounded_down(static_cast<double>(asked) * share) +
@@ -35,8 +35,8 @@ StripeCurves traced_curves(const StripeTracer& tracer, const StripePattern& patt
   }
 }
 
-// Whether the spacing is measured within about half a second. Both sides of the curves are looked
-// at every fifth of 1/f.
+// Whether the spacing can be measured in about half a second. It is sampled on both sides of the
+// curves at every fifth of 1/f.
 bool is_soon_measured(const CurveFamily& family) {
   constexpr double kMost = 100'000;
   const FrequencyField& frequencies = family.pattern.waves.frequencies;
@@ -58,7 +58,7 @@ void measure_spacing(const StripeTracer& tracer, CurveFigures figures, CurveFami
   if (spacing && spacing->measured > 0) family.spacing = spacing;
 }
 
-// Throws away short curves after all ends were counted.
+// Removes short curves after all ends are counted.
 void drop_short(CurveFamily& family, float min_length) {
   if (min_length <= 0) return;
   const StripeCurves all = std::move(family.curves);
@@ -85,7 +85,7 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
   family.lengths = curve_lengths(lines);
 }
 
-// Solved, noted and traced.
+// Solves, notes and traces.
 CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job,
                       const StripeTracer& tracer, const char* name, WaveSet waves,
                       MakingOptions making, JobListener& listener) {
@@ -193,7 +193,7 @@ void reshape(Polylines& lines, const LineShape& shape, float diagonal, const Pro
 
 namespace {
 
-// A default that leaves most of the surface to see: a sixth of the spacing, across both sides.
+// The default leaves most of the surface visible: a sixth of the spacing in diameter.
 float tube_radius_of(const CurvesArguments& arguments, const Mesh& mesh,
                      const FrequencyField& frequencies) {
   if (arguments.tube_radius) return arguments.tube_radius->on(bounding_box(mesh).diagonal());

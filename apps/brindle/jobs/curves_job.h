@@ -1,4 +1,4 @@
-/// What `brindle curves` does, stage by stage, for whoever has its arguments.
+/// The stages of `brindle curves`, shared with the window.
 #pragma once
 
 #include <array>
@@ -16,17 +16,17 @@
 
 namespace brindle::tool {
 
-/// One of U and V with its curves.
+/// The curves of U or V.
 struct CurveFamily {
   std::string name;  ///< "u" or "v"
   StripePattern pattern;
   StripeCurves curves;
   std::array<std::size_t, kCurveEndKinds> ends{};  ///< of all curves
-  std::size_t jogs = 0;          ///< edges that moved curves do not cross straight
-  std::size_t short_curves = 0;  ///< left out
+  std::size_t jogs = 0;                            ///< edges at which moved curves have a jog
+  std::size_t short_curves = 0;                    ///< number left out
   std::optional<CurveSpacing> spacing;
   std::optional<double> covered_twice;
-  CurveLengths lengths;  ///< of the curves that are left
+  CurveLengths lengths;  ///< of the remaining curves
   std::optional<double> coverage;
   MakingFigures making;
   double extract_milliseconds = 0;
@@ -40,35 +40,35 @@ struct CurvesJob {
   std::optional<double> draw_milliseconds;
 };
 
-/// How much is measured of curves. The spacing takes longer than the curves.
+/// The extent of measurements on curves. The spacing takes longer than the curves.
 enum class CurveFigures {
-  few,    ///< not the spacing
-  brief,  ///< the spacing, too, unless that takes longer than one waits for a picture
+  few,    ///< without the spacing
+  brief,  ///< with the spacing if it is fast enough for interactive use
   all
 };
 
-/// The curves of a pattern that is there; `tracer` is of the same surface.
+/// The curves of an existing pattern; `tracer` is for the same surface.
 CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
                           const StripeTracer& tracer, std::string name, StripePattern pattern,
                           CurveFigures figures, JobListener& listener);
 
-/// What is asked of V: windings are those of U, but for what --wales counts.
+/// The options of V: U's windings, except for the loop of --wales.
 MakingOptions making_of_v(const CurvesArguments& arguments);
 
-/// Its stages, in their order, as `JobListener::stage` hears of them.
+/// Its stages, in order, for `JobListener`.
 std::vector<JobStage> curves_stages(const CurvesArguments& arguments);
 
 CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listener);
 
-/// How long all lines are together, and how many of them are closed.
+/// Total length of all lines, and the number of closed ones.
 double total_length(const Polylines& lines);
 std::size_t closed_count(const Polylines& lines);
 
-/// Resamples and simplifies lines on a surface whose bounding box has this diagonal.
+/// Resamples and simplifies lines on a surface with this bounding-box diagonal.
 void reshape(Polylines& lines, const LineShape& shape, float diagonal,
              const Progress& progress = {});
 
-/// Tubes along all curves, as pictures and meshes show them.
+/// Tubes along all curves, for pictures and meshes.
 std::vector<Ornament> tubes_of(const CurvesArguments& arguments, const Mesh& mesh,
                                std::span<const CurveFamily> families);
 

@@ -48,11 +48,11 @@ void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornam
 
 namespace {
 
-// Columns and arrays of all formats, which those of the input's file do not replace.
+// Columns and arrays of all formats, which input arrays must not replace.
 const std::vector<std::string> kCurveColumns = {"kind",   "curve",    "closed",      "length",
                                                 "normal", "triangle", "barycentric", "frequency"};
 
-// Where each point is on the mesh, and what is there.
+// The position of each point on the mesh, and the arrays there.
 std::vector<DataArray> arrays_of(const CurveFamily& family, const Mesh& mesh, DataArrays input) {
   const std::vector<TrianglePoint>& places = family.curves.lines.places;
   std::vector<Index> triangles;

@@ -8,22 +8,22 @@
 
 namespace brindle::tool {
 
-/// What a path asks for; of a mesh file, tubes if they are wanted. Throws CLI::ValidationError,
-/// naming what to do, for what it cannot hold.
+/// The kind of output of a path; for a mesh file, tubes if `tubes`. Throws CLI::ValidationError
+/// with a remedy for files that cannot hold curves.
 CurveOutput planned_curves(const std::string& path, bool tubes);
 
 /// Throws Error if there is nothing to write.
 void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments);
 
-/// Curves on their surface; all of it lives elsewhere.
+/// Curves on their surface, by reference.
 struct TracedSurface {
   const CurvesArguments& arguments;
   const Surface& surface;
-  const DataArrays& arrays;  ///< of the surface's file
+  const DataArrays& arrays;  ///< from the surface's file
   std::span<const CurveFamily> families;
 };
 
-/// Every kind but a report. Throws Error if the file cannot be written.
+/// Writes any kind but a report. Throws Error if the file cannot be written.
 void write_curves(CurveOutput kind, const std::string& path, const TracedSurface& traced,
                   JobListener& listener);
 

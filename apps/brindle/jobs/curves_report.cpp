@@ -15,7 +15,7 @@
 namespace brindle::tool {
 namespace {
 
-/// Figures one after another, with the words of one family.
+/// A list of metrics of one family.
 class FigureList {
  public:
   explicit FigureList(std::string family) : family_(std::move(family)) {}
@@ -25,7 +25,7 @@ class FigureList {
   void top(const char* key, const std::string& words, Value value) {
     all_.push_back({key, words + " of " + family_, value, 1, false});
   }
-  /// One below it, where it is not zero: "  shortest (u)". People see it times `scale`.
+  /// An indented row, only if not zero: "  shortest (u)". The text shows the value times `scale`.
   template <class Value>
   void part(const char* key, const std::string& words, Value value, double scale = 1) {
     all_.push_back({key, "  " + words + " (" + family_ + ")", value, scale, true});
@@ -58,7 +58,7 @@ std::vector<CurveFigure> end_figures(const CurveEnds& ends, const std::string& f
   return figures.take();
 }
 
-/// What became of ends and points.
+/// Changes of ends and points.
 std::vector<CurveFigure> change_figures(const StripeCurves& curves, const std::string& family) {
   FigureList figures(family);
   figures.part("joined_ends", "joined in pairs", curves.joined_ends);
@@ -80,7 +80,7 @@ std::vector<CurveFigure> length_figures(const CurveLengths& lengths, const std::
   return figures.take();
 }
 
-// With slack, also against the frequencies that were asked for.
+// With a spacing tolerance, also relative to the requested frequencies.
 void add_spacing_figures(const CurveSpacing& spacing, bool yields, FigureList& figures) {
   figures.unseen("spacing.measured", spacing.measured);
   figures.top("spacing.mean", "spacing", spacing.mean);
@@ -94,7 +94,7 @@ void add_spacing_figures(const CurveSpacing& spacing, bool yields, FigureList& f
                spacing.share_within_10_percent_wanted, 100);
 }
 
-// With slack, also against the frequencies that were chosen.
+// With a spacing tolerance, also relative to the chosen frequencies.
 void add_gap_figures(const CurveGaps& gaps, bool yields, FigureList& figures) {
   figures.unseen("gaps.measured", gaps.measured);
   figures.top("gaps.mean", "gaps", gaps.mean);
@@ -117,7 +117,7 @@ std::vector<CurveFigure> spacing_figures(const CurveSpacing& spacing, bool yield
   return figures.take();
 }
 
-/// Puts figures where their keys say.
+/// Inserts metrics at their keys.
 void add_to_json(std::span<const CurveFigure> figures, nlohmann::ordered_json& json) {
   for (const CurveFigure& figure : figures) {
     const std::size_t dot = figure.key.find('.');

@@ -21,12 +21,12 @@ void add_points(std::span<const Vec3> points, std::vector<Mark>& marks) {
   }
 }
 
-// None where the renderer reads them from a buffer.
+// Empty if the renderer reads them from a buffer.
 std::span<const Complex> phases_of(const SolvedFrame& solved) {
   return solved.phase_buffer != 0 ? std::span<const Complex>() : solved.z;
 }
 
-/// Stripes, branches or errors, and points as marks.
+/// Stripes, branches or errors, with points as marks.
 class PlainFrames : public FramePainter {
  public:
   explicit PlainFrames(const PictureOptions& options)
@@ -56,14 +56,14 @@ class PlainFrames : public FramePainter {
   Renderer renderer_;
   bool first_ = true;
   std::string nothing_left_;
-  std::vector<Vec3> positions_;  // as the renderer has them
+  std::vector<Vec3> positions_;  // those of the renderer
   std::vector<Triangle> triangles_;
-  std::vector<Vec3> framed_;  // by the camera
+  std::vector<Vec3> framed_;  // framed by the camera
   DirectionField directions_;
   FrequencyField frequencies_;
 };
 
-// Whether these are the waves that the renderer has; if not, they are now.
+// Whether the renderer already has these waves; records them otherwise.
 bool PlainFrames::has_waves(const WaveSet& waves) {
   if (directions_ == waves.directions && frequencies_ == waves.frequencies) return true;
   directions_ = waves.directions;
@@ -87,7 +87,7 @@ void PlainFrames::upload(const SolvedFrame& solved, const Overlay& overlay) {
   has_waves(frame.waves);
 }
 
-// Copies what the renderer does not have yet.
+// Uploads only what has changed.
 void PlainFrames::show(const SolvedFrame& solved, const Overlay& overlay) {
   const SceneFrame& frame = solved.scene;
   if (first_ || triangles_ != frame.mesh.triangles ||
@@ -122,7 +122,7 @@ struct MovingPicture::State {
   std::unique_ptr<FramePainter> painter;
   std::vector<std::unique_ptr<VideoFile>> videos;  // one per output, or null
   std::size_t count = 0;
-  FrameWriter writer;  // ends before the videos do
+  FrameWriter writer;  // declared last: ends before the videos do
 
   void write(Image image);
 };

@@ -1,4 +1,4 @@
-/// The frames of an animation as pictures.
+/// The frames of an animation as pictures and videos.
 #pragma once
 
 #include <memory>
@@ -12,23 +12,22 @@
 
 namespace brindle::tool {
 
-/// Draws frame after frame, from where the camera framed the first one, and writes each as a
-/// picture and into videos, as `outputs` say. Meshes may change.
+/// Draws frames with the first one's camera and writes each to all `outputs`. Meshes may change.
 class MovingPicture {
  public:
-  /// Draws in a context of its own, or in the one that is current; in a style, if there is one,
-  /// which must outlive this. Throws Error in a build without OpenGL, if no OpenGL context is to be
-  /// had, or if a video cannot be begun.
+  /// Draws in the current context or in one of its own, with an optional style, which must outlive
+  /// this object. Throws Error in builds without OpenGL, without a context, or if a video cannot be
+  /// started.
   MovingPicture(std::vector<FrameOutput> outputs, const PictureOptions& options,
                 int frames_per_second, bool own_context, const FrameStyle* style);
   ~MovingPicture();
 
-  /// Draws the next frame, and its points as marks; it is written while the next ones are made.
-  /// Throws Error if an earlier one could not be written. Returns why nothing of the surface is
-  /// seen, or nothing: surfaces that move may do so beyond a slice.
+  /// Draws the next frame, with points as marks, and writes it in the background. Throws Error if
+  /// an earlier one could not be written. Returns the reason why nothing is visible, such as a
+  /// slice, or nothing.
   std::string add(const SolvedFrame& frame);
 
-  /// Waits until all frames are written and ends videos; without it nothing of a video stays.
+  /// Waits for all frames and completes videos; without this call, no video file remains.
   void finish();
 
  private:

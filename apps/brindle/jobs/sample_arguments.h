@@ -1,4 +1,4 @@
-/// What `brindle sample` is asked for.
+/// Arguments of `brindle sample`.
 #pragma once
 
 #include <memory>
@@ -32,22 +32,22 @@ struct SampleArguments {
 
 enum class SampleOutput { samples, picture, report };
 
-/// What a path asks for. Throws CLI::ValidationError, naming what to do, for what it cannot hold.
+/// The kind of output of a path. Throws CLI::ValidationError with a remedy for files that cannot
+/// hold samples.
 SampleOutput planned_sample(const std::string& path);
 
 void add_sample_options(CLI::App& command, SampleArguments& arguments);
 
-/// Throws CLI::ValidationError for options that have no effect on these files, or leave each other
-/// without one, and for what cannot be drawn.
+/// Throws CLI::ValidationError for options without effect on these files or beside other options,
+/// and for what cannot be drawn.
 void check_sample_options(const CLI::App& command, const SampleArguments& arguments,
                           const PlannedFiles<SampleOutput>& files);
 
-/// The same for what points cannot have, if the mesh's file holds nothing else, which is read for
-/// that.
+/// The same for options that point clouds do not support; reads the mesh's file if necessary.
 void check_sample_points(const CLI::App& command, const SampleArguments& arguments,
                          const PlannedFiles<SampleOutput>& files);
 
-/// All files that are read.
+/// All input files.
 std::vector<UsedFile> sample_inputs(const SampleArguments& arguments);
 
 }  // namespace brindle::tool

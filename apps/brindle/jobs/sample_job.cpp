@@ -74,7 +74,7 @@ SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listene
 
 namespace {
 
-// Discs a third as wide as the spacing, just above and below: a surface may be wound either way.
+// Discs a third of the spacing wide, just above and below the surface, whose winding may be either.
 void add_disc(const Sample& sample, Mesh& mesh) {
   constexpr int kCorners = 16;
   const float radius = 0.16f * std::min(sample.spacing_u, sample.spacing_v);
@@ -105,7 +105,7 @@ Ornament discs_of(std::span<const Sample> samples, const Eigen::Vector3d& origin
 
 namespace {
 
-// Columns and arrays of all formats, which those of the input's file do not replace.
+// Columns and arrays of all formats, which input arrays must not replace.
 const std::vector<std::string> kSampleColumns = {"normal",      "direction_u", "direction_v",
                                                  "spacing_u",   "spacing_v",   "triangle",
                                                  "barycentric", "frequency_u", "frequency_v"};
@@ -120,14 +120,14 @@ std::vector<TrianglePoint> places_of(std::span<const Sample> samples) {
   return places;
 }
 
-// Of samples of points, whose numbers stand for triangles.
+// For samples of point clouds, which have point numbers as triangles.
 std::vector<Index> points_of(std::span<const Sample> samples) {
   std::vector<Index> points;
   for (const Sample& sample : samples) points.push_back(sample.triangle);
   return points;
 }
 
-// What samples have as spacings.
+// The inverse of the samples' spacings.
 DataArray frequencies_of(const char* name, std::span<const Sample> samples,
                          float Sample::*spacing) {
   std::vector<float> frequencies;

@@ -1,4 +1,4 @@
-/// What `brindle sample` does, stage by stage, for whoever has its arguments.
+/// The stages of `brindle sample`, shared with the window.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ namespace brindle::tool {
 inline constexpr const char* kNoSamples =
     "no samples: nowhere do stripes of both patterns cross; ask for more stripes\n";
 
-/// Where two patterns cross.
+/// Samples at the crossings of two patterns.
 struct TakenSamples {
   std::vector<Sample> samples;
-  std::size_t doubles = 0;  ///< left out
+  std::size_t doubles = 0;  ///< number left out
   std::optional<SampleSpacing> spacing;
   double edges_milliseconds = 0;
   double extract_milliseconds = 0;
@@ -32,22 +32,22 @@ struct SampleJob {
   GlyphInput glyphs;
 };
 
-/// Samples of patterns that are there, on a mesh or on points.
+/// Samples of existing patterns, on a mesh or on points.
 TakenSamples taken_samples(const SampleArguments& arguments, const Surface& surface,
                            const StripePattern& u, const StripePattern& v, JobListener& listener);
 
-/// Its stages, in their order, as `JobListener::stage` hears of them.
+/// Its stages, in order, for `JobListener`.
 std::vector<JobStage> sample_stages(const SampleArguments& arguments);
 
 SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listener);
 
-/// Discs at samples, as pictures without glyphs show them. Coordinates are relative to `origin`.
+/// Discs at samples, for pictures without glyphs, relative to `origin`.
 Ornament discs_of(std::span<const Sample> samples, const Eigen::Vector3d& origin);
 
-/// `frequency_u` and `frequency_v`, which samples have as spacings.
+/// `frequency_u` and `frequency_v`, from the samples' spacings.
 std::vector<DataArray> frequency_arrays(std::span<const Sample> samples);
 
-/// With the input's arrays there. Throws Error if the file cannot be written.
+/// Includes the input's arrays. Throws Error if the file cannot be written.
 void write_all_samples(const std::string& path, const Mesh& mesh, const DataArrays& input,
                        std::span<const Sample> samples, JobListener& listener);
 

@@ -13,7 +13,7 @@
 namespace brindle::tool {
 namespace {
 
-/// Adds the name of the file to messages that lack it.
+/// Adds the file name to messages without it.
 template <class Work>
 auto naming(const std::filesystem::path& file, const Work& work) {
   try {
@@ -27,7 +27,7 @@ auto naming(const std::filesystem::path& file, const Work& work) {
   }
 }
 
-/// So that all steps can be compared and drawn from one place.
+/// One origin makes all steps comparable.
 void move_to_origin(Preparation& prepared, const Eigen::Vector3d& origin) {
   Mesh& mesh = prepared.surface.mesh;
   const Eigen::Vector3d shift = mesh.origin - origin;
@@ -75,7 +75,7 @@ Preparation Series::prepare_step(ProgressDisplay& display) const {
   return prepare(surface_, waves_, display, viewpoint_, find_last);
 }
 
-/// Keeps what the next field goes on from.
+/// Keeps the field that the next one starts from.
 void Series::keep(const SeriesStep& step) {
   if (!goes_on_from_last(waves_)) return;
   if (is_smooth(waves_) && (fields_ || !smooth_fields_.follow)) return;
@@ -107,7 +107,7 @@ SeriesStep Series::read(ProgressDisplay& display) {
   move_to_origin(step.prepared, origin_);
   if (step.waves_afresh) step.waves_afresh->positions = step.prepared.waves.positions;
   keep(step);
-  // Stripes along the diagonal are those of the first step: they do not swell with the mesh.
+  // The number of stripes is that of the first step, so that they do not widen with the mesh.
   if (next_ == 0 && !fields_ && waves_.arrays.frequency.empty()) {
     waves_.frequency = constant_frequency(step.prepared.surface.mesh, waves_);
     waves_.stripes.reset();

@@ -1,4 +1,4 @@
-/// A time series of files, step by step, and what lies between two of its steps.
+/// Reads a time series of files and interpolates between its steps.
 #pragma once
 
 #include <cstddef>
@@ -14,44 +14,42 @@
 
 namespace brindle::tool {
 
-/// What `brindle animate --series` was asked for.
+/// Options of `brindle animate --series`.
 struct SeriesOptions {
-  std::string name;  ///< what stands for the files; empty: no series
+  std::string name;  ///< name or pattern of the files; empty: no series
   int between = 0;   ///< frames between two steps
 };
 
-/// How many frames there are of so many steps (1 or more).
+/// The number of frames for at least one step.
 std::size_t frame_count(const SeriesOptions& options, std::size_t steps);
 
 /// A step as it was read.
 struct SeriesStep {
   TimedFile source;
   Preparation prepared;
-  std::optional<WaveSet> waves_afresh;  ///< those of a field that went on from none, if they differ
+  std::optional<WaveSet> waves_afresh;  ///< those of a field computed from scratch, if different
 };
 
-/// How smooth fields go on from step to step.
+/// Continuation of smooth fields from step to step.
 struct SeriesFields {
-  bool follow = true;   ///< each starts from the last step's and stays near to it; else anew
-  bool afresh = false;  ///< those that are found anew are wanted, too
+  bool follow = true;   ///< each field starts from the last one's and stays near to it
+  bool afresh = false;  ///< also compute fields from scratch
   MatchOptions match;
 };
 
-/// Reads the steps of a series, one after the other: files with a mesh each, or fields (.csv) over
-/// one mesh.
+/// Reads the steps of a series: a mesh per file, or fields (.csv) over one mesh.
 class Series {
  public:
-  /// Throws CLI::ValidationError if the files need a mesh, or have one and another is given; Error
-  /// as `series_files` does.
+  /// Throws CLI::ValidationError if the files need a mesh, or contain meshes and another one is
+  /// given; Error as `series_files` does.
   Series(const SeriesOptions& options, SurfaceOptions surface, WaveOptions waves,
          SeriesFields smooth_fields, std::optional<Viewpoint> viewpoint);
 
   std::size_t step_count() const { return files_.size(); }
   const std::vector<TimedFile>& files() const { return files_; }
 
-  /// The next step. As many stripes per unit length as asked for along the diagonal of the first
-  /// one's mesh; positions are relative to the first one's origin. Throws Error, naming the file,
-  /// as `prepare` does, and for coordinates that are not finite.
+  /// The next step, with the frequency of the first mesh's diagonal and positions relative to its
+  /// origin. Throws Error with the file as `prepare` does, and for coordinates that are not finite.
   SeriesStep read(ProgressDisplay& display);
 
  private:
@@ -65,13 +63,13 @@ class Series {
   bool fields_ = false;                 ///< the files are fields over one mesh
   SeriesFields smooth_fields_;
   std::size_t next_ = 0;
-  std::optional<KeptField> last_;  ///< if the next field goes on from it
+  std::optional<KeptField> last_;  ///< if the next field starts from it
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
 };
 
-/// The frame between two steps of the same triangles, at `share` of the way: positions, directions
-/// (as lines: turned round where that makes them alike) and frequencies are interpolated linearly.
-/// Where one of both has no wave, the nearer step says whether there is one.
+/// The frame between two steps of the same triangles at `share` of the way: linear interpolation of
+/// positions, directions (as lines) and frequencies. If one step has no wave, the nearer step
+/// decides.
 SceneFrame between(const SceneFrame& a, const SceneFrame& b, float share);
 
 }  // namespace brindle::tool

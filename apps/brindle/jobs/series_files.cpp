@@ -43,7 +43,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 // --- v%04d.vtp
 
-/// The number in a name that the pattern could have made.
+/// The number in a name that matches the pattern.
 std::optional<long> number_in(const FrameNames& names, std::string_view name) {
   if (name.size() <= names.before.size() + names.after.size() || !name.starts_with(names.before) ||
       !name.ends_with(names.after)) {
@@ -81,7 +81,7 @@ std::vector<TimedFile> numbered_files(const std::string& pattern, const FrameNam
 // --- v*.vtp
 
 bool matches(std::string_view pattern, std::string_view name) {
-  // Where to go on if the last * has to stand for one more character.
+  // Position to retry from if the last * must match one more character.
   std::optional<std::pair<std::size_t, std::size_t>> retry;
   std::size_t p = 0, n = 0;
   while (n < name.size()) {
@@ -106,7 +106,7 @@ std::string_view digits_at(std::string_view text, std::size_t at) {
   return text.substr(at, end - at);
 }
 
-/// Numbers by their value: v2 before v10.
+/// Compares embedded numbers by value: v2 before v10.
 bool is_before(std::string_view a, std::string_view b) {
   std::size_t i = 0, j = 0;
   while (i < a.size() && j < b.size()) {
@@ -127,7 +127,7 @@ bool is_before(std::string_view a, std::string_view b) {
   return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
 }
 
-/// The last number in a name, before its extension.
+/// The last number in a name, without its extension.
 std::optional<double> last_number_in(const std::string& name) {
   const std::string stem = fs::path(name).stem().string();
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
@@ -137,7 +137,7 @@ std::optional<double> last_number_in(const std::string& name) {
   return std::strtod(std::string(begin.base(), end.base()).c_str(), nullptr);
 }
 
-/// The numbers of files, if all have one and these ascend; otherwise their places.
+/// Times from the files' numbers if all have one in ascending order; else their positions.
 void number(std::vector<TimedFile>& files, std::span<const std::string> names) {
   std::vector<double> numbers;
   for (const std::string& name : names) {

@@ -8,13 +8,12 @@
 
 namespace brindle::tool {
 
-/// The steps that `name` stands for, in their order:
-/// - a .pvd: what it lists, with its times;
-/// - a name with %d or %04d: files with numbers, from the first there is to the last, with the
-///   numbers as times;
-/// - a name with * or ?: all that match, numbers in them in numeric order, with times 0, 1, 2...
-/// Only the last part of a path may have a pattern. Throws CLI::ValidationError, naming `option`,
-/// for a name of another kind; Error if there is no such file, or one is missing between others.
+/// The steps of `name`, in order:
+/// - a .pvd: its files, with its times;
+/// - a name with %d or %04d: numbered files, from the first to the last, with numbers as times;
+/// - a name with * or ?: all matching files, with numbers in numeric order and times 0, 1, 2 ...
+/// Only the file name may be a pattern. Throws CLI::ValidationError with `option` for another kind
+/// of name, Error if no file exists or a number is missing.
 std::vector<TimedFile> series_files(const std::string& option, const std::string& name);
 
 }  // namespace brindle::tool

@@ -14,10 +14,10 @@ SceneFrame frame_of(const Preparation& prepared, const WaveSet& waves) {
   return {prepared.surface.mesh, prepared.surface.normals, waves, {}};
 }
 
-/// A frame, and the same as it is if no field follows the last one.
+/// A frame, and its version with a field computed from scratch.
 struct FramePair {
   SceneFrame frame;
-  std::optional<SceneFrame> afresh;  ///< none: the same
+  std::optional<SceneFrame> afresh;  ///< empty: the same
 
   const SceneFrame& alone() const { return afresh ? *afresh : frame; }
 };
@@ -35,7 +35,7 @@ FramePair pair_between(const FramePair& a, const FramePair& b, float share) {
   return pair;
 }
 
-/// Where a frame is from.
+/// The origin of a frame.
 struct Source {
   std::shared_ptr<const Adjacency> neighborhood;
   std::span<const DataArray> arrays;
@@ -43,7 +43,7 @@ struct Source {
   double time = 0;
 };
 
-/// What a series has come to.
+/// Plays a series and collects its report.
 class Player {
  public:
   Player(const SeriesPlay& options, std::size_t steps, const ShowFrame& show,
@@ -83,10 +83,10 @@ class Player {
       report_.frames.back().series->field_turned_deg = prepared.field_step->mean_deg;
     }
     last_ = std::move(frame);
-    last_source_ = {source.neighborhood, {}, source.file, source.time};  // the step is let go
+    last_source_ = {source.neighborhood, {}, source.file, source.time};  // releases the step
   }
 
-  /// What the next frame does from now on, of its share.
+  /// Progress of a part of the next frame.
   Progress begin_part(double begin, double end) {
     const auto number = static_cast<double>(report_.frames.size());
     const auto all = static_cast<double>(frames_);
@@ -128,12 +128,12 @@ class Player {
     }
   }
 
-  /// A frame that is so far on the way to `step`.
+  /// Solves a frame at `share` of the way to `step`.
   void solve(const FramePair& pair, const Source& source, const SeriesStep& step, float share) {
     const SceneFrame& frame = pair.frame;
     const Progress solving = begin_part(0.3, 0.7);
     solving.report(0);
-    // Drawing and writing are what is left of the frame.
+    // The rest of the frame is for drawing and writing.
     const double number = static_cast<double>(report_.frames.size());
     FrameReport& report = report_.frames.emplace_back();
     const auto result = anchored_.frame(frame, source.neighborhood, source.arrays, source.file,
@@ -206,7 +206,7 @@ SeriesAnimator::Result SeriesAnimator::frame(const SceneFrame& input,
   }
   if (last_) {
     result.matched_by = match_.by.value_or(same ? Matching::number : Matching::position);
-    // Where nothing changes hands, an animator keeps its own phases.
+    // Without remapping, an animator uses its own phases.
     if (!same || result.matched_by != Matching::number || lacks_last_wave(*last_, input)) {
       const CarriedPattern carried = carry(*last_, {name, input.mesh, input.waves, arrays}, match_);
       animator_->set_last_phases(carried.z);

@@ -1,4 +1,4 @@
-/// A time series played step by step, and its figures.
+/// Plays a time series step by step and reports its metrics.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace brindle::tool {
 
-/// What a series is played with.
+/// Options of a played series.
 struct SeriesPlay {
   SeriesOptions series;
   AnimatorOptions animator;
@@ -20,18 +20,18 @@ struct SeriesPlay {
   bool compare_from_scratch = false;
 };
 
-/// Stripes that follow each other while meshes change or stay.
+/// Stripes that continue from frame to frame, even if meshes change.
 class SeriesAnimator {
  public:
   SeriesAnimator(const AnimatorOptions& options, MatchOptions match);
 
   struct Result {
     FrameResult frame;                   ///< valid until the next one
-    std::optional<Matching> matched_by;  ///< not in the first frame
+    std::optional<Matching> matched_by;  ///< empty in the first frame
     std::size_t unmatched = 0;
   };
 
-  /// `arrays` are those of points, for ids; `name` is the file's, for messages. Throws Error as
+  /// `arrays` are point arrays, for ids; `name` is the file's, for messages. Throws Error as
   /// `carry` and `StripeAnimator::frame` do.
   Result frame(const SceneFrame& input, std::shared_ptr<const Adjacency> neighborhood,
                std::span<const DataArray> arrays, const std::string& name,
@@ -47,12 +47,11 @@ class SeriesAnimator {
   double topology_milliseconds_ = 0;
 };
 
-/// Receives every step, after `ShowFrame` has had its frame.
+/// Receives every step, after `ShowFrame` received its frame.
 using ShowStep = std::function<void(const SeriesStep& step, const SolvedFrame& frame)>;
 
 /// Solves and measures all frames; `show` and `show_step` may be empty. Throws what reading and
-/// solving do, and Error, naming the files, if there are to be frames between steps whose triangles
-/// differ.
+/// solving throw, and Error with the files for frames between steps of different triangles.
 AnimationReport play(Series& series, const SeriesPlay& options, const ShowFrame& show,
                      const ShowStep& show_step, ProgressDisplay& display);
 

@@ -1,4 +1,4 @@
-/// The meshes that `brindle animate` writes of a series.
+/// The meshes of a series from `brindle animate`.
 #pragma once
 
 #include <vector>
@@ -10,17 +10,17 @@
 
 namespace brindle::tool {
 
-/// A mesh per step, with the step's arrays and its waves, and a .pvd that lists them.
+/// A mesh per step, with the step's arrays and waves, and a .pvd that lists them.
 class StepFiles {
  public:
-  /// What is handed over must outlive this.
+  /// The arguments must outlive this object.
   StepFiles(std::vector<FrameOutput> outputs, PhaseShiftKind phase_shift,
             const PictureOptions& picture, ProgressDisplay& display);
 
   /// Writes the next step. Throws what writing does.
   void add(const SeriesStep& step, const SolvedFrame& solved);
 
-  /// Lists the steps.
+  /// Writes the list of steps.
   void finish() const;
 
  private:

@@ -12,7 +12,7 @@
 namespace brindle::tool {
 namespace {
 
-// What cannot be laid over points or shown of crosses: better said before a long job.
+// Rejects, before a long job, options that points or crosses do not support.
 void check_points(const CLI::App& command, const StripeArguments& arguments,
                   const std::vector<Output>& outputs) {
   const auto refuse = [](const std::string& option, const std::string& what) {
@@ -59,7 +59,7 @@ void check_previous(const CLI::App& command, const StripeArguments& arguments, b
   });
 }
 
-// What drawings cannot show.
+// Rejects options that drawings cannot show.
 void check_drawings(const CLI::App& command, const StripeArguments& arguments,
                     const std::vector<Output>& outputs, bool texture) {
   const auto drawing = std::ranges::find_if(outputs, is_drawing);
@@ -87,7 +87,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
   }
 }
 
-// Options that would change nothing.
+// Rejects options without effect.
 void check_options(const CLI::App& command, const StripeArguments& arguments,
                    const std::vector<Output>& outputs, bool texture) {
   check_field_options(command, arguments.waves);
@@ -106,7 +106,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
     refuse_style_options(command, no_picture);
     refuse_given(command, {"--quality", "--view", "--stripe-width"}, no_picture);
     refuse_camera_options(command, arguments.waves, no_picture);
-    // Meshes carry the tile in these colours.
+    // Meshes have an image of the tile in these colours.
     if (!texture || !has(outputs, OutputKind::mesh)) {
       refuse_given(command, {"--colors"}, no_picture);
     }

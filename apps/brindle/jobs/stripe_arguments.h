@@ -1,4 +1,4 @@
-/// What `brindle stripe` is asked for.
+/// Arguments of `brindle stripe`.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ struct StripeArguments {
   SolvingOptions solving;
   MakingOptions making;
   DeviceKind device = DeviceKind::cpu;
-  std::string previous;  ///< file of the pattern to stay near to; empty: none
+  std::string previous;  ///< file of the pattern to continue; empty: none
   MatchOptions match;
   TextureChoice texture;
   std::shared_ptr<PictureOptions> picture;
@@ -40,26 +40,25 @@ struct StripeArguments {
 
 void add_stripe_options(CLI::App& command, StripeArguments& arguments);
 
-/// All files that are read.
+/// All input files.
 std::vector<UsedFile> stripe_inputs(const StripeArguments& arguments);
 
-/// Whether a texture is drawn, or crosses, rather than stripes.
+/// Whether a texture or crosses are drawn instead of stripes.
 bool has_tiles(const StripeArguments& arguments);
 
 /// Whether one of the pictures has a style.
 bool has_style(const CLI::App& command, const std::vector<Output>& outputs);
 
-/// Throws CLI::ValidationError for options that have no effect on these outputs, or leave each
-/// other without one. Reads no files.
+/// Throws CLI::ValidationError for options without effect on these outputs or beside other options.
+/// Reads no files.
 void check_stripe_options(const CLI::App& command, const StripeArguments& arguments,
                           const std::vector<Output>& outputs);
 
-/// The same for what points cannot have, if the mesh's file holds nothing else, which is read for
-/// that.
+/// The same for options that point clouds do not support; reads the mesh's file if necessary.
 void check_stripe_points(const CLI::App& command, const StripeArguments& arguments,
                          const std::vector<Output>& outputs);
 
-/// Everything that can be said before a long job: the outputs, and both checks.
+/// All checks before a long job: outputs and options.
 std::vector<Output> checked_outputs(const CLI::App& command, const StripeArguments& arguments);
 
 }  // namespace brindle::tool

@@ -55,7 +55,7 @@ StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
   return job;
 }
 
-// The phases of the pattern that this one stays near to.
+// The phases of the pattern that this one continues.
 CarriedPattern carried_pattern(const StripeArguments& arguments, const Preparation& prepared) {
   const Follower follower{arguments.surface.mesh, prepared.surface.mesh, prepared.waves,
                           prepared.arrays.points};

@@ -1,4 +1,4 @@
-/// What `brindle stripe` does, stage by stage, for whoever has its arguments.
+/// The stages of `brindle stripe`, shared with the window.
 #pragma once
 
 #include <memory>
@@ -12,25 +12,25 @@
 
 namespace brindle::tool {
 
-/// What was made, and its report.
+/// A result and its report.
 struct StripeJob {
-  std::shared_ptr<const Surface> surface;  ///< that the result lies on: of crosses, a covering
+  std::shared_ptr<const Surface> surface;  ///< of the result: for crosses, the double cover
   StripeResult result;
   Report report;
   InputData data;
-  MakingFigures making = {};  ///< that the report has
+  MakingFigures making = {};  ///< of the report
 };
 
-/// What the smooth field of these stripes goes on from: the field of the previous pattern, which
-/// `prepared` then keeps. Nothing if no pattern is followed. `arguments` must live as long.
+/// Finds the field that this smooth field starts from: that of the previous pattern, which
+/// `prepared` then keeps. Empty without a previous pattern. `arguments` must outlive the result.
 FindLastDirections previous_directions(const StripeArguments& arguments);
 
-/// Solves on the device that the arguments name, which is given back before anything is drawn.
-/// Throws what solving throws, and Error for a previous pattern that does not fit.
+/// Solves on the device of the arguments, which is released before drawing. Throws what solving
+/// throws, and Error for a previous pattern that does not fit.
 StripeJob make_stripe_job(StripeArguments arguments, Preparation prepared,
                           std::optional<TextureTile> tile, const Progress& progress);
 
-/// What a picture's style needs beside a job.
+/// The part of a picture's style that is solved for.
 struct StyleJob {
   StyleInput input;
   StylePatterns patterns;

@@ -40,8 +40,8 @@ Ball ball_at(const Vec3& middle, float radius, const Eigen::Vector3d& origin) {
   return ball;
 }
 
-/// The values of frames: those of files change from step to step, others with the shape. Ends are
-/// those of the first frame, so that a colour means the same in all of them.
+/// The values of frames. Those of files change from step to step, others with the shape. Ranges are
+/// those of the first frame, so that colours keep their meaning.
 class FrameValues {
  public:
   explicit FrameValues(const FrameStyle& style) : style_(style) {}
@@ -58,13 +58,13 @@ class FrameValues {
         });
   }
 
-  /// Lets the next frame say what the ends are.
+  /// Takes ranges from the next frame.
   void forget_ends() { ends_.clear(); }
 
  private:
   struct OfFile {
     std::size_t step = 0;
-    VertexValues last, next;  ///< of the step before, and of the one on the way to which a frame is
+    VertexValues last, next;  ///< of the last step, and of the next one
   };
 
   ValueSource source(const FrameData& data, const Surface& surface,
@@ -97,7 +97,7 @@ class FrameValues {
 };
 
 AnimatorOptions without_slack(AnimatorOptions options) {
-  options.slack = 0;  // frequencies have yielded before
+  options.slack = 0;  // already applied to the frequencies
   return options;
 }
 
@@ -124,13 +124,13 @@ class FrameTexture {
         .pattern.waves;
   }
 
-  /// What is left out of the tiles of the last frame; for as long as that is shown.
+  /// Broken tiles of the last frame; valid while it is shown.
   std::span<const LeftOutTiles> broken(const TextureView& texture, const StyleBindings& followed) {
     broken_ = left_out_tiles(triangles_, texture, style_.style, followed, whole_);
     return broken_;
   }
 
-  /// After so many frames, in tiles.
+  /// The shift after `frames` frames, in tiles.
   Eigen::Vector2f shift(std::size_t frames) const {
     const double seconds = static_cast<double>(frames) / style_.frames_per_second;
     const Eigen::Vector2d shift = style_.style.texture_shift.cast<double>() +
@@ -175,7 +175,7 @@ class StyledFrames : public FramePainter {
   Viewpoint viewpoint_;
   std::vector<Vec3> framed_;
   std::vector<OtherSurface> others_;
-  std::vector<std::optional<VertexValues>> other_values_;  ///< stay, as the surfaces do
+  std::vector<std::optional<VertexValues>> other_values_;  ///< fixed, like the surfaces
   StyledRenderer renderer_;
   std::size_t uploaded_ = 0;  ///< surfaces and points
   std::size_t count_ = 0;
@@ -188,7 +188,7 @@ StyleBindings StyledFrames::follow_frame(const SolvedFrame& frame, const Surface
   return follow(style_.style, values);
 }
 
-/// What stays from frame to frame.
+/// Prepares what is constant over all frames.
 void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
   const StyleOptions& style = style_.style;
   const float diagonal = bounding_box(surface.mesh).diagonal();
@@ -203,7 +203,7 @@ void StyledFrames::begin(const SolvedFrame& frame, const Surface& surface) {
   stripes.phase_shift = style_.animator.phase_shift;
   others_ = solve_others(style, std::move(others), stripes, style_.display.progress());
   if (style.follows_camera()) {
-    // The legend leaves less room, so that the camera stands farther away.
+    // The legend takes space, so that the camera moves back.
     viewpoint_.width -=
         legend_width(follow_frame(frame, surface).legends, viewpoint_.width, viewpoint_.height);
     values_.forget_ends();
@@ -233,7 +233,7 @@ StyledScene StyledFrames::scene_of(const SolvedFrame& frame, const Surface& surf
   return scene;
 }
 
-/// Copies what is not there yet; other surfaces stay.
+/// Uploads only changes; other surfaces stay.
 void StyledFrames::show(const std::vector<StyledSurface>& surfaces, std::span<const Vec3> points) {
   const Mesh& mesh = surfaces.front().mesh;
   const float radius = kPointRadius * bounding_box(*viewpoint_.framed).diagonal();

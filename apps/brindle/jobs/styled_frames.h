@@ -1,4 +1,4 @@
-/// Frames of an animation in the style that was asked for.
+/// Frames of an animation in a style.
 #pragma once
 
 #include <memory>
@@ -20,22 +20,22 @@ class FramePainter {
  public:
   virtual ~FramePainter() = default;
 
-  /// The next frame, seen from where the camera framed the first one.
+  /// The next frame, with the camera of the first one.
   virtual Image paint(const SolvedFrame& frame) = 0;
 
-  /// Why the last one shows nothing (`slice_refusal`); empty if it shows anything.
+  /// The reason why the last frame shows nothing (`slice_refusal`); else empty.
   virtual std::string nothing_left() const = 0;
 };
 
-/// Points of a frame, of the paper's Fig. 1: orange and blue for two vortex cores.
+/// Points of a frame, as in the paper's Fig. 1: orange and blue for two vortex cores.
 inline constexpr Color kPointColors[] = {{0.91f, 0.45f, 0.13f}, {0.16f, 0.50f, 0.84f}};
 
-/// What frames look like.
+/// The look of frames.
 struct FrameStyle {
   StyleOptions style;
   std::optional<TextureTile> tile;  ///< a texture instead of stripes
-  bool oriented = false;            ///< the directions' signs are meant, for textures
-  std::optional<bool> whole_tiles;  ///< nothing: as suits the tile
+  bool oriented = false;            ///< for textures: directions have signs
+  std::optional<bool> whole_tiles;  ///< empty: the tile's default
   WaveOptions waves;
   AnimatorOptions animator;  ///< of crossing strokes and textures
   MatchOptions match;
@@ -43,9 +43,9 @@ struct FrameStyle {
   ProgressDisplay& display;
 };
 
-/// Needs a current OpenGL context. What it is given must outlive it. The ends of values, and what
-/// the camera frames, are those of the first frame. Throws Error, also later, for values and other
-/// surfaces that cannot be had.
+/// Needs a current OpenGL context. The arguments must outlive the result. Ranges of values and the
+/// camera are those of the first frame. Throws Error, also later, if values or other surfaces
+/// cannot be read.
 std::unique_ptr<FramePainter> make_styled_frames(const FrameStyle& style,
                                                  const PictureOptions& picture);
 

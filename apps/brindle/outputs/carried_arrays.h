@@ -1,4 +1,4 @@
-/// Arrays of the input's file at places on the mesh, for curves and samples.
+/// Input arrays at positions on the mesh, for curves and samples.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@
 
 namespace brindle::tool {
 
-/// The part of a command's own arrays and those of its input (`join_arrays`) that the file can
-/// hold. Notes what was renamed, then what the file cannot hold.
+/// The joined own and input arrays (`join_arrays`) that the file can hold. Notes renamed arrays,
+/// then left-out ones.
 DataArrays fitted(const std::filesystem::path& path, DataArrays own, const DataArrays& input,
                   JobListener& listener);
 
-/// What a file of lines or samples has place for beside its `own` columns: of arrays of points and
-/// of triangles with one name, those of points. Notes what it cannot hold, and what was renamed.
+/// The input arrays that a file of lines or samples can hold besides its `own` columns; of point
+/// and triangle arrays with one name, those of points. Notes left-out arrays, then renamed ones.
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
                        const DataArrays& arrays, JobListener& listener);
 
-/// A row per place: means of points (`blended`), then the rows of triangles.
+/// A row per position: interpolated point arrays (`blended`), then rows of triangle arrays.
 std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,
                                  std::span<const Triangle> triangles, const DataArrays& arrays);
 

@@ -15,7 +15,7 @@
 namespace brindle::tool {
 namespace {
 
-// OBJ has no place for waves.
+// OBJ files cannot hold waves.
 bool holds_waves(const std::filesystem::path& path) { return lower_extension(path) != ".obj"; }
 
 bool is_gltf(const std::filesystem::path& path) {
@@ -23,7 +23,7 @@ bool is_gltf(const std::filesystem::path& path) {
   return kind == ".gltf" || kind == ".glb";
 }
 
-// Triangles' own arrays of a pattern, in formats that have place for them.
+// Triangle arrays of a pattern, for formats that can hold them.
 void add_cells(std::vector<DataArray>& cells, const std::filesystem::path& path,
                const StripePattern& pattern, const std::string& suffix) {
   if (!holds_waves(path) || is_gltf(path)) return;

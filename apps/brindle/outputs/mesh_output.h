@@ -1,4 +1,4 @@
-/// Mesh files of what `brindle stripe` has made, with all that the input's file says.
+/// Mesh files of `brindle stripe`, with all arrays of the input.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +16,36 @@
 
 namespace brindle::tool {
 
-/// What comes with a surface from its file and goes along into others.
+/// Input data that are copied to output files.
 struct InputData {
-  DataArrays arrays;                       ///< a row per vertex, and per triangle
+  DataArrays arrays;                       ///< per vertex and per triangle
   std::vector<std::int64_t> original_ids;  ///< `Preparation`
   std::vector<Index> partners;             ///< `Preparation`
   float turn_deg = 0;                      ///< `PreparationFigures`
   std::vector<float> agreement = {};       ///< `PreparationFigures`
 };
 
-/// Takes it out of `prepared`.
+/// Moves it out of `prepared`.
 InputData take_input_data(Preparation& prepared);
 
-/// The same on the surface of a cross texture (`CrossTexture`), of a surface of those triangles.
+/// The same for the surface of a cross texture (`CrossTexture`), from a surface with these
+/// triangles.
 InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
                            const CrossCover& cover);
 
-/// What a mesh file is written from.
+/// The content of a mesh file.
 struct MadeMesh {
   const Surface& surface;
   const StripeResult& result;
   const InputData& data;
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
-  bool uv = false;  ///< texture coordinates also without a texture
+  bool uv = false;  ///< texture coordinates even without a texture
 };
 
-/// Whether this mesh file holds values of triangles.
+/// Whether this mesh file can hold triangle arrays.
 bool holds_cells(const std::filesystem::path& path);
 
-/// Notes which of the input's arrays the file cannot hold. Without triangles, the file holds points
-/// with normals.
+/// Notes the input arrays that the file cannot hold. Without triangles, writes points with normals.
 void write_made_mesh(const std::filesystem::path& path, const MadeMesh& made,
                      const PictureOptions& picture, JobListener& listener);
 

@@ -1,4 +1,4 @@
-/// Files that a command was asked for: planned before a long job, written after it.
+/// Output files, planned before a long job and written after it.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace brindle::tool {
 
-/// Paths, and what each asks for. `Kind` is an enumeration with a `report`.
+/// Paths and their kinds. `Kind` is an enumeration with a `report`.
 template <typename Kind>
 using PlannedFiles = std::vector<std::pair<Kind, std::string>>;
 
-/// What each path asks for, as `plan` tells by throwing or returning a Kind; reports last, `report`
-/// among them unless it is empty. Throws CLI::ValidationError as `check_files` and `check_report`
-/// do, Error if the report could not be written.
+/// The kind of each path: `plan` returns it or throws. Reports are last and include `report` unless
+/// it is empty. Throws CLI::ValidationError as `check_files` and `check_report` do, Error if the
+/// report is not writable.
 template <typename Kind>
 PlannedFiles<Kind> plan_files(const std::vector<UsedFile>& inputs,
                               const std::vector<std::string>& paths, const std::string& report,
@@ -42,7 +42,7 @@ PlannedFiles<Kind> plan_files(const std::vector<UsedFile>& inputs,
   return files;
 }
 
-/// Whether one of the files is of this kind.
+/// Whether one of the files has this kind.
 template <typename Kind>
 bool has(const PlannedFiles<Kind>& files, Kind kind) {
   return std::any_of(files.begin(), files.end(),
@@ -54,15 +54,14 @@ void print_written(std::ostream& out, const PlannedFiles<Kind>& files) {
   for (const auto& [kind, path] : files) print_written(out, std::filesystem::path(path));
 }
 
-/// A stage for every file.
+/// A stage per file.
 template <typename Files>
 void add_writing_stages(const Files& files, std::vector<JobStage>& stages) {
   for (const auto& [kind, path] : files) stages.push_back({"writing " + path, 2});
 }
 
-/// What `make(display)` returns, after `write(kind, path, result, display)` has written it into
-/// all files. `stages` are those of `make`. `draw_milliseconds` of the result is what pictures
-/// took.
+/// Returns the result of `make(display)`, after `write(kind, path, result, display)` for all files.
+/// `stages` are those of `make`. `draw_milliseconds` of the result receives the time of pictures.
 template <typename Kind>
 auto make_and_write(const PlannedFiles<Kind>& files, bool quiet, std::vector<JobStage> stages,
                     const auto& make, const auto& write) {

@@ -1,4 +1,4 @@
-/// How much memory this process has in use.
+/// Resident memory of this process.
 #pragma once
 
 #include <cstddef>
@@ -6,19 +6,19 @@
 
 namespace brindle::tool {
 
-/// Bytes of memory pages that the process holds.
+/// Bytes of the process's resident pages.
 struct ResidentMemory {
   std::size_t now = 0;
   std::size_t peak = 0;  ///< since the start, or since reset_memory_peak
 };
 
-/// Nothing on systems that do not tell (they have no /proc/self/status).
+/// Empty on systems without /proc/self/status.
 std::optional<ResidentMemory> resident_memory();
 
-/// Gives pages that were freed back to the system, so that what is allocated next counts.
+/// Returns freed pages to the system, so that new allocations count.
 void return_free_memory();
 
-/// Lets `peak` begin anew where the system can.
+/// Resets `peak` if the system can.
 void reset_memory_peak();
 
 }  // namespace brindle::tool

@@ -1,4 +1,4 @@
-/// Says what was written.
+/// Prints which files were written.
 #pragma once
 
 #include <filesystem>

@@ -24,7 +24,7 @@ constexpr double kPointsPerPixel = 72 / kDrawingDpi;  // 72 points are an inch
 using CairoSurface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Cairo = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-/// Kept in memory: what the stream of a file throws must not pass through Cairo.
+/// Buffered in memory: exceptions of file streams must not pass through Cairo.
 cairo_status_t add_bytes(void* bytes, const unsigned char* more, unsigned int count) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(more), count);
   return CAIRO_STATUS_SUCCESS;
@@ -66,7 +66,7 @@ std::string pdf_of(int width, int height, std::span<const Pen> pens, const Progr
       cairo_pdf_surface_create_for_stream(add_bytes, &bytes, kPointsPerPixel * width,
                                           kPointsPerPixel * height),
       cairo_surface_destroy);
-  // No date: the same drawing is the same file, whenever it is written.
+  // Without a date, the same drawing always gives the same file.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   {
     const Cairo cairo(cairo_create(surface.get()), cairo_destroy);

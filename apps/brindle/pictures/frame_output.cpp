@@ -16,7 +16,7 @@ constexpr const char* kExpected =
     "as "
     "steps/%04d.vtp";
 
-// "d", "4d", "04d": the number's digits, and how long the text is.
+// "d", "4d", "04d": number of digits, and length of the text.
 struct Conversion {
   int digits = 0;
   std::size_t length = 0;
@@ -110,7 +110,7 @@ std::vector<std::filesystem::path> frame_files(const FrameOutput& output, std::s
 void check_frame_output(const FrameOutput& output) {
   check_output_path(output.is_video() ? output.video : frame_path(output, 0));
   if (output.is_video()) check_video_available(output.video);
-  if (output.meshes) check_name_in_xml(frame_path(output, 0));  // the collection names them
+  if (output.meshes) check_name_in_xml(frame_path(output, 0));  // the collection lists them
 }
 
 }  // namespace brindle::tool

@@ -1,4 +1,4 @@
-/// Where the frames of an animation go.
+/// Outputs of an animation's frames.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace brindle::tool {
 
-/// Names of files with a number in them: folder / (before + number + after), the number filled up
-/// with zeros to `digits`.
+/// Names of numbered files: folder / (before + number + after); the number is zero-padded to
+/// `digits`.
 struct FrameNames {
   std::filesystem::path folder;
   std::string before, after;
   int digits = 0;
 };
 
-/// Reads a pattern with one %d or %0Nd in the file's name, %% standing for a percent sign; nothing
-/// if it is none.
+/// Parses a pattern with one %d or %0Nd in the file name, %% for a percent sign; empty for other
+/// names.
 std::optional<FrameNames> parse_frame_names(const std::filesystem::path& pattern);
 
-/// The name without the folder.
+/// The file name without the folder.
 std::string numbered_name(const FrameNames& names, long number);
 
 /// A video file, one picture per frame, or one mesh per step of a series.
@@ -33,21 +33,21 @@ struct FrameOutput {
   bool is_video() const { return !video.empty(); }
 };
 
-/// Reads "name.mp4", or a pattern for PNG or VTP files. Throws CLI::ValidationError for anything
-/// else, naming `option`.
+/// Parses "name.mp4", or a pattern of PNG or VTP files. Throws CLI::ValidationError with `option`
+/// for anything else.
 FrameOutput parse_frame_output(const std::string& option, const std::string& text);
 
 /// The file of picture or mesh `number`.
 std::filesystem::path frame_path(const FrameOutput& output, std::size_t number);
 
-/// The file beside meshes that lists them with their times.
+/// The file beside the meshes that lists them with their times.
 std::filesystem::path collection_path(const FrameOutput& output);
 
-/// The video, or all pictures or meshes of an animation, of meshes also the collection.
+/// All files of an animation, including the collection of meshes.
 std::vector<std::filesystem::path> frame_files(const FrameOutput& output, std::size_t count);
 
-/// Throws Error if the folder does not exist or cannot be written to, or the output is a video and
-/// the ffmpeg program is not to be found.
+/// Throws Error if the folder does not exist or is not writable, and for a video without the ffmpeg
+/// program.
 void check_frame_output(const FrameOutput& output);
 
 }  // namespace brindle::tool

@@ -49,7 +49,7 @@ void FrameWriter::work() {
     } catch (...) {
       failure = std::current_exception();
     }
-    job = nullptr;  // its frame goes before the next one is made
+    job = nullptr;  // frees its frame before the next one
     lock.lock();
     busy_ = false;
     if (failure) {

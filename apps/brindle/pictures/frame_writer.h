@@ -1,4 +1,4 @@
-/// Writes frames while the next ones are made.
+/// Writes frames in the background.
 #pragma once
 
 #include <condition_variable>
@@ -11,8 +11,7 @@
 
 namespace brindle::tool {
 
-/// Does one job after the other, in the order in which they were given, on a thread of its own.
-/// Jobs still waiting when it is destroyed are left undone.
+/// Runs jobs in order on its own thread. The destructor discards waiting jobs.
 class FrameWriter {
  public:
   FrameWriter();
@@ -20,14 +19,14 @@ class FrameWriter {
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Waits while `kMostWaiting` jobs wait. Throws what an earlier job threw, after which no further
-  /// one is done.
+  /// Blocks while `kMostWaiting` jobs wait. Throws the exception of an earlier job; later ones are
+  /// not run.
   void add(std::function<void()> job);
 
-  /// Waits until all jobs are done. Throws what one of them threw.
+  /// Waits for all jobs. Throws the exception of one that failed.
   void finish();
 
-  /// Frames are large.
+  /// Limited because frames are large.
   static constexpr std::size_t kMostWaiting = 3;
 
  private:

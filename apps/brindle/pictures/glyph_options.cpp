@@ -108,7 +108,7 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
   read_values(options, source, input);
   const StyleOptions& style = options.style;
   if (!input.color || style.no_legend || !depends_on_camera(style.color_by)) return input;
-  // The legend leaves less room, so that the camera stands farther away.
+  // The legend takes space, so that the camera moves back.
   const Legend legend = color_places(style, *input.color).legend;
   viewpoint.width -= legend_width({legend}, viewpoint.width, viewpoint.height);
   read_values(options, source, input);

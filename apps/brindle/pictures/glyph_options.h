@@ -1,5 +1,4 @@
-/// Glyphs that `brindle sample` draws at samples. A build without OpenGL offers none of the
-/// options.
+/// Options for glyphs at samples. Builds without OpenGL have none.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +18,7 @@
 
 namespace brindle::tool {
 
-/// What stands at samples: a shape, or a picture on quads.
+/// The glyph: a shape, or a picture on quads.
 struct GlyphChoice {
   GlyphShape shape = GlyphShape::disc;
   std::string picture;  ///< of quads: a PNG file
@@ -35,32 +34,32 @@ struct GlyphOptions {
 
 void add_glyph_options(CLI::App& app, GlyphOptions& options);
 
-/// Whether any of them was given.
+/// Whether any of the options was given.
 bool has_glyphs(const CLI::App& command);
 
-/// Throws CLI::ValidationError for those that were given: `why` they have no effect.
+/// Throws CLI::ValidationError for given options; `why` is the reason that they have no effect.
 void refuse_glyph_options(const CLI::App& command, std::string_view why);
 
-/// Throws CLI::ValidationError for options that leave each other without effect.
+/// Throws CLI::ValidationError for options without effect beside others.
 void check_glyph_options(const CLI::App& command, const GlyphOptions& options);
 
-/// Files that values are read from.
+/// Input files of values.
 std::vector<UsedFile> glyph_files(const GlyphOptions& options);
 
-/// What glyphs follow, one number per vertex of the surface, and what lies on quads.
+/// Values of glyphs, one per vertex, and the picture of quads.
 struct GlyphInput {
   std::optional<VertexValues> size, color;
   std::optional<Image> picture;  ///< of quads
 };
 
-/// The picture of quads; none of other shapes. Throws what read_png throws.
+/// The picture of quads; empty for other shapes. Throws what read_png throws.
 std::optional<Image> read_glyph_picture(const GlyphOptions& options);
 
 GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prepared,
                             const SurfaceOptions& surface, const WaveOptions& waves,
                             const PictureOptions& picture);
 
-/// Throws Error if no OpenGL context is to be had or the file cannot be written.
+/// Throws Error without an OpenGL context or if the file cannot be written.
 void write_glyphs(const std::filesystem::path& path, const Surface& surface,
                   std::span<const Sample> samples, const GlyphOptions& options,
                   const GlyphInput& input, const PictureOptions& picture, const Progress& progress);

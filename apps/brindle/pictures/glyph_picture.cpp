@@ -10,7 +10,7 @@ namespace {
 
 constexpr Color kGlyphColor{0.78f, 0.26f, 0.17f};
 
-// A sample's number from those of its triangle's corners.
+// Interpolates a sample's value in its triangle.
 float value_at(const Sample& sample, const Mesh& mesh, std::span<const float> values) {
   float value = 0;
   for (int m = 0; m < 3; ++m) {
@@ -35,7 +35,7 @@ std::vector<float> size_factors(std::span<const Sample> samples, const Mesh& mes
                   shares.highest);
 }
 
-/// Makes one of the two sizes smaller.
+/// Reduces one of the two sizes to the picture's proportions.
 void keep_proportions(const Image& tile, std::vector<GlyphSize>& sizes) {
   const float wide = static_cast<float>(tile.width), high = static_cast<float>(tile.height);
   for (GlyphSize& size : sizes) {

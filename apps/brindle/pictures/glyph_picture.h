@@ -1,4 +1,4 @@
-/// Glyphs at samples as a picture shows them.
+/// Glyphs at samples in a picture.
 #pragma once
 
 #include <span>
@@ -10,8 +10,7 @@
 
 namespace brindle::tool {
 
-/// What the renderer takes. Refers to the surface, and to what it holds itself, so it stays where
-/// it was made.
+/// The renderer's input. It refers to the surface and to its own members, so it must not move.
 class GlyphPicture {
  public:
   GlyphPicture(const Surface& surface, std::span<const Sample> samples, const GlyphOptions& options,
@@ -19,9 +18,9 @@ class GlyphPicture {
   GlyphPicture(const GlyphPicture&) = delete;
   GlyphPicture& operator=(const GlyphPicture&) = delete;
 
-  std::vector<StyledSurface> surfaces;  ///< first that with the samples
+  std::vector<StyledSurface> surfaces;  ///< the surface with the samples is first
   StyledOptions styled;
-  std::vector<Legend> legends;  ///< to be drawn on top
+  std::vector<Legend> legends;  ///< drawn over the picture
 
  private:
   void add_colors(std::span<const Sample> samples, const Mesh& mesh, const GlyphOptions& options,
@@ -29,7 +28,7 @@ class GlyphPicture {
   StyledSurface figures(const GlyphOptions& options, const GlyphInput& input) const;
 
   Glyphs glyphs_;
-  std::vector<float> places_;  ///< in the colour map
+  std::vector<float> places_;  ///< positions in the colour map
 };
 
 }  // namespace brindle::tool

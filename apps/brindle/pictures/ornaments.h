@@ -9,7 +9,7 @@
 
 namespace brindle::tool {
 
-/// One mesh of all, with normals and a colour for every triangle.
+/// All in one mesh, with normals and a colour per triangle.
 struct OrnamentedSurface {
   Mesh mesh;
   std::vector<Vec3> normals;
@@ -19,7 +19,7 @@ struct OrnamentedSurface {
   SurfaceDrawing drawing() const;
 };
 
-/// That of the options for the first pattern, another one for the second.
+/// The options' colour for the first pattern, another one for the second.
 Color ornament_color(bool second, const RenderOptions& render);
 
 /// In these colours.

@@ -21,7 +21,7 @@ Color color_in(const std::string& option, const std::string& text) {
   return *color;
 }
 
-/// What is not of the first surface's picture alone.
+/// Rejects values that depend on the first surface's picture.
 std::string value_of_other(const std::string& option, const std::string& text) {
   constexpr const char* kNames = "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|curvature|height";
   check_value_name(option, text, kNames);
@@ -32,7 +32,7 @@ std::string value_of_other(const std::string& option, const std::string& text) {
   return text;
 }
 
-/// "stripes=30" and the like. False for other names.
+/// Parses parts such as "stripes=30". False for other names.
 bool take_named(const std::string& option, const std::string& name, const std::string& text,
                 OtherSurfaceChoice& choice) {
   if (name == "stripes") {
@@ -57,7 +57,7 @@ bool take_named(const std::string& option, const std::string& name, const std::s
   return true;
 }
 
-/// What stands behind a sign. False for anything that it may not be.
+/// Parses the text after an @ sign. False if it is not valid.
 bool take_part(const std::string& option, const std::string& part, OtherSurfaceChoice& choice) {
   const std::size_t equals = part.find('=');
   if (equals != part.npos) {
@@ -82,7 +82,7 @@ bool take_part(const std::string& option, const std::string& part, OtherSurfaceC
   return true;
 }
 
-/// Why a part of the choice has no effect beside the rest, and what to do. Empty if all have.
+/// The reason why a part of the choice has no effect, with a remedy; empty if all have.
 std::string effectless_part(const OtherSurfaceChoice& choice) {
   if (choice.has_pattern_style() && !choice.has_pattern()) {
     return "has a style of stripes, and none: add @striped, @discarded or @texture=TILE";
@@ -114,7 +114,7 @@ std::string hex_color(const Color& color) {
 
 namespace {
 
-/// Of what there is one, such as a colour, the kind that a part is of; empty for any other.
+/// The kind of a part that may occur once, such as a colour; empty for others.
 std::string kind_of_part(const std::string& part) {
   if (part == "opaque" || part == "striped" || part == "discarded") {
     return "one of @opaque, @striped and @discarded";

@@ -77,7 +77,7 @@ void set_colors(RenderOptions& render, const std::string& option, const std::str
   if (colors.size() == 3) render.background_center = render.background_edge = colors[2];
 }
 
-// An option whose text changes the rendering options.
+// An option that changes the rendering options.
 template <class Set>
 CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOptions& render,
                                Set set) {
@@ -123,7 +123,7 @@ void stand_on_z(PictureOptions& options) {
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
   const RenderOptions render =
       render_options({options.view, options.up, {}, options.render}, Eigen::Vector3d::Zero());
-  // A file's pictures have y up only because nobody has said what is; its heights stay along z.
+  // y is only the default up axis of pictures of files; heights stay along z.
   return Viewpoint{
       render.camera,    render.width, render.height, std::nullopt, options.up.value_or(UpAxis::z),
       render.light_from};
@@ -180,7 +180,7 @@ SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
   if (const Texture* texture = result.texture()) {
     drawing.texture_waves = &texture->pattern.waves;
     drawing.texture_tile = &texture->tile;
-    // The texture keeps what it has found.
+    // The texture caches its broken tiles.
     drawing.broken_tiles = texture->broken(surface.mesh).get();
   }
   return drawing;

@@ -20,42 +20,40 @@ namespace brindle::tool {
 
 struct PictureOptions;
 
-/// The share of drawing in a picture that is drawn and written.
+/// The share of drawing in the time to draw and write a picture.
 inline constexpr double kDrawn = 0.7;
 
-/// The options live as long as the pointer, which must outlive `app.parse`.
+/// The pointer must outlive `app.parse`.
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
 
-/// The same without what only stripes have: --view and --stripe-width.
+/// The same without options of stripes: --view and --stripe-width.
 std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app);
 
 /// --size and --quality alone.
 std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
 
-/// Lets the z axis point up unless the user says otherwise, as the built-in shapes are made.
+/// Makes z the default up axis, as for built-in shapes.
 void stand_on_z(PictureOptions& options);
 
-/// Where pictures are taken from. For patterns, which are those of the whole surface: without a
-/// slice.
+/// The viewpoint of pictures, without a slice, for patterns, which belong to the whole surface.
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options);
 
-/// The same for what a picture alone has, with its slice, which shows inner sides.
+/// The same with its slice, which shows inner sides.
 Viewpoint seen_viewpoint_of(const PictureOptions& options);
 
-/// Whether pictures show stripes and nothing on top of them.
+/// Whether pictures show stripes without an overlay.
 bool shows_stripes(const PictureOptions& options);
 
 /// "interactive" or "final".
 std::string_view quality_name(const PictureOptions& options);
 
-/// What is drawn on a surface in one colour: tubes along curves, discs at samples.
+/// A single-coloured mesh on a surface: tubes along curves, discs at samples.
 struct Ornament {
   Mesh mesh;
   bool second = false;  ///< in the colour of the second pattern
 };
 
-/// Throws Error if no OpenGL context is to be had or the file cannot be written; Cancelled if
-/// `progress` asks for it.
+/// Throws Error without an OpenGL context or if the file cannot be written; throws Cancelled.
 void write_ornaments(const std::filesystem::path& path, const Surface& surface,
                      std::span<const Ornament> ornaments, const PictureOptions& options,
                      const Progress& progress);
@@ -67,20 +65,18 @@ struct FamilyLines {
   bool second = false;  ///< in the colour of the second pattern
 };
 
-/// Draws what is seen of lines from the picture's camera, and of the surface's outline, as SVG.
-/// Throws Error if the picture is too large or the file cannot be written; Cancelled if `progress`
-/// asks for it.
+/// Draws visible lines and the surface's outline from the picture's camera as SVG. Throws Error if
+/// the picture is too large or the file cannot be written; throws Cancelled.
 void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
                         std::span<const FamilyLines> families, const PictureOptions& options,
                         const Progress& progress);
 
-/// Throws Error if no OpenGL context is to be had or the file cannot be written; Cancelled if
-/// `progress` asks for it.
+/// Throws Error without an OpenGL context or if the file cannot be written; throws Cancelled.
 void write_picture(const std::filesystem::path& path, const Surface& surface,
                    const StripeResult& result, const PictureOptions& options,
                    const Progress& progress);
 
-/// The texture's tile as the content of a PNG file, in the picture's colours.
+/// The texture's tile as a PNG file, in the picture's colours.
 std::string tile_png(const TextureTile& tile, const PictureOptions& options);
 
 }  // namespace brindle::tool

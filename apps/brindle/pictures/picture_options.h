@@ -1,4 +1,4 @@
-/// What the picture options hold, for builds with OpenGL.
+/// The fields of picture options, for builds with OpenGL.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ enum class View { stripes, branches, angle_error };
 
 struct PictureOptions {
   View view = View::stripes;
-  std::optional<UpAxis> up;    // the user's choice
-  std::optional<Slice> slice;  // in the coordinates of the mesh's file
+  std::optional<UpAxis> up;    // if given
+  std::optional<Slice> slice;  // in file coordinates
   RenderOptions render;
 
-  /// Calls `add("--option", field)` for what only stripes have.
+  /// Calls `add("--option", field)` for options of stripes.
   template <class Add>
   void visit_stripes(const Add& add) {
     add("--view", view);
@@ -27,21 +27,20 @@ struct PictureOptions {
   }
 };
 
-/// Of the darkest colour of the view of angle errors.
+/// The end of the colour scale of angle errors.
 inline constexpr float kLargestAngleErrorDeg = 30;
 
-/// What the view shows on top of the stripes.
+/// The overlay of the view.
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,
                    std::span<const CornerPhases> corners);
 
-/// What a picture of the result shows. It refers to all of them.
+/// The picture's content, by reference.
 SurfaceDrawing drawing_of(const Surface& surface, const StripeResult& result,
                           const Overlay& overlay);
 SplatDrawing splat_drawing_of(const Surface& surface, const StripePattern& pattern,
                               std::span<const float> radii);
 
-/// How the renderer draws what the user asked for, of surfaces relative to `origin` (`Mesh::origin`
-/// of the first one).
+/// The renderer's options, for surfaces relative to `origin` (`Mesh::origin` of the first one).
 RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3d& origin);
 
 }  // namespace brindle::tool

@@ -1,4 +1,4 @@
-/// What `brindle stripe` has made.
+/// The result of `brindle stripe`.
 #pragma once
 
 #include <memory>
@@ -15,17 +15,16 @@ struct Texture {
   TextureTile tile;
   WholeTiles whole;
 
-  /// The figures of the tile that are left out without a style, on the mesh that the pattern is of;
-  /// null where tiles are cut.
+  /// The broken motifs of the tile without a style, on the pattern's mesh; null if tiles are cut.
   std::shared_ptr<const BrokenTiles> broken(const Mesh& mesh) const;
 };
 
-/// Stripes alone, or a texture along two stripe patterns.
+/// Stripes, or a texture along two stripe patterns.
 struct StripeResult {
   std::variant<StripePattern, Texture> made;
 
   const Texture* texture() const { return std::get_if<Texture>(&made); }
-  /// Of a texture: along the field.
+  /// For a texture, those along the field.
   const StripePattern& stripes() const {
     return texture() != nullptr ? texture()->pattern.u : std::get<StripePattern>(made);
   }

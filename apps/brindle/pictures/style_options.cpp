@@ -164,7 +164,7 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
   add_value_options(app, options);
   add_parsed_option(app, "--tones", options.tones, parse_tones);
   add_named_option(app, "--hidden-lines", options.hidden_dashed, parse_hidden);
-  // `animate` has frames between steps.
+  // In `animate`, --between is the number of interpolated frames.
   const bool is_free = app.get_option_no_throw("--between") == nullptr;
   add_named_option(app, is_free ? "--between,--between-stripes" : "--between-stripes",
                    options.discard, parse_between);
@@ -247,7 +247,7 @@ void check_colors(const CLI::App& command, const StyleOptions& options) {
   }
 }
 
-/// Of tiles.
+/// For tiles.
 void check_figures(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
   const bool figures = options.color_on == ColoredPart::figures;
   if (options.color_on == ColoredPart::strokes) {
@@ -354,7 +354,7 @@ std::vector<std::string> StyleOptions::color_values() const {
 }
 
 bool StyleOptions::follows_camera() const {
-  // Strokes that follow the light find it where they are drawn.
+  // Strokes by light are computed while drawing.
   const std::string width = by_light() ? "" : width_by;
   return std::ranges::any_of(std::array{width, color_by, opacity_by, texture_by, tile_size_by},
                              depends_on_camera);

@@ -1,4 +1,4 @@
-/// How strokes and surfaces of a picture look.
+/// The look of strokes and surfaces in pictures.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace brindle::tool {
 
-/// Widths at the smallest value and at the largest.
+/// Widths at the smallest and largest value.
 struct WidthRange {
   float first = 0.1f;
   float last = 0.9f;
@@ -28,28 +28,28 @@ struct ValueRange {
   float highest = 1;
 };
 
-/// Silhouettes: none, whole, or with dashes where the pattern has strokes.
+/// Silhouettes: none, solid, or dashed where the pattern has strokes.
 enum class OutlineStyle { none, solid, dashed };
 
-/// A tile from a value on.
+/// A tile, from a value on.
 struct RegionChoice {
   float from = 0;
   BuiltInTile tile = BuiltInTile::dots;
   std::optional<Color> color;
 };
 
-/// What has the colours of a value.
+/// The part that is coloured by a value.
 enum class ColoredPart {
   strokes,
-  surface,  ///< also between strokes, and beside the figures of tiles
+  surface,  ///< also between strokes, and around motifs of tiles
   figures   ///< of tiles
 };
 
-/// What patterns are drawn by.
+/// The marks of a pattern.
 enum class Drawn {
   stripes,
-  figures,  ///< tiles, of which some at least have figures of one colour
-  pictures  ///< tiles that are pictures of the user's
+  figures,  ///< tiles, at least some of which have single-coloured motifs
+  pictures  ///< tiles that are picture files
 };
 
 struct StyleOptions {
@@ -61,48 +61,48 @@ struct StyleOptions {
   std::optional<ValueRange> opacity_range;
   ColorMap map = ColorMap::viridis;
   std::optional<float> threshold;       ///< a value
-  std::optional<ColoredPart> color_on;  ///< nothing: strokes, and the surface with tiles
+  std::optional<ColoredPart> color_on;  ///< empty: strokes, or the surface with tiles
   std::optional<float> pixel_width;
   std::optional<float> spacing;      ///< pixels
   std::optional<float> cross_hatch;  ///< a tone
   std::optional<ValueRange> tones;   ///< lowest: full strokes; highest: none
-  bool discard = false;              ///< nothing between the strokes
+  bool discard = false;              ///< nothing is drawn between the strokes
   std::vector<OtherSurfaceChoice> others;
   std::string legend;  ///< title; empty: the value's name
   bool no_legend = false;
-  bool flat = false;  ///< without light
+  bool flat = false;  ///< no light
   bool transparent = false;
   DepthCue depth_cue = DepthCue::none;
   OutlineStyle outline = OutlineStyle::none;
-  std::optional<float> crease_deg;  ///< lines along sharper edges, and borders
-  bool hidden_dashed = false;       ///< else hidden lines are left out
+  std::optional<float> crease_deg;  ///< angle from which edges are drawn, with borders
+  bool hidden_dashed = false;       ///< instead of leaving hidden lines out
   std::optional<float> line_width;  ///< of outlines and creases, pixels
-  float min_area = 0.1f;            ///< of outlines of stripes in drawings, square pixels
+  float min_area = 0.1f;            ///< of stripe outlines in drawings, square pixels
 
   float occlusion = 0;
   bool ground_shadow = false;
-  std::string texture_by;  ///< value that chooses the tile
+  std::string texture_by;  ///< value that selects the tile
   std::vector<RegionChoice> regions;
-  std::string tile_size_by;                   ///< value that sizes of tiles follow
-  std::optional<ValueRange> tile_size_range;  ///< shares of their places
+  std::string tile_size_by;                   ///< value of tile sizes
+  std::optional<ValueRange> tile_size_range;  ///< shares of their cells
   Eigen::Vector2f texture_shift{0, 0};        ///< in tiles
-  Eigen::Vector2f texture_flow{0, 0};         ///< in tiles a second, of moving pictures
+  Eigen::Vector2f texture_flow{0, 0};         ///< in tiles per second, in moving pictures
 
   bool has_lines() const {
     return outline != OutlineStyle::none || crease_deg.has_value() ||
            std::ranges::any_of(others, &OtherSurfaceChoice::outlined);
   }
-  /// The values that colours follow, each once: that of the first surface, then those of others.
+  /// The values of colours, each once: that of the first surface, then those of others.
   std::vector<std::string> color_values() const;
   bool by_light() const { return width_by == "light"; }
-  /// The names of all values that something follows; empty where nothing does.
+  /// The names of all values that the style depends on, or empty.
   std::array<std::string, 5> values() const {
     return {width_by, color_by, opacity_by, texture_by, tile_size_by};
   }
-  /// Whether a value or a width is another one where the light comes from elsewhere.
+  /// Whether a value or a width depends on the light.
   bool follows_light() const { return std::ranges::any_of(values(), depends_on_light); }
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--color-on", color_on);
@@ -118,7 +118,7 @@ struct StyleOptions {
     add("--transparent", transparent);
     add("--depth-cue", depth_cue);
   }
-  /// The same for what has colours of values, glyphs as well.
+  /// The same for colours by value, which glyphs have, too.
   template <class Add>
   void visit_colors(const Add& add) {
     add("--threshold", threshold);
@@ -126,9 +126,9 @@ struct StyleOptions {
     add("--no-legend", no_legend);
   }
 
-  /// Whether a value is another one from another viewpoint.
+  /// Whether a value depends on the viewpoint.
   bool follows_camera() const;
-  bool follows_field() const;  ///< whether values are others where the field is
+  bool follows_field() const;  ///< whether a value depends on the field
 };
 
 void add_style_options(CLI::App& app, StyleOptions& options);
@@ -139,22 +139,23 @@ void add_flow_option(CLI::App& app, StyleOptions& options);
 /// Whether any option of a style was given.
 bool is_styled(const CLI::App& command);
 
-/// Throws CLI::ValidationError for options of styles that were given: `why` they have no effect.
+/// Throws CLI::ValidationError for given style options; `why` is the reason that they have no
+/// effect.
 void refuse_style_options(const CLI::App& command, std::string_view why);
 
-/// Throws CLI::ValidationError for options that leave each other without effect.
+/// Throws CLI::ValidationError for options without effect beside others.
 void check_style_options(const CLI::App& command, const StyleOptions& options, Drawn drawn);
 
-/// The same for drawings of stripes' outlines, which have one colour each.
+/// The same for drawings of outlines, which have one colour each.
 void refuse_for_outlines(const CLI::App& command, const StyleOptions& options);
 
 /// --color-by, --color-range, --colormap, --threshold, --legend and --no-legend.
 void add_color_options(CLI::App& app, StyleOptions& options);
 
-/// "A,B", two finite numbers, the smaller one first.
+/// "A,B", two finite numbers in ascending order.
 ValueRange parse_rising_range(const std::string& option, const std::string& text);
 
-/// Files that values and other surfaces are read from.
+/// Input files of values and other surfaces.
 std::vector<UsedFile> style_files(const StyleOptions& options);
 
 }  // namespace brindle::tool

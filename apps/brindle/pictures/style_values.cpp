@@ -6,13 +6,13 @@
 namespace brindle::tool {
 namespace {
 
-/// Values of one name, of one surface or several: what they share is a range, and a legend.
+/// Values of one name on one or more surfaces, which share a range and a legend.
 struct ColoredValues {
   std::string name;
   std::vector<const VertexValues*> of = {};
 };
 
-/// First that of --color-by, if there is one.
+/// That of --color-by first, if given.
 std::vector<ColoredValues> colored_values(const StyleOptions& style, const StyleValues& input) {
   std::vector<ColoredValues> all;
   for (const std::string& name : style.color_values()) {
@@ -25,7 +25,7 @@ std::vector<ColoredValues> colored_values(const StyleOptions& style, const Style
   return all;
 }
 
-/// The range of values whose colours the map has, unless it is given.
+/// The range of the values, used unless one is given.
 ValueRange own_range(std::span<const VertexValues* const> values) {
   Eigen::Vector2f range = values.front()->range("--color-by");
   for (const VertexValues* more : values.subspan(1)) {
@@ -78,9 +78,9 @@ void follow_widths(const StyleOptions& style, const VertexValues& width, StyleBi
                               .widths = Eigen::Vector2f(widths.first, widths.last)});
 }
 
-/// Puts the legend of the first value on top of that of widths, if there is one.
+/// Combines the legend of the first value with that of widths, if any.
 void add_first_legend(const StyleOptions& style, Legend legend, std::vector<Legend>& legends) {
-  // One bar says both where it is the same value over the same range.
+  // One bar shows both for the same value over the same range.
   const bool same = !legends.empty() && style.width_by == style.color_by &&
                     legends[0].lowest == legend.lowest && legends[0].highest == legend.highest;
   if (same) {
@@ -90,7 +90,7 @@ void add_first_legend(const StyleOptions& style, Legend legend, std::vector<Lege
   legends.insert(legends.begin(), std::move(legend));
 }
 
-/// The title of values that others have colours of, too: one that no legend has yet.
+/// The title of values of other surfaces; empty if a legend already has it.
 std::string title_of(const ColoredValues& values, std::span<const Legend> legends) {
   const std::string& title = values.of.front()->title;
   const bool taken = std::ranges::find(legends, title, &Legend::title) != legends.end();
@@ -105,7 +105,7 @@ void follow_colors(const StyleOptions& style, const StyleValues& input, StyleBin
     const bool first = k == 0;
     ValueRange range = own_range(values.of);
     if (first && style.color_range) range = *style.color_range;
-    // Thresholds are refused where there are several values, so that all have one scale.
+    // Thresholds are rejected with several values, so that all share one scale.
     const ColorScale scale = scale_of(style, range);
     if (first) followed.scale = scale;
     if (input.color && values.name == style.color_by) {
@@ -130,12 +130,12 @@ std::string number_text(float value) {
   return text;
 }
 
-/// Where tiles by value are all that a title can be for.
+/// Whether the title can only belong to tiles by value.
 bool has_region_legend(const StyleOptions& style) {
   return !style.regions.empty() && style.color_values().empty() && !style.legend.empty();
 }
 
-/// From the largest values down. `name_tiles` says which the tiles are.
+/// From the largest values down. `name_tiles` adds the tiles.
 Legend region_legend(const StyleOptions& style) {
   Legend legend{.title = style.legend};
   const std::vector<RegionChoice>& regions = style.regions;

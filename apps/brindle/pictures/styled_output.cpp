@@ -12,8 +12,8 @@
 namespace brindle::tool {
 namespace {
 
-/// Outlines and creases, as wide as in pictures. What hides them is looked at twice as finely,
-/// where that is not too large.
+/// Outlines and creases, as wide as in pictures, with visibility at twice the resolution unless
+/// that is too large.
 std::vector<Pen> pens_on_top(const StyledPicture& picture, StyleOptions style,
                              const Progress& progress) {
   constexpr int kLargest = 8192;
@@ -28,7 +28,7 @@ std::vector<Pen> pens_on_top(const StyledPicture& picture, StyleOptions style,
                        1 / static_cast<float>(finer), progress);
 }
 
-/// Outlines of strokes, then lines on top of them.
+/// Outlines of strokes, then lines over them.
 void write_outlines(const std::filesystem::path& path, const StyledPicture& picture,
                     const StyleOptions& style, const Progress& progress) {
   constexpr double kTraced = 0.7, kLined = 0.9;
@@ -81,7 +81,7 @@ StyleValues read_style_values(const StyleOptions& style, const Preparation& prep
   StyleValues values = read_style_values(style, read);
   values.others = read_other_values(style, others, viewpoint);
   if (!style.follows_camera()) return values;
-  // The legend leaves less room, so that the camera stands farther away.
+  // The legend takes space, so that the camera moves back.
   viewpoint.width -= legend_width(follow(style, values).legends, viewpoint.width, viewpoint.height);
   StyleValues seen = read_style_values(style, read);
   seen.others = std::move(values.others);

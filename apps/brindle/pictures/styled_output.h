@@ -1,4 +1,4 @@
-/// Pictures in the style that was asked for.
+/// Output of styled pictures.
 #pragma once
 
 #include <filesystem>
@@ -15,22 +15,22 @@
 
 namespace brindle::tool {
 
-/// All that a style follows, found before a long job begins.
+/// The input of a style, read before a long job.
 struct StyleInput {
   StyleValues values;
-  std::vector<Preparation> others;  ///< without waves unless they have a pattern
+  std::vector<Preparation> others;  ///< with waves only if they have a pattern
 };
 
-/// Reads values and other surfaces of a picture whose pattern has the waves `drawn`. Throws Error
-/// for what is not there or does not fit.
+/// Reads values and other surfaces for a pattern with the waves `drawn`. Throws Error for input
+/// that is missing or does not fit.
 StyleInput read_style_input(const StyleOptions& style, const Preparation& prepared,
                             const WaveSet& drawn, const SurfaceOptions& surface,
                             const WaveOptions& waves, const PictureOptions& picture,
                             JobListener& listener);
 
-/// Its two parts, one after the other, for those who read only one of them again: other surfaces,
-/// then values, which depend on these only if they follow the camera. `agreement` is that of a
-/// measured field's data, or empty.
+/// Its two parts, to reread only one: other surfaces, then values, which depend on the surfaces
+/// only if they depend on the camera. `agreement` is the coherence of a measured field's data, or
+/// empty.
 std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh& mesh,
                                            const WaveSet& drawn, const WaveOptions& waves,
                                            const PictureOptions& picture, JobListener& listener);
@@ -39,26 +39,26 @@ StyleValues read_style_values(const StyleOptions& style, const Preparation& prep
                               const WaveOptions& waves, const PictureOptions& picture,
                               std::span<const float> agreement);
 
-/// What is drawn beside a pattern.
+/// Patterns besides the main one.
 struct StylePatterns {
   std::shared_ptr<const StripePattern> crossing;  ///< of cross-hatching; else null
   std::shared_ptr<const std::vector<OtherSurface>> others;
 };
 
-/// Solves for strokes that cross the others; null if the style has none.
+/// Solves for crossing strokes; null if the style has none.
 std::shared_ptr<const StripePattern> make_crossing(const Surface& surface,
                                                    const StripeResult& result,
                                                    const StyleOptions& style,
                                                    const StripeOptions& solving,
                                                    const Progress& progress);
 
-/// Solves what the style needs beside the pattern; takes the other surfaces of `input`.
+/// Solves for the style's further patterns; moves the other surfaces of `input`.
 StylePatterns make_style_patterns(const Surface& surface, const StripeResult& result,
                                   const StyleOptions& style, StyleInput& input,
                                   const StripeOptions& solving, const Progress& progress);
 
-/// A scene as the renderer takes it. Refers to what it was made of and to `followed`, which may be
-/// moved but not copied.
+/// The renderer's scene. It refers to its sources and to `followed`, which may be moved but not
+/// copied.
 struct StyledPicture {
   StyleBindings followed;
   std::vector<LeftOutTiles> broken;  ///< of a texture
@@ -75,13 +75,13 @@ StyledPicture styled_picture(const Surface& surface, const StripeResult& result,
                              const StylePatterns& patterns, const StyleOptions& style,
                              const StyleInput& input, const PictureOptions& picture);
 
-/// Outlines, creases and legends on the picture that the renderer has drawn with these options, or
-/// on a larger one that was made of it.
+/// Outlines, creases and legends over the renderer's picture with these options, or over an
+/// enlarged copy.
 void draw_on_top(Image& image, const StyledPicture& picture, const StyleOptions& style,
                  const StyledOptions& drawn, const Progress& progress);
 
-/// A .png picture, or an .svg or .pdf drawing of stripes' outlines. Throws Error if no OpenGL
-/// context is to be had or the file cannot be written; Cancelled if `progress` asks for it.
+/// A .png picture, or an .svg or .pdf drawing of stripe outlines. Throws Error without an OpenGL
+/// context or if the file cannot be written; throws Cancelled.
 void write_styled_picture(const std::filesystem::path& path, const Surface& surface,
                           const StripeResult& result, const StylePatterns& patterns,
                           const StyleOptions& style, const StyleInput& input,

@@ -25,7 +25,7 @@ Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& w
   refuse_points(options, "stripe --with");
   if (!choice.has_pattern()) return prepare_surface(options, listener);
   WaveOptions own = waves;
-  // Those lie on MESH.
+  // They are on MESH.
   own.strokes.clear();
   own.drawn_strokes.clear();
   own.stripes_v.reset();
@@ -33,8 +33,8 @@ Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& w
   own.stripes = choice.stripes;
   own.frequency.reset();
   if (!choice.stripes) {
-    own.frequency = frequency;  // as dense as those of MESH
-    own.frequency_factor = 1;   // which has it already
+    own.frequency = frequency;  // the density of MESH
+    own.frequency_factor = 1;   // already included
   }
   if (choice.rotate_deg) own.rotate_deg = *choice.rotate_deg;
   return prepare(options, own, listener, viewpoint);
@@ -128,7 +128,7 @@ Strokes strokes_of(const StripesView& pattern, const StyleOptions& style,
   return strokes;
 }
 
-/// Strokes across others are full where it is darkest: the light of pictures leaves nothing below.
+/// Crossing strokes are full at the darkest tone that the light of pictures leaves.
 ToneRange crossing_tones(float lightest) {
   constexpr float kDarkest = 0.35f;
   return {lightest, std::min(kDarkest, 0.9f * lightest), 0};
@@ -149,7 +149,7 @@ RegionTexture region_texture(const TextureView& texture, const StyleOptions& sty
   return result;
 }
 
-/// What is left out of its tiles is kept by the surface, which outlives what is drawn.
+/// The surface, which outlives the texture, owns the broken tiles.
 RegionTexture texture_of(const OtherSurface& other, const Texture& texture, const Color& figure) {
   RegionTexture drawn{.waves = &texture.pattern.waves};
   drawn.tiles.push_back({texture.tile, figure, 0, texture.broken(other.surface.mesh).get()});
@@ -169,7 +169,7 @@ StyledSurface other_surface(const OtherSurface& other, const OtherSurfaceChoice&
                         .sliced = !choice.whole};
   if (!choice.colors_pattern()) surface.color_places = places;
   if (!other.result) return surface;
-  // The surface's own colour is that of its pattern where nothing else is left of it.
+  // If nothing of the surface is left, its colour is that of its pattern.
   const bool alone = choice.between == BetweenStrokes::discarded && choice.color;
   const Color color = choice.stripe_color.value_or(alone ? *choice.color : render.stripe_color);
   const std::span<const float> of_pattern =
@@ -194,7 +194,7 @@ std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
                                          const TextureView& texture, const StyleOptions& style,
                                          const StyleBindings& followed, const WholeTiles& whole) {
   const std::vector<float>& sizes = followed.tile_sizes;
-  // NaN is less than nothing here.
+  // NaN counts as smaller than any number here.
   const float size = std::accumulate(sizes.begin(), sizes.end(), sizes.empty() ? 1.0f : 0.0f,
                                      [](float a, float b) { return b > a ? b : a; });
   const auto of = [&](const TextureTile& tile) {
@@ -243,7 +243,7 @@ std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOpti
 
 namespace {
 
-/// All that hides lines: what is not discarded.
+/// The mesh that hides lines: all surfaces that are not discarded.
 Mesh hiding_mesh(std::span<const StyledSurface> surfaces) {
   Mesh mesh;
   for (const StyledSurface& surface : surfaces) {
@@ -252,7 +252,7 @@ Mesh hiding_mesh(std::span<const StyledSurface> surfaces) {
   return mesh;
 }
 
-/// The outlines and creases of a picture's surfaces, on top of it. `width` is that of lines.
+/// Outlines and creases of a picture's surfaces. `width` is that of lines.
 class LineInk {
  public:
   LineInk(std::span<const StyledSurface> surfaces, const StyleOptions& style,
@@ -283,7 +283,7 @@ class LineInk {
         progress.part(0.5, 1));
   }
 
-  /// Pens whose strokes are `scale` times as long.
+  /// Pens with coordinates times `scale`.
   std::vector<Pen> pens(float scale) const {
     const auto scaled = [&](std::vector<Stroke> strokes) {
       for (Stroke& stroke : strokes) {
@@ -305,7 +305,7 @@ class LineInk {
 
  private:
   void add(const Polylines& lines, const Progress& progress) {
-    // Silhouettes lie beside those that the depths have.
+    // Silhouettes are beside those of the depths.
     constexpr float kTolerance = 0.008f;
     const auto append_to = [](std::vector<Stroke>& strokes, std::vector<Stroke> more) {
       strokes.insert(strokes.end(), std::make_move_iterator(more.begin()),

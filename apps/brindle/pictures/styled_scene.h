@@ -1,4 +1,4 @@
-/// What a picture in a style shows: surfaces with their patterns, and lines on top of them.
+/// The content of a styled picture: surfaces with patterns, and lines over them.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,13 @@
 
 namespace brindle::tool {
 
-/// Another surface of the picture, its stripes or texture if it has any.
+/// Another surface of the picture, with its stripes or texture, if any.
 struct OtherSurface {
   Surface surface;
   std::optional<StripeResult> result;
 };
 
-/// Reads the surfaces of --with; those with a pattern have waves of this frequency. Throws Error
-/// for what cannot be read.
+/// Reads the surfaces of --with; patterns get this frequency. Throws Error if one cannot be read.
 std::vector<Preparation> read_others(const StyleOptions& style, const WaveOptions& waves,
                                      float frequency, const Viewpoint& viewpoint,
                                      JobListener& listener);
@@ -34,7 +33,7 @@ std::vector<OtherSurface> solve_others(const StyleOptions& style, std::vector<Pr
 /// The mean over all vertices with a wave.
 float mean_frequency(const WaveSet& waves);
 
-/// This mesh and all others as one, for a camera to frame.
+/// All meshes as one, framed by the camera.
 Mesh framed_mesh(const Mesh& mesh, std::span<const Preparation> others);
 
 struct StripesView {
@@ -42,22 +41,22 @@ struct StripesView {
   std::span<const Complex> z;
 };
 
-/// Null where tiles are cut.
+/// Null if tiles are cut.
 using LeftOutTiles = std::shared_ptr<const BrokenTiles>;
 
 struct TextureView {
   const TextureWaves& waves;
   const TextureTile& tile;
   Eigen::Vector2f shift{0, 0};                ///< in tiles
-  std::span<const LeftOutTiles> broken = {};  ///< of the tile, then of those of regions
+  std::span<const LeftOutTiles> broken = {};  ///< for the tile, then for those of regions
 };
 
-/// Figures that are left out of a texture in a style: of the tile, then of those of regions.
+/// The broken motifs of a styled texture: of the tile, then of those of regions.
 std::vector<LeftOutTiles> left_out_tiles(std::span<const Triangle> triangles,
                                          const TextureView& texture, const StyleOptions& style,
                                          const StyleBindings& followed, const WholeTiles& whole);
 
-/// What is drawn; all of it lives elsewhere.
+/// The input of a scene, by reference.
 struct StyledScene {
   const Surface& surface;
   StripesView pattern;
@@ -70,20 +69,20 @@ struct StyledScene {
 StyledOptions styled_options(const StyleOptions& style, const PictureOptions& picture,
                              const Eigen::Vector3d& origin, const StyleBindings& followed);
 
-/// The surfaces of a picture, first that with the pattern. They refer to the scene and to
+/// The surfaces of a picture; that with the pattern is first. They refer to the scene and to
 /// `followed`.
 std::vector<StyledSurface> surfaces_of(const StyledScene& scene, const StyleOptions& style,
                                        const RenderOptions& render, const StyleBindings& followed);
 
-/// The first of them alone.
+/// The first one alone.
 StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
                            const RenderOptions& render, const StyleBindings& followed);
 
-/// How wide outlines and creases are, in pixels of a picture of this height.
+/// The line width of outlines and creases, in pixels of a picture of this height.
 float line_width_of(const StyleOptions& style, int height);
 
-/// Outlines and creases on top of a picture of these surfaces, or on one that is larger than
-/// `options` say: what hides them is then seen as coarsely as they have it.
+/// Outlines and creases over a picture of these surfaces, which may be larger than in `options`:
+/// visibility then has the resolution of `options`.
 void draw_lines(Image& image, const StyledScene& scene, std::span<const StyledSurface> surfaces,
                 const StyleOptions& style, const StyledOptions& options, const Progress& progress);
 

@@ -13,7 +13,7 @@
 namespace brindle::tool {
 namespace {
 
-// Neither a tile nor what looks like a file.
+// Rejects names that are neither tiles nor files.
 [[noreturn]] void refuse_tile(const std::string& name) {
   const std::string names(built_in_tile_names());
   const std::string meant = nearest(name, split(names, '|'));

@@ -1,4 +1,4 @@
-/// Which texture is laid over the surface.
+/// Options of the texture.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ namespace brindle::tool {
 
 struct TextureChoice {
   std::string tile;           ///< a built-in tile or a PNG file; empty: no texture
-  std::optional<bool> whole;  ///< --tiles whole or cut; nothing: as suits the tile
+  std::optional<bool> whole;  ///< --tiles whole or cut; empty: the tile's default
 
-  /// Calls `add("--option", field)` for the options that set a field.
+  /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--texture", tile);
@@ -28,11 +28,11 @@ struct TextureChoice {
 /// --texture, --oriented, --tiles, --stripes-v and --frequency-v.
 void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& waves);
 
-/// Of patterns that have tiles or, without any, stripes.
+/// The marks of patterns with tiles or, without any, stripes.
 Drawn drawn_by(const TextureChoice& choice, bool has_tiles);
 
-/// Nothing if no texture is asked for. Throws Error if a file cannot be read, CLI::ValidationError
-/// for a built-in tile that does not suit a cross field.
+/// Empty without a texture. Throws Error if a file cannot be read, CLI::ValidationError for a
+/// built-in tile without the symmetry of a cross field.
 std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross);
 
 }  // namespace brindle::tool

@@ -45,11 +45,11 @@ std::vector<std::string> ffmpeg_arguments(const VideoFormat& format, const fs::p
           std::to_string(format.frames_per_second), "-i", "pipe:0",    //
           "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2,format=yuv420p",    //
           "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart",  //
-          // A relative name with a colon or a leading dash would be something else to ffmpeg.
+          // ffmpeg would misread relative names with a colon or a leading dash.
           "-f", "mp4", "file:" + file.string()};
 }
 
-/// Starts ffmpeg in a process group of its own, so that Ctrl-C comes to us alone.
+/// Starts ffmpeg in its own process group, so that Ctrl-C does not reach it.
 int spawn(std::vector<std::string> arguments, int input, int messages, pid_t& program) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -87,7 +87,8 @@ void check_video_available(const fs::path& path) {
 
 VideoFile::VideoFile(fs::path path, const VideoFormat& format)
     : path_(std::move(path)), file_(path_), messages_(std::tmpfile()) {
-  std::signal(SIGPIPE, SIG_IGN);  // a write to a program that has ended must fail, not end us
+  std::signal(SIGPIPE,
+              SIG_IGN);  // writing to an ended process must fail instead of ending this one
   std::array<int, 2> ends{};
   if (!messages_ || pipe2(ends.data(), O_CLOEXEC) != 0) fail(std::strerror(errno));
   frames_ = File(fdopen(ends[1], "wb"));

@@ -1,4 +1,4 @@
-/// Video files, through the ffmpeg program.
+/// Video files, written by the ffmpeg program.
 #pragma once
 
 #include <cstdio>
@@ -12,18 +12,18 @@
 
 namespace brindle::tool {
 
-/// Throws Error, naming the package and the way without it, if the ffmpeg program is not on the
+/// Throws Error with the package to install and an alternative if the ffmpeg program is not on the
 /// PATH.
 void check_video_available(const std::filesystem::path& path);
 
 struct VideoFormat {
-  int width = 0;   ///< pixels; of an odd number the last column or row is left out, as H.264 wants
+  int width = 0;   ///< pixels; H.264 needs even sizes, so an odd last column or row is dropped
   int height = 0;  ///< pixels
   int frames_per_second = 30;
 };
 
-/// An MP4 file that is written frame by frame, and has no name until it is finished. Unless
-/// `finish` has returned, the destructor ends the program and leaves no file behind.
+/// An MP4 file, written frame by frame under a temporary name. Unless `finish` has returned, the
+/// destructor stops the program and removes the file.
 class VideoFile {
  public:
   /// Throws Error if the program cannot be started, and as `write_file` does.
@@ -32,8 +32,8 @@ class VideoFile {
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  /// Adds a frame of width * height pixels of 4 bytes: red, green, blue, ignored.
-  /// Throws Error with the program's own message if it has ended.
+  /// Adds a frame of width * height pixels of 4 bytes: red, green, blue, unused. Throws Error with
+  /// the program's own message if it has ended.
   void add(std::span<const std::byte> pixels);
 
   /// Waits for the program and gives the file its name. Throws Error if either fails.
@@ -50,8 +50,8 @@ class VideoFile {
 
   std::filesystem::path path_;
   UnfinishedFile file_;
-  File messages_;  // what the program prints
-  File frames_;    // the pipe that the program reads
+  File messages_;  // output of the program
+  File frames_;    // pipe to the program
   pid_t program_ = -1;
 };
 

@@ -10,7 +10,7 @@
 namespace brindle::tool {
 
 struct WholeTiles::Found {
-  std::mutex mutex;  ///< pictures and files may be made at the same time
+  std::mutex mutex;  ///< pictures and files may be written concurrently
   std::shared_ptr<const BrokenTileFinder> finder;
   std::vector<CornerPhases> u, v;
   std::vector<std::pair<TileFigures, std::shared_ptr<const BrokenTiles>>> of_figures;
@@ -46,7 +46,7 @@ std::shared_ptr<const BrokenTiles> WholeTiles::broken(std::span<const Triangle> 
   if (known != found.of_figures.end()) return known->second;
   if (found.finder == nullptr) found.finder = std::make_shared<const BrokenTileFinder>(triangles);
   if (found.u.size() != triangles.size()) {
-    found.u = corner_phases(waves.u, PhaseShiftKind::aligned);  // as textures are drawn
+    found.u = corner_phases(waves.u, PhaseShiftKind::aligned);  // as in drawn textures
     found.v = corner_phases(waves.v, PhaseShiftKind::aligned);
   }
   auto broken = std::make_shared<const BrokenTiles>(found.finder->find(found.u, found.v, *figures));

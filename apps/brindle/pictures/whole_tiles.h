@@ -1,4 +1,4 @@
-/// Tiles that are left out of a texture rather than cut.
+/// Tiles that are left out of a texture instead of cut.
 #pragma once
 
 #include <memory>
@@ -10,29 +10,28 @@
 
 namespace brindle::tool {
 
-/// The figures of one texture's tiles that are broken: found when they are first asked for, and
-/// kept for all that draw it. Copies share what was found.
+/// The broken motifs of one texture's tiles, computed on demand and cached. Copies share the cache.
 class WholeTiles {
  public:
-  /// Whether tiles are left out where they would be cut; nothing: as suits the tile.
+  /// Whether broken tiles are left out; empty: the tile's default.
   explicit WholeTiles(std::optional<bool> asked = std::nullopt);
 
-  /// Of another texture on the same mesh, of which nothing is known yet.
+  /// For another texture on the same mesh, with an empty cache.
   WholeTiles of_next_texture(std::optional<bool> asked) const;
 
-  /// The figures to look after, shifted by so many tiles and at most `size` of their place; nothing
-  /// where tiles are cut.
+  /// The motifs to examine, shifted by `shift` tiles and at most `size` of their cell; empty if
+  /// tiles are cut.
   std::optional<TileFigures> figures_of(const TextureTile& tile,
                                         const Eigen::Vector2f& shift = {0, 0},
                                         float size = 1) const;
 
-  /// Which of them are broken; null where tiles are cut. `triangles` and `waves` are the texture's.
+  /// The broken ones; null if tiles are cut. `triangles` and `waves` are the texture's.
   std::shared_ptr<const BrokenTiles> broken(std::span<const Triangle> triangles,
                                             const TextureWaves& waves, const TextureTile& tile,
                                             const Eigen::Vector2f& shift = {0, 0},
                                             float size = 1) const;
 
-  /// What somebody else has found.
+  /// Stores a result computed elsewhere.
   void know(const TileFigures& figures, BrokenTiles broken);
 
  private:

@@ -15,13 +15,13 @@ namespace {
 constexpr std::array kReductions = {1.0f, 1.5f, 2.0f, 3.0f, 4.0f};
 static_assert(DraftSize::kFirst < kReductions.size());
 
-// Milliseconds a frame. A finer picture costs as much more as it has pixels, at most.
+// Milliseconds per frame. The cost of a finer picture grows at most with its pixels.
 constexpr double kLongest = 60;
 constexpr double kGoal = 46;
 
 constexpr std::size_t kRowsOfTask = 32;
 
-/// Four channels of 8 bits, each with 16 bits of room, so that all are mixed at once.
+/// Four 8-bit channels in 16-bit fields, mixed in one operation.
 using Channels = std::uint64_t;
 
 Channels spread(const Pixel& pixel) {
@@ -40,7 +40,7 @@ Channels mixed(Channels a, Channels b, Channels share) {
   return ((256 - share) * a + share * b + 0x0080008000800080u) >> 8 & 0x00ff00ff00ff00ffu;
 }
 
-/// Between which two of the source's pixels one lies, and how far from the first, in 256 parts.
+/// The first of the two source pixels to mix, and the share of the second one in 256 parts.
 struct Place {
   int first, second;
   Channels share;

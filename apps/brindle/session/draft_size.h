@@ -1,4 +1,4 @@
-/// How large pictures are drawn while something moves.
+/// Reduced resolution of pictures while something moves.
 #pragma once
 
 #include <cstddef>
@@ -7,27 +7,27 @@
 
 namespace brindle::tool {
 
-/// Drafts are drawn with shorter sides and enlarged, so that there are enough of them a second. How
-/// much shorter follows from how long drawing took, and all that came before it.
+/// Drafts are drawn at a lower resolution and enlarged, for a fluent frame rate. The reduction
+/// follows from the times of drawing and of the stages before it.
 class DraftSize {
  public:
   static constexpr std::size_t kFirst = 2;  ///< of all reductions
 
-  /// How many times shorter, from 1 to 4.
+  /// The factor by which sides are shorter, from 1 to 4.
   float reduction() const;
 
-  /// Says how long drawing has taken at `reduction()`, which may then be another one, and what the
-  /// frame took that does not depend on it. Both in milliseconds.
+  /// Records the time of drawing at `reduction()`, which may then change, and the frame's time that
+  /// does not depend on it. Both in milliseconds.
   void note(double drawing, double before);
 
  private:
   std::size_t step_ = kFirst;
 };
 
-/// A side of a picture in this reduction, at least a pixel.
+/// A side of a picture in this reduction, at least one pixel.
 int reduced_side(int side, float reduction);
 
-/// The picture in another size, up to which pixels are mixed linearly; alpha like colours.
+/// The picture enlarged to this size by linear interpolation, alpha like colours.
 Image enlarged(const Image& image, int width, int height);
 
 }  // namespace brindle::tool

@@ -107,14 +107,14 @@ double short_number(float value) {
   const char* end = std::to_chars(text, text + sizeof text, value).ptr;
   double number = 0;
   std::from_chars(text, end, number);
-  return number + 0.0;  // -0 would be read as a whole number
+  return number + 0.0;  // -0 would be read as an integer
 }
 
 nlohmann::json parse_json(const std::string& text) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    // Without what is the JSON library's own.
+    // Without the JSON library's prefix.
     const std::string reason = printable(error.what());
     const std::size_t tag = reason.find("] ");
     throw Error("damaged JSON: " + (tag == std::string::npos ? reason : reason.substr(tag + 2)) +

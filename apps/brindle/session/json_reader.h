@@ -1,4 +1,4 @@
-/// Values of JSON objects, and what is wrong with them.
+/// Validated access to JSON objects.
 #pragma once
 
 #include <initializer_list>
@@ -10,14 +10,14 @@
 
 namespace brindle::tool {
 
-/// An object of which everything is known. All functions throw Error naming the place, such as
-/// `camera.zoom`, and what to write there instead.
+/// A JSON object. All functions throw Error with the path, such as `camera.zoom`, and the valid
+/// values.
 class JsonReader {
  public:
   /// `place` is "" for the whole file. Throws Error if it is no object.
   JsonReader(const nlohmann::json& object, std::string place);
 
-  /// Throws Error for the first key that is none of these.
+  /// Throws Error for the first key not in the list.
   void allow(std::initializer_list<const char*> keys) const;
 
   bool has(const char* key) const { return object_.contains(key); }
@@ -29,10 +29,10 @@ class JsonReader {
   double number(const char* key) const;
   /// A number within bounds.
   float number(const char* key, double lowest, double highest) const;
-  /// A whole number within bounds.
+  /// An integer within bounds.
   int whole(const char* key, int lowest, int highest) const;
   const nlohmann::json& list(const char* key) const;
-  /// A list of so many numbers.
+  /// A list of `count` numbers.
   std::vector<double> numbers(const char* key, std::size_t count) const;
   std::vector<std::string> texts(const char* key) const;
 
@@ -45,10 +45,10 @@ class JsonReader {
   std::string place_;
 };
 
-/// A float as the shortest number that is read as it again.
+/// The shortest number that parses to the same float.
 double short_number(float value);
 
-/// The whole of a JSON text. Throws Error naming the line and column where it is damaged.
+/// Parses a JSON text. Throws Error with the line and column of a syntax error.
 nlohmann::json parse_json(const std::string& text);
 
 }  // namespace brindle::tool

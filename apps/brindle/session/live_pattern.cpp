@@ -26,7 +26,7 @@
 namespace brindle::tool {
 namespace {
 
-/// Passes reports on and keeps notes.
+/// Passes progress on and collects notes.
 class NoteKeeper : public JobListener {
  public:
   explicit NoteKeeper(const Progress& progress) : progress_(progress) {}
@@ -49,7 +49,7 @@ class NoteKeeper : public JobListener {
   std::vector<std::string> notes_;
 };
 
-/// Something that was made of a key: as long as the key stays, it need not be made again.
+/// A cached result: valid as long as its key stays the same.
 template <class Made>
 struct Stage {
   std::string key;
@@ -59,24 +59,24 @@ struct Stage {
   bool holds(const std::string& wanted) const { return made && key == wanted; }
 };
 
-/// Ends the keys of what has followed as no document can have it.
+/// Key suffix of results that continue others in a way that documents cannot store.
 constexpr const char* kFollowed = " followed";
 
-/// Ends the keys of curves with all figures.
+/// Key suffix of curves with all metrics.
 constexpr const char* kMeasured = " measured";
 
-/// A pattern, and whether it followed another one.
+/// A pattern, and whether it continued another one.
 struct SolvedPattern {
   StripeJob job;
-  std::shared_ptr<const std::vector<float>> phases;  ///< null if it was made of the document alone
+  std::shared_ptr<const std::vector<float>> phases;  ///< null if it depends on the document alone
   double phase_step = 0;
-  bool loosely = false;  ///< it followed as no document can have it
-  /// Phases of the document that it stands in for.
+  bool loosely = false;  ///< it continued a state that documents cannot store
+  /// Phases of the document that it replaces.
   std::shared_ptr<const std::vector<float>> outdone = nullptr;
 };
 
-/// By what patterns of the same waves are compared. Computed alike whichever way phases came about,
-/// so that what was kept is kept again when it is read from a file.
+/// The score by which patterns of the same waves are compared. It depends on the phases alone, so
+/// that a pattern kept once is also kept when read from a file.
 struct Score {
   double energy;
   double spacing_error;
@@ -118,7 +118,7 @@ std::vector<Complex> phases_of(std::span<const float> angles) {
   return z;
 }
 
-/// Stripes that this pattern may follow.
+/// The stripes that this pattern may continue.
 const StripePattern* followed(const StripeArguments& arguments, const SolvedPattern* last,
                               Follow follow) {
   const bool can = follow == Follow::loosely ? can_follow_loosely(arguments)
@@ -141,7 +141,7 @@ PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& 
   return figures;
 }
 
-/// A job of phases that are known; of frames with slack, with the frequencies that they chose.
+/// A job with known phases and, for frames with a spacing tolerance, their frequencies.
 SolvedPattern pattern_of_angles(const StripeArguments& arguments,
                                 const std::shared_ptr<const Preparation>& prepared,
                                 const PreparedWaves& waves,
@@ -179,10 +179,11 @@ SolvedPattern given_pattern(const StripeArguments& arguments,
   return solved;
 }
 
-/// Frame after frame on one surface.
+/// Frames on one surface, each continuing the last.
 struct Follower {
-  std::string key;      ///< of the surface and of how phases are solved for, less how much slack
-  std::string options;  ///< with slack
+  std::string
+      key;  ///< of the surface and the solver options, without the value of the spacing tolerance
+  std::string options;  ///< with the spacing tolerance
   StripeAnimator animator;
 };
 
@@ -192,7 +193,7 @@ AnimatorOptions animator_options(const StripeArguments& arguments, const Prepara
   return options;
 }
 
-/// Animators may have another slack, as long as they have one.
+/// The tolerance may change while an animator runs, but not whether there is one.
 std::string follower_key(const SessionDocument& document, const SolvingOptions& solving) {
   SessionDocument without = document;
   without.options.erase("slack");
@@ -227,7 +228,7 @@ void add_times(const Report& report, StageTimes& times) {
   times.emplace_back("measure", no_less(ms.pattern));
 }
 
-/// Windings round the loops of the surface; not a number where there is none.
+/// Winding numbers of the surface's loops; NaN if undefined.
 void add_windings(const CurveFamily& family, std::vector<std::pair<std::string, double>>& figures) {
   const MakingFigures& making = family.making;
   for (std::size_t i = 0; i < std::min(kMostWindings, making.loops.size()); ++i) {
@@ -257,7 +258,7 @@ void add_shown_figures(LiveState& state) {
   figures.emplace_back("too near to others", state.samples->taken.doubles);
 }
 
-/// What a style needs beside the pattern.
+/// The stages of a style besides the pattern.
 struct StyleStages {
   Stage<std::vector<Preparation>> read;    ///< other surfaces
   Stage<std::vector<OtherSurface>> drawn;  ///< the same with their patterns
@@ -266,7 +267,7 @@ struct StyleStages {
   std::shared_ptr<const StyleJob> job;
 };
 
-/// What is shown instead of stripes.
+/// The stages of curves or samples, shown instead of stripes.
 struct ShownStages {
   Stage<StripeTracer> tracer;
   Stage<MadeStripes> second;  ///< V
@@ -274,9 +275,9 @@ struct ShownStages {
   Stage<ShownSamples> samples;
 };
 
-/// Textures or crosses frame after frame.
+/// Textures or crosses, each frame continuing the last.
 struct Tiles {
-  std::string key;  ///< as that of a Follower, and what kind of tiles
+  std::string key;  ///< as that of a Follower, with the kind of tiles
   std::shared_ptr<TileFollower> made;
 };
 
@@ -289,17 +290,17 @@ struct LiveStages {
   Stage<BaseField> field;
   Stage<PreparedWaves> waves;
   Stage<SolvedPattern> pattern;
-  std::shared_ptr<const SolvedPattern> compared;  ///< the last that was not outdone
+  std::shared_ptr<const SolvedPattern> compared;  ///< the last one that passed the comparison
   StyleStages style;
   ShownStages shown;
   std::string looks;  ///< all options of the style
   std::shared_ptr<Follower> follower, crossing_follower;
   Tiles tiles;
-  std::uint64_t patterns = 0;  ///< that were made
-  std::uint64_t changes = 0;   ///< of what is drawn
+  std::uint64_t patterns = 0;  ///< number of computed patterns
+  std::uint64_t changes = 0;   ///< number of changes of what is drawn
 };
 
-/// Brings stages to a document.
+/// Updates the stages for a document.
 class StageUpdate {
  public:
   StageUpdate(LiveStages& stages, const SessionDocument& document, Follow follow,
@@ -307,7 +308,7 @@ class StageUpdate {
       : stages_(stages),
         document_(document),
         follow_(follow),
-        // What is a draft follows the mouse.
+        // Drafts follow the mouse.
         figures_(follow == Follow::loosely ? CurveFigures::few : figures),
         progress_(progress),
         listener_(progress),
@@ -328,7 +329,7 @@ class StageUpdate {
  private:
   const StripeArguments& arguments() const { return parsed_->arguments(); }
 
-  // What fails here has no other reason than the file.
+  // Here, only the file itself can cause a failure.
   static auto read_mesh(const auto& read) {
     try {
       return read();
@@ -372,7 +373,7 @@ class StageUpdate {
     stage = {key, std::move(made), listener_.take()};
   }
 
-  // What a smooth field goes on from.
+  // The field that a smooth field starts from.
   LastDirections last_directions() {
     const FindLastDirections find_last = previous_directions(arguments());
     if (!find_last || !is_smooth(arguments().waves)) return {};
@@ -424,7 +425,7 @@ class StageUpdate {
     take_pattern(std::move(anew));
   }
 
-  // What moves follows, however badly; what a document has is there to stay.
+  // Drafts continue whatever the quality; the document's pattern must be good.
   bool is_to_be_compared() const {
     const std::shared_ptr<const SolvedPattern>& made = stages_.pattern.made;
     const bool rests = follow_ != Follow::loosely || document_.phases;
@@ -453,7 +454,7 @@ class StageUpdate {
     const StripePattern* last = followed(arguments(), stages_.pattern.made.get(), follow_);
     if (last != nullptr) return next_frame(*last);
     if (follow_ == Follow::loosely && can_follow_tiles(arguments())) return next_tiles();
-    // What follows next, follows what is made here.
+    // The next draft continues this result.
     if (stages_.tiles.made) stages_.tiles.made->restart();
     return made_afresh();
   }
@@ -480,7 +481,7 @@ class StageUpdate {
     return follower->animator;
   }
 
-  // Stripes that cross the pattern, near to those of the last draft.
+  // The crossing pattern, continued from the last draft.
   StripePattern next_crossing(const StripePattern& last, WaveSet waves) {
     StripeAnimator& frames = animator(stages_.crossing_follower);
     frames.set_last_phases(
@@ -491,20 +492,20 @@ class StageUpdate {
                             arguments().solving.stripes.phase_shift);
   }
 
-  // Whether stripes that cross the pattern may go on from these.
+  // Whether the crossing pattern may continue these stripes.
   template <class Made>
   bool can_go_on(const Stage<Made>& crossing) const {
     return follow_ == Follow::loosely && crossing.made && can_follow(arguments()) &&
            !stages_.surface.made->points;
   }
 
-  // In drafts, what has followed will do.
+  // In drafts, continued results are good enough.
   template <class Made>
   bool holds_crossing(const Stage<Made>& crossing, const std::string& key) const {
     return crossing.holds(key) || (follow_ == Follow::loosely && crossing.holds(key + kFollowed));
   }
 
-  // Drafts alone: no document could keep their phases. The first one is solved for afresh.
+  // Drafts only: no document could store their phases. The first one is solved from scratch.
   SolvedPattern next_tiles() {
     const std::string key =
         stages_.surface.key + options_key(document_, OptionStage::phases) + tiles_key(arguments());
@@ -556,7 +557,7 @@ class StageUpdate {
     ++stages_.changes;
   }
 
-  // Returns whether there are other ones now, as all that follow.
+  // Returns whether the other surfaces changed, as must all that depends on them.
   bool make_others() {
     StyleStages& style = stages_.style;
     const std::string key = stages_.surface.key + others_key(arguments().style, stages_.waves.key);
@@ -684,7 +685,7 @@ class StageUpdate {
     return *stage.made;
   }
 
-  // All that curves and samples follow from, once V is there.
+  // The key of curves and samples, once V is known.
   std::string shown_key() const {
     return std::to_string(stages_.patterns) + '\n' + stages_.shown.second.key +
            ornaments_key(document_);
@@ -695,7 +696,7 @@ class StageUpdate {
     const CurvesArguments& curves = *parsed_->curves();
     const MadeStripes* v = curves.traced == TracedWaves::u ? nullptr : &second();
     const std::string key = shown_key(), measured = key + kMeasured;
-    // What has been measured is good for drafts, too.
+    // Fully measured results are good for drafts, too.
     if (stage.holds(measured) || (figures_ == CurveFigures::few && stage.holds(key))) return false;
     const StripeJob& job = stages_.pattern.made->job;
     auto made = std::make_shared<const ShownCurves>(shown_curves(

@@ -1,4 +1,4 @@
-/// The pattern of a document that changes.
+/// The pattern of a document that is being edited.
 #pragma once
 
 #include <memory>
@@ -15,72 +15,71 @@
 
 namespace brindle::tool {
 
-/// How a pattern comes about.
+/// The start of a pattern.
 enum class Follow {
-  afresh,  ///< of the document alone
-  last,    ///< near to the last pattern where the surface is the same, unless that is outdone
-  loosely  ///< near to it whatever it is like, also where no document could keep it: for drafts
+  afresh,  ///< from scratch: depends on the document alone
+  last,    ///< from the last pattern on the same surface, unless that is worse
+  loosely  ///< for drafts: from the last pattern in any case, even if no document can store it
 };
 
-/// How far a pattern that followed others, or whose phases a document has, may fall behind one that
-/// is made of the document alone: its energy may be so many times the other's and so much more
-/// (both, because the other's may be nearly zero), and its mean spacing error, a share of the
-/// period, so much more. Where it is worse than that it is outdone, and the other takes its place.
+/// The limits on how much worse a continued or stored pattern may be than one computed from
+/// scratch: a factor and a difference of the energy (both, because the other's may be nearly zero),
+/// and a difference of the mean spacing error as a share of the period. Beyond these limits, the
+/// pattern from scratch replaces it.
 inline constexpr double kMostEnergyTimes = 1.5, kMostEnergyMore = 0.01;
 inline constexpr double kMostSpacingErrorMore = 0.03;
 
-/// A document's mesh cannot be read, whatever its options are.
+/// A document's mesh cannot be read, independently of its options.
 class UnreadMesh : public Error {
  public:
   using Error::Error;
 };
 
-/// What there is to say of a pattern.
+/// The metrics of a pattern.
 struct LiveFigures {
-  std::vector<std::pair<std::string, double>> milliseconds;  ///< of stages that were run, in order
+  std::vector<std::pair<std::string, double>> milliseconds;  ///< of executed stages, in order
   std::size_t vertices = 0, triangles = 0;
-  std::size_t branches = 0;       ///< as reports count them: those at singularities, too
+  std::size_t branches = 0;       ///< as in reports: including those at singularities
   std::size_t singularities = 0;  ///< of the field
   double energy = 0;
   double mean_angle_error_deg = 0, mean_spacing_error = 0;
-  double edges_per_period = 0;  ///< at half of the vertices, or fewer; 0: no edge along any wave
-  /// Of curves or samples; not a number: a winding that there is none of.
+  double edges_per_period = 0;  ///< median over vertices; 0: no edge along any wave
+  /// Of curves or samples; NaN for undefined winding numbers.
   std::vector<std::pair<std::string, double>> shown;
-  double phase_step = 0;  ///< how far phases moved on average, in radians, where they followed
+  double phase_step = 0;  ///< mean change of phases in radians, for continued patterns
   bool followed = false;
 };
 
-/// A document's pattern and all that is drawn with it. What it points to is shared and never
-/// changes.
+/// A document's pattern and everything drawn with it. The pointed-to objects are shared and
+/// immutable.
 struct LiveState {
   SessionDocument document;
   std::shared_ptr<const ParsedSession> parsed;
   std::shared_ptr<const StripeJob> job;   ///< surface, pattern or texture, report, data
   std::shared_ptr<const StyleJob> style;  ///< null if the picture has no style
-  /// Other surfaces as they were read, with their arrays; null if the picture has no style.
+  /// Other surfaces as read, with their arrays; null without a style.
   std::shared_ptr<const std::vector<Preparation>> others;
   std::shared_ptr<const PreparationFigures> prepared;  ///< null if no curves are shown
   std::shared_ptr<const ShownCurves> curves;           ///< null if they are not shown
   std::shared_ptr<const ShownSamples> samples;         ///< null if they are not shown
-  std::shared_ptr<const std::vector<float>> phases;    ///< angles, of a pattern that has followed
+  std::shared_ptr<const std::vector<float>> phases;    ///< angles of a continued pattern
   LiveFigures figures;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings
-  std::uint64_t pattern = 0;  ///< another number whenever what is drawn changes, but the camera
+  std::uint64_t pattern = 0;  ///< changes whenever anything drawn except for the camera changes
 };
 
-/// What is drawn instead of stripes; null for stripes.
+/// The ornaments drawn instead of stripes; null for stripes.
 const ShownOrnaments* ornaments_of(const LiveState& state);
 
-/// Keeps the stages whose inputs did not change.
+/// Caches the stages whose inputs did not change.
 class LivePattern {
  public:
-  /// How much is measured of curves that are shown, unless patterns follow loosely.
+  /// `figures`: the extent of curve measurements, except for drafts.
   explicit LivePattern(CurveFigures figures = CurveFigures::few);
   ~LivePattern();
 
-  /// Brings the state to the document. Throws CLI::ValidationError or Error as `brindle stripe`
-  /// does, UnreadMesh among them, and Cancelled if `progress` asks for it, at any report; the state
-  /// then is as it was.
+  /// Updates the state for the document. Throws CLI::ValidationError or Error as `brindle stripe`
+  /// does, including UnreadMesh, and Cancelled; the state then stays unchanged.
   void update(const SessionDocument& document, Follow follow, const Progress& progress = {});
 
   /// Null before the first update.

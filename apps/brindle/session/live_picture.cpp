@@ -21,7 +21,7 @@ namespace brindle::tool {
 namespace {
 
 constexpr std::uint64_t kNothing = ~std::uint64_t{0};
-constexpr float kMostOfLines = 2;  // of drafts: how much coarser what hides lines may be
+constexpr float kMostOfLines = 2;  // of drafts: largest reduction of the depths that hide lines
 
 const PictureOptions& picture_of(const LiveState& state) {
   return *state.parsed->arguments().picture;
@@ -31,7 +31,7 @@ const Eigen::Vector3d& origin_of(const LiveState& state) { return state.job->sur
 
 bool is_of_points(const LiveState& state) { return state.job->surface->mesh.triangles.empty(); }
 
-/// The points that the camera frames: those that are drawn.
+/// The drawn points, which the camera frames.
 std::vector<Vec3> drawn_points(const Surface& surface) {
   std::vector<Vec3> points;
   for (std::size_t v = 0; v < surface.normals.size(); ++v) {
@@ -48,7 +48,7 @@ namespace {
 struct DrawSettings {
   PictureQuality quality = PictureQuality::final;
   bool draft = false;
-  double before = 0;  ///< milliseconds that the frame has taken
+  double before = 0;  ///< milliseconds spent on the frame
   const Progress& progress;
 };
 
@@ -60,10 +60,10 @@ struct LivePicture::Drawing {
   std::optional<StyledRenderer> styled;
   std::optional<SplatRenderer> splats;
   std::uint64_t uploaded = kNothing;             ///< `LiveState::pattern`
-  std::shared_ptr<const LiveState> kept;         ///< what was uploaded, and `picture` refers to
-  std::optional<StyledPicture> styled_picture;   ///< that was uploaded
-  std::vector<std::vector<float>> other_places;  ///< in the colour map, that were uploaded
-  std::vector<Vec3> framed;                      ///< by the camera
+  std::shared_ptr<const LiveState> kept;         ///< uploaded; `picture` refers to it
+  std::optional<StyledPicture> styled_picture;   ///< the uploaded picture
+  std::vector<std::vector<float>> other_places;  ///< in the colour map, as uploaded
+  std::vector<Vec3> framed;                      ///< framed by the camera
   DraftSize draft_size;
 
   Image draw(const std::shared_ptr<const LiveState>& state, const DrawSettings& settings);
@@ -94,17 +94,17 @@ bool same_kind(const StripeResult& a, const StripeResult& b) {
   return tile != nullptr && other_tile != nullptr && *tile == *other_tile;
 }
 
-/// Whether another picture without a style needs new waves alone.
+/// Whether only new waves need to be uploaded for a picture without a style.
 bool needs_waves_alone(const LiveState& state, const LiveState* last, const Overlay& overlay) {
   if (last != nullptr && ornaments_of(*last) != nullptr) return false;
   if (last == nullptr || last->style || is_of_points(state) || is_of_points(*last)) return false;
   if (!same_kind(state.job->result, last->job->result)) return false;
-  // Colours that are not there any more would stay.
+  // Otherwise, old colours would stay.
   const bool had_colors = picture_of(*last).view != View::stripes;
   return overlay.triangle_colors.empty() != had_colors && same_mesh(state, *last);
 }
 
-/// Whether all surfaces but the first are drawn as they were.
+/// Whether all surfaces but the first are unchanged.
 bool same_others(const LiveState& a, const LiveState& b) {
   const RenderOptions &one = picture_of(a).render, &other = picture_of(b).render;
   return a.style->patterns.others == b.style->patterns.others &&
@@ -113,7 +113,7 @@ bool same_others(const LiveState& a, const LiveState& b) {
          one.stripe_color == other.stripe_color && one.stripe_width == other.stripe_width;
 }
 
-/// Whether strokes are measured in pixels, which a smaller picture has less of.
+/// Whether strokes are measured in pixels, of which a smaller picture has fewer.
 bool has_pixel_measures(std::span<const StyledSurface> surfaces) {
   return std::ranges::any_of(surfaces, [](const StyledSurface& surface) {
     return std::ranges::any_of(surface.strokes, [](const Strokes& strokes) {
@@ -137,7 +137,7 @@ StyledOptions reduced(const StyledOptions& options, float reduction) {
   return smaller;
 }
 
-/// A picture that was drawn smaller, in the size of the options.
+/// A reduced picture, enlarged to the size of the options.
 Image in_full_size(Image image, const RenderOptions& render) {
   if (image.width == render.width && image.height == render.height) return image;
   return enlarged(image, render.width, render.height);
@@ -220,11 +220,11 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, const DrawSettin
   options.render.quality = settings.quality;
   options.framed = framed;
   StyledOptions smaller = options;
-  // What hollows look like is worth waiting for.
+  // Drafts omit ambient occlusion.
   if (settings.draft) smaller.occlusion = 0;
   if (!has_pixel_measures(styled_picture->surfaces)) smaller = reduced(smaller, reduction);
   Image image = in_full_size(styled->draw(smaller, settings.progress), options.render);
-  // Coarser ones would have gaps.
+  // Coarser depths would leave gaps.
   const StyledOptions lines = reduced(options, std::min(reduction, kMostOfLines));
   draw_on_top(image, *styled_picture, style, lines, settings.progress);
   return image;
@@ -232,7 +232,7 @@ Image LivePicture::Drawing::draw_styled(const LiveState& state, const DrawSettin
 
 namespace {
 
-/// Of glyphs, as the state's camera and size want it.
+/// For glyphs, with the state's camera and size.
 StyledOptions glyph_options(const LiveState& state, const GlyphPicture& glyphs) {
   StyledOptions options = glyphs.styled;
   options.render = render_options(picture_of(state), origin_of(state));
@@ -283,7 +283,7 @@ Image LivePicture::Drawing::draw(const std::shared_ptr<const LiveState>& state,
 
 LivePicture::LivePicture() : drawing_(std::make_unique<Drawing>()) {}
 LivePicture::~LivePicture() {
-  // What is given back is of this context, whichever was used last.
+  // Objects must be freed in this context, whichever is current.
   try {
     drawing_->context.make_current();
   } catch (const Error&) {

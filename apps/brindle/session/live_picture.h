@@ -1,4 +1,4 @@
-/// Pictures of a live pattern, as `brindle stripe --output` writes them.
+/// Pictures of a live pattern, equal to those of `brindle stripe --output`.
 #pragma once
 
 #include <memory>
@@ -9,29 +9,29 @@
 
 namespace brindle::tool {
 
-/// Draws in a headless OpenGL context of its own, on the thread that makes it.
+/// Draws in its own headless OpenGL context, on the thread that creates it.
 class LivePicture {
  public:
-  /// Throws Error, naming what was tried, if no OpenGL 4.5 context is to be had.
+  /// Throws Error with what was tried if there is no OpenGL 4.5 context.
   LivePicture();
   ~LivePicture();
 
-  /// The document's picture, of the state's `LivePattern`. What was uploaded before is not uploaded
-  /// again. Throws Error if OpenGL fails; Cancelled if `progress` asks for it.
+  /// The document's picture for a state of its `LivePattern`. Uploads only changes. Throws Error if
+  /// OpenGL fails; throws Cancelled.
   Image draw(const std::shared_ptr<const LiveState>& state, PictureQuality quality,
              const Progress& progress = {});
 
-  /// The same at interactive quality, in so much detail as there is time for while something moves
-  /// (`DraftSize`), of which its state has taken `before` milliseconds.
+  /// The same at interactive quality, with a resolution for fluent motion (`DraftSize`). `before`:
+  /// milliseconds spent on the state.
   Image draft(const std::shared_ptr<const LiveState>& state, double before = 0,
               const Progress& progress = {});
 
-  /// How the picture that was drawn of the state was taken: for picking and for what a window draws
-  /// on top. Coordinates are those of the surface's mesh.
+  /// The camera of the picture of the state, in coordinates of the surface's mesh, for picking and
+  /// for overlays of the window.
   Camera camera(const LiveState& state) const;
 
-  /// Why that picture shows nothing (`slice_refusal`): then no file of it is written. Empty if it
-  /// shows anything.
+  /// The reason why that picture shows nothing (`slice_refusal`), which is then not written; else
+  /// empty.
   std::string nothing_left(const LiveState& state) const;
 
  private:

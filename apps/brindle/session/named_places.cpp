@@ -22,7 +22,7 @@ std::optional<Eigen::Vector3d> place_in_text(const std::string& text) {
 
 using NewPlace = std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector3d&)>;
 
-/// The place "X,Y,Z", or what `new_place` says instead. Other texts stay as they are.
+/// Replaces a place "X,Y,Z" by `new_place`. Other text stays.
 std::string replaced(const std::string& text, const NewPlace& new_place) {
   const auto place = place_in_text(text);
   const auto other = place ? new_place(*place) : std::nullopt;
@@ -30,21 +30,21 @@ std::string replaced(const std::string& text, const NewPlace& new_place) {
   return formatted("%.7g,%.7g,%.7g", other->x(), other->y(), other->z());
 }
 
-/// The same of a value "distance:X,Y,Z".
+/// The same for a value "distance:X,Y,Z".
 std::string with_distance(const std::string& value, const NewPlace& new_place) {
   constexpr std::string_view kDistance = "distance:";
   if (!value.starts_with(kDistance)) return value;
   return std::string(kDistance) + replaced(value.substr(kDistance.size()), new_place);
 }
 
-/// The same of what stands behind a sign of another surface.
+/// The same for a part of another surface.
 std::string with_place_of_part(const std::string& part, const NewPlace& new_place) {
   constexpr std::string_view kColor = "color-by=";
   if (!part.starts_with(kColor)) return replaced(part, new_place);
   return std::string(kColor) + with_distance(part.substr(kColor.size()), new_place);
 }
 
-/// The value with other places.
+/// The value with replaced places.
 std::string with_places(const std::string& option, const std::string& value,
                         const NewPlace& new_place) {
   if (option != "with") return with_distance(value, new_place);

@@ -1,4 +1,4 @@
-/// Places that options name, so that they can be moved with the mouse.
+/// Positions in options, to be moved with the mouse.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace brindle::tool {
 
-/// A place that values are distances from (`distance:X,Y,Z`), and that other surfaces are moved to
+/// A position in options: the origin of distances (`distance:X,Y,Z`), or of another surface
 /// (`--with MESH@X,Y,Z`).
 struct NamedPlace {
-  Eigen::Vector3d at;                ///< in the coordinates of files
-  std::vector<std::string> options;  ///< that name it, without dashes, each once
+  Eigen::Vector3d at;                ///< in file coordinates
+  std::vector<std::string> options;  ///< with this position, without dashes, each once
 };
 
-/// All of them, each once, in the order of the options.
+/// All positions, each once, in the order of the options.
 std::vector<NamedPlace> named_places(const OptionValues& options);
 
-/// The place's options with `to` instead of it.
+/// The place's options with `to` in its stead.
 OptionValues with_place_at(const Eigen::Vector3d& to, const NamedPlace& place,
                            const OptionValues& options);
 

@@ -9,7 +9,7 @@
 namespace brindle::tool {
 namespace {
 
-/// The numbers of an array's only row.
+/// The numbers of an array with one row.
 std::string text_of_row(const DataArray& row) {
   std::string text;
   for_each_number(row.view(), [&](std::size_t, std::size_t, auto number) {
@@ -26,7 +26,7 @@ void add_wave(const StripePattern& pattern, const Triangle& triangle, const Vec3
     values.push_back({"wave", "none"});
     return;
   }
-  // Whichever way waves run, 1 is the middle of a stripe and -1 that of a gap.
+  // In either direction, 1 is the middle of a stripe and -1 that of a gap.
   values.push_back({"sine of the phase", formatted("%.2f", static_cast<double>(wave.z.imag()))});
   values.push_back({"frequency", formatted("%.5g", static_cast<double>(wave.frequency))});
 }

@@ -1,4 +1,4 @@
-/// What a session knows of a point of its surface.
+/// Values of a session at a point of its surface.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 namespace brindle::tool {
 
 struct PickedValue {
-  std::string name;  ///< "frequency", or that of an array
+  std::string name;  ///< "frequency", or an array's name
   std::string text;
 };
 
-/// Where the point is in the coordinates of files, the wave there, and what the mesh's file says of
-/// it. `point` was picked on the surface of this state.
+/// The point in file coordinates, its wave, and the values of the file's arrays. `point` was picked
+/// on this state's surface.
 std::vector<PickedValue> values_at(const LiveState& state, const PickedPoint& point);
 
 }  // namespace brindle::tool

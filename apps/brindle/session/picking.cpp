@@ -16,7 +16,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-/// A camera and the pixel that is asked about, in double precision.
+/// A camera and a pixel, in double precision.
 struct PixelView {
   Vector3d origin;
   Matrix4d view_from_world;
@@ -63,8 +63,8 @@ bool is_cut_off(const PixelView& view, const Mesh& mesh, const Hit& hit) {
   return beyond > 0;
 }
 
-/// Where the pixel's ray meets a triangle. The three numbers that decide are those of its edges,
-/// which are the same but for their sign on the other side of an edge: no ray passes between.
+/// The intersection of the pixel's ray with a triangle. The three deciding numbers belong to edges
+/// and only change sign between the triangles of an edge, so that no ray passes between them.
 std::optional<Hit> hit_of(const PixelView& view, const Mesh& mesh, std::size_t number) {
   const Triangle& triangle = mesh.triangles[number];
   std::array<Vector3d, 3> corner, clip;

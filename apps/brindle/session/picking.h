@@ -1,4 +1,4 @@
-/// What of a surface is under a pixel.
+/// Finds the surface point under a pixel.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ struct PickedPoint {
   Vec3 barycentric;       ///< in that triangle; not negative, sums to 1
   Vec3 position;          ///< relative to the mesh's origin
   Vec3 normal;            ///< of the triangle, unit, towards the viewer
-  Eigen::Vector3d place;  ///< in the coordinates of the mesh's file: what strokes are made of
+  Eigen::Vector3d place;  ///< in file coordinates, for strokes
   float depth;            ///< along the viewing direction
 };
 
-/// The nearest hit of the surface at `x`, `y` in pixels from the upper left corner of a picture of
-/// `width` x `height`; pixel centres are at 0.5. Nothing is missed between triangles with a common
-/// edge. What the camera's slice takes away is not hit. Nothing for points without triangles.
+/// The nearest hit at `x`, `y` in pixels from the upper left corner of a picture of `width` x
+/// `height`; pixel centres are at 0.5. Watertight along shared edges. Ignores what the camera's
+/// slice cuts away. Empty for points without triangles.
 std::optional<PickedPoint> pick(const Surface& surface, const Camera& camera, int width, int height,
                                 double x, double y);
 
-/// Where a position, relative to the mesh's origin, is in the picture; nothing behind the viewer.
+/// The pixel of a position relative to the mesh's origin; empty behind the viewer.
 std::optional<Eigen::Vector2d> place_in_picture(const Vec3& position, const Camera& camera,
                                                 int width, int height);
 

@@ -27,8 +27,8 @@ namespace brindle::tool {
 namespace {
 
 constexpr const char* kRenderExamples =
-    R"(A session is what the window saves: a surface, options, strokes, a camera. The picture is the one
-that the window shows when it rests, bit for bit.
+    R"(The window saves sessions: a surface, options, strokes, a camera. The picture is the one that
+the window shows when it rests, bit for bit.
 
 Examples:
   brindle render session.json --output horse.png
@@ -38,43 +38,43 @@ Examples:
   brindle render session.json --replay events.jsonl --output after.png
   brindle render session.json --output horse.vtp --output horse_report.json
 
-Files by extension: .png the picture; .svg or .pdf a drawing of stripes or curves; .ply .vtp .obj .gltf .glb a mesh and .json a report, which are
-those of 'brindle stripe'. If a session shows curves or samples, all but .json are those of 'brindle
-curves' or 'brindle sample'. --replay does commands first, one a line, as docs/sessions.md lists them.)";
+Outputs: .png the picture; .svg or .pdf a drawing of stripes or curves; .ply .vtp .obj .gltf .glb a
+mesh and .json a report, as from 'brindle stripe'. If a session shows curves or samples, all but
+.json are as from 'brindle curves' or 'brindle sample'. --replay runs commands first, one per line,
+as docs/sessions.md lists them.)";
 
 struct RenderArguments {
   std::string session;
   std::vector<std::string> outputs;
   std::string replay;
   std::shared_ptr<PictureOptions> picture;  ///< --size and --quality alone
-  PictureChanges changes;                   ///< but the size
+  PictureChanges changes;                   ///< except for the size
   int threads = 0;
   bool quiet = false;
 };
 
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.add_option("SESSION", arguments.session, "a session's file (.json)")->required();
-  command.add_option("-o,--output", arguments.outputs, "what to write, by extension; repeatable")
+  command.add_option("-o,--output", arguments.outputs, "files to write, by extension; repeatable")
       ->type_name("FILE")
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false)
       ->required();
-  command.add_option("--replay", arguments.replay, "commands to do first, one a line")
+  command.add_option("--replay", arguments.replay, "commands to run first, one per line")
       ->type_name("FILE.jsonl");
   arguments.picture = add_size_options(command);
   command
       .add_flag("--scale-widths", arguments.changes.scaled_widths,
-                "widths in pixels grow with --size, so that the picture looks as the session's")
+                "scale widths in pixels with --size")
       ->needs("--size");
   command
-      .add_option("--dpi", arguments.changes.dpi,
-                  "pixels an inch that a PNG file says, for print; it changes no pixel")
+      .add_option("--dpi", arguments.changes.dpi, "pixels per inch, stored in PNG files for print")
       ->type_name("D")
       ->check(CLI::Range(1.0, 1e6));
   command.add_flag("--transparent", arguments.changes.transparent,
-                   "no background, whatever the session says");
-  command.add_option("--threads", arguments.threads, "0: all that the machine has (default)")
+                   "no background, whatever the session has");
+  command.add_option("--threads", arguments.threads, "number of threads (default 0: all)")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
@@ -84,7 +84,7 @@ bool is_picture(const std::string& path) {
   return lower_extension(path) == ".png" || is_drawing_file(path);
 }
 
-/// What `brindle stripe` writes, too, but its drawings.
+/// Accepts the files of `brindle stripe` except for drawings.
 void refuse_unknown_extension(const std::string& path) {
   constexpr std::array kKnown = {".obj", ".ply", ".vtp", ".gltf", ".glb", ".stl", ".off", ".json"};
   const std::string extension = lower_extension(path);
@@ -95,7 +95,7 @@ void refuse_unknown_extension(const std::string& path) {
                     ".gltf or .glb for a mesh, .json for a report");
 }
 
-/// What is no picture: of stripes a mesh or a report, of curves and samples their files.
+/// Checks other files than pictures: a mesh or a report of stripes, or files of curves and samples.
 void check_file(const std::string& path, const ParsedSession& parsed) {
   const bool report = lower_extension(path) == ".json";
   if (parsed.curves() != nullptr && !report) {
@@ -130,7 +130,7 @@ void check_outputs(const CLI::App& command, const RenderArguments& arguments,
   }
 }
 
-/// Does what the file says, or fails at the first command that is refused.
+/// Runs the file's commands until the first one that is rejected.
 void replay(Session& session, const std::string& path) {
   std::size_t number = 0;
   for (const SessionCommand& command : read_commands(path)) {
@@ -199,7 +199,7 @@ void run_render(const CLI::App& command, const RenderArguments& arguments) {
     ProgressDisplay display(arguments.quiet);
     try {
       pattern.update(document, Follow::afresh, display.progress());
-    } catch (const CLI::ValidationError& error) {  // of the session, not of the command line
+    } catch (const CLI::ValidationError& error) {  // of the session, not of this command line
       throw Error(shown(arguments.session) + ": " + error.what());
     }
     for (const std::string& note : pattern.state()->notes) display.note(note);

@@ -15,7 +15,7 @@ namespace brindle::tool {
 namespace {
 
 constexpr std::size_t kMostMessages = 100;
-constexpr std::size_t kMostSteps = 1000;                   // and as many views
+constexpr std::size_t kMostSteps = 1000;                   // and of views
 constexpr std::size_t kMostPhases = std::size_t{1} << 26;  // of all steps together: 256 MB
 
 std::size_t checked_index(const SessionDocument& document, std::size_t index) {
@@ -31,7 +31,7 @@ std::size_t checked_key(int key) {
               std::to_string(key));
 }
 
-/// Changes a document as a command says.
+/// Applies a command to a document.
 struct Changer {
   SessionDocument& document;
 
@@ -94,7 +94,7 @@ struct Changer {
   }
 };
 
-/// What a command does, as a menu says it behind "Undo".
+/// Name of a command after "Undo" in a menu.
 struct StepWords {
   Shown shown;
 
@@ -133,7 +133,7 @@ struct StepWords {
   std::string operator()(const commands::SetFrequencyByZoom&) const { return "stripes by zoom"; }
   std::string operator()(const commands::Load&) const { return "opening a session"; }
   std::string operator()(const commands::SolveAnew&) const { return "solving anew"; }
-  /// Those that are no steps.
+  /// Commands that are no steps.
   template <class Other>
   std::string operator()(const Other&) const {
     return "";
@@ -145,7 +145,7 @@ bool starts_anew(const SessionCommand& command) {
          std::holds_alternative<commands::Load>(command);
 }
 
-/// Seen from elsewhere. Phases go where another camera makes other waves.
+/// With another camera. Phases are removed if waves depend on the camera.
 SessionDocument seen_from(const CameraView& camera, SessionDocument document) {
   if (document.camera == camera) return document;
   SessionDocument seen = document;
@@ -249,7 +249,7 @@ void Session::begin_drag() {
 }
 
 void Session::end_drag() {
-  // What came back to where it was is no step.
+  // A drag without net change is no undo step.
   if (drag_has_step_ && document_of(past_.back()) == document_) past_.pop_back();
   if (drag_has_view_ && !views_.past.empty() && views_.past.back() == document_.camera) {
     views_.past.pop_back();
@@ -294,7 +294,7 @@ bool Session::next_view() { return move_view(views_.future, views_.past); }
 std::string Session::undo_name() const { return past_.empty() ? "" : past_.back().name; }
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
 
-// Where nothing was kept, there is no step; yet what is shown may have followed.
+// Without kept phases there is no step, but the shown pattern may have continued others.
 void Session::solve_anew() {
   SessionDocument anew = document_;
   anew.phases.reset();
@@ -337,7 +337,7 @@ bool Session::take_back(std::uint64_t revision, const std::string& why) {
   } else {
     return false;
   }
-  // The edit before may be what did not work, if nothing was shown of it.
+  // If nothing was shown of it, the edit before may be at fault.
   last_change_ = future_.empty() ? Change::edit : Change::none;
   return true;
 }
@@ -347,7 +347,7 @@ void Session::add_message(MessageKind kind, std::string text) {
   if (messages_.size() > kMostMessages) messages_.pop_front();
 }
 
-/// Phases are what is large.
+/// Phases take most memory.
 void Session::forget_old_steps() {
   std::size_t phases = 0;
   for (const Step& step : past_) phases += step.document.phases ? step.document.phases->size() : 0;

@@ -1,4 +1,4 @@
-/// A document that commands change, and the way back.
+/// A document, changed by commands, with undo.
 #pragma once
 
 #include <cstdint>
@@ -16,79 +16,78 @@ enum class MessageKind { note, warning, error };
 struct SessionMessage {
   MessageKind kind;
   std::string text;
-  std::uint64_t revision;  ///< of the document that it is about
+  std::uint64_t revision;  ///< of its document
 
   bool operator==(const SessionMessage&) const = default;
 };
 
-/// The one source of truth of a window: a document, undo and redo, messages. Knows nothing of
-/// threads, patterns and pictures.
+/// The single source of truth of a window: document, undo, redo, messages. Independent of threads,
+/// patterns and pictures.
 class Session {
  public:
-  /// Of a document that `check_document` accepts; throws what that throws.
+  /// The document must pass `check_document`; throws what that throws.
   explicit Session(SessionDocument document = {});
 
   const SessionDocument& document() const { return document_; }
 
-  /// Grows whenever the document becomes another one, and never comes back to a number.
+  /// Increases with each change of the document.
   std::uint64_t revision() const { return revision_; }
 
-  /// Whether the pattern may follow the one shown before, so that stripes move calmly: after
-  /// changes of one surface. Not after undo, redo, another surface or another document, whose
-  /// pictures depend on the document alone.
+  /// Whether the pattern may continue the one shown before, for stable motion: after changes on one
+  /// surface. False after undo, redo, another surface or another document, whose pictures depend on
+  /// the document alone.
   bool follows() const { return follows_; }
 
-  /// Does it, or refuses: then all stays as it was, and a message says why.
+  /// Applies the command, or rejects it with a message and changes nothing.
   bool apply(const SessionCommand& command);
 
   /// The same as the commands.
   void begin_drag();
   void end_drag();
   bool dragging() const { return dragging_; }
-  /// Edits alone: the camera stays where it is, unless what comes back is another surface or
-  /// session, which has its own.
+  /// Edits only: the camera stays, unless another surface or session is restored with its own.
   bool undo();
   bool redo();
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
-  /// The camera alone. Edits in between stay as they are; another surface or session begins anew.
+  /// The camera only. Edits stay; another surface or session clears the history.
   bool previous_view();
   bool next_view();
   bool has_previous_view() const { return !views_.past.empty(); }
   bool has_next_view() const { return !views_.future.empty(); }
 
-  /// What undo and redo would change, in words: "number of stripes"; empty if nothing.
+  /// Names of the next undo and redo step: "number of stripes"; empty if there is none.
   std::string undo_name() const;
   std::string redo_name() const;
 
-  /// The pattern is to be made of the document alone, whatever it followed. A step if the document
-  /// has phases, which go.
+  /// Makes the next pattern depend on the document alone. A step if the document has phases, which
+  /// are removed.
   void solve_anew();
 
-  /// The pattern that is shown of a revision becomes part of the document, so that it is what comes
-  /// back when it is saved or undone. Without phases it was made of the document alone, and those
-  /// that the document has go. No step of its own. Nothing if the document has gone on, or already
-  /// has the one or the other. Returns whether it was done.
+  /// Stores the phases of the shown pattern of a revision in the document, to be restored by saving
+  /// or undo. Null phases mean that it depends on the document alone, and remove stored ones. This
+  /// is no step. Does nothing if the document has changed or already has them. Returns whether it
+  /// changed.
   bool keep_phases(std::uint64_t revision, std::shared_ptr<const std::vector<float>> phases);
 
-  /// The last step or view turned out not to work: a file cannot be read, an array is not there.
-  /// Takes the document back to what it was before and leaves the message; nothing can be redone of
-  /// it. If the document has gone on since `revision`, or nothing can be undone, only the message
-  /// stays. Returns whether the step was taken back.
+  /// Reverts the last step or view after it failed, for example for an unreadable file or a missing
+  /// array, and leaves the message; it cannot be redone. If the document has changed since
+  /// `revision` or nothing can be undone, only the message is added. Returns whether the step was
+  /// reverted.
   bool take_back(std::uint64_t revision, const std::string& why);
 
-  /// The latest, at most a hundred, oldest first.
+  /// The latest messages, at most a hundred, oldest first.
   const std::deque<SessionMessage>& messages() const { return messages_; }
   void add_message(MessageKind kind, std::string text);
 
  private:
   struct Step {
-    SessionDocument document;  ///< before it, or, of those undone, after it
+    SessionDocument document;  ///< before an undoable step, or after an undone one
     std::string name;
     bool anew = false;  ///< another surface or session, with its camera
   };
-  /// Cameras before and after the present one, the nearest last.
+  /// Cameras before and after the present one, nearest last.
   struct Views {
     std::deque<CameraView> past, future;
   };
@@ -114,16 +113,14 @@ class Session {
   bool drag_has_view_ = false;
 };
 
-/// Whether a command moves the camera alone, which is no edit: `Session::previous_view` takes it
-/// back.
+/// Whether a command only moves the camera, which is no edit: `Session::previous_view` reverts it.
 bool turns_view(const SessionCommand& command);
 
-/// Throws Error, naming it, if there is no such file or shape; what is in a file comes out when it
-/// is read.
+/// Throws Error with the name if there is no such file or shape; does not read files.
 void check_can_open(const std::string& mesh);
 
-/// The document after a command that changes it; throws CLI::ValidationError or Error, naming what
-/// is wrong. Not for those that drag, undo, redo, keep phases and solve anew.
+/// The document after a command that changes it. Throws CLI::ValidationError or Error with the
+/// problem. Not for commands that drag, undo, redo, keep phases or solve again.
 SessionDocument changed(const SessionDocument& document, const SessionCommand& command);
 
 }  // namespace brindle::tool

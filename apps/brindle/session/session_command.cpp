@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCom
     "solve_anew",    "previous_view",
     "next_view",     "set_steering"};
 
-/// Adds what a command holds to its object.
+/// Adds a command's fields to its object.
 struct CommandWriter {
   Json& json;
 
@@ -125,7 +125,7 @@ commands::KeepPhases keep_phases_from(const JsonReader& reader) {
   return {phases_in(reader)};
 }
 
-/// Commands that hold nothing.
+/// Commands without fields.
 template <class Command>
 Command bare(const JsonReader& reader) {
   reader.allow({"command"});

@@ -1,4 +1,4 @@
-/// What can be done to a session. The window, tests and scripts do nothing else.
+/// The commands of a session, for the window, tests and scripts alike.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,17 @@
 
 namespace brindle::tool::commands {
 
-/// Another surface. Phases and the camera's centre were the old one's and go, and so do strokes,
-/// unless it is one like the old: a shape with another parameter, the next step of a series.
+/// Another surface. Removes phases and the camera's centre, and strokes unless the surfaces are
+/// alike: a shape with another parameter, the next step of a series.
 struct Open {
   std::string mesh;
-  bool keep_options = true;   ///< else all options go, too
-  bool keep_strokes = false;  ///< they stay where they are in space
+  bool keep_options = true;   ///< otherwise, options are removed, too
+  bool keep_strokes = false;  ///< at the same position in space
 
   bool operator==(const Open&) const = default;
 };
 
-/// Gives an option, in place of what it was.
+/// Sets an option.
 struct SetOption {
   std::string name;
   std::vector<std::string> values;  ///< empty for flags
@@ -38,8 +38,7 @@ struct ClearOption {
   bool operator==(const ClearOption&) const = default;
 };
 
-/// Several options at once, for those that need each other: first all of `clear` go, then `set` is
-/// given.
+/// Changes options that depend on each other: removes those of `clear`, then sets those of `set`.
 struct SetOptions {
   OptionValues set;
   std::vector<std::string> clear;
@@ -47,8 +46,7 @@ struct SetOptions {
   bool operator==(const SetOptions&) const = default;
 };
 
-/// What the picture shows. Options that another picture has alone stay as they are until it is
-/// shown again.
+/// Changes what the picture shows. Options of other pictures are kept for later.
 struct Show {
   Shown what;
 
@@ -74,14 +72,14 @@ struct EraseStroke {
   bool operator==(const EraseStroke&) const = default;
 };
 
-/// All strokes at once: those of a file, or none.
+/// Replaces all strokes: those of a file, or none.
 struct SetStrokes {
   std::vector<FieldStroke> strokes;
 
   bool operator==(const SetStrokes&) const = default;
 };
 
-/// All strokes that hold singularities where they were dragged; none lets them go.
+/// Replaces all strokes that fix dragged singularities; none releases them.
 struct SetSteering {
   std::vector<FieldStroke> strokes;
 
@@ -100,7 +98,7 @@ struct SetSize {
   bool operator==(const SetSize&) const = default;
 };
 
-/// Keeps the camera under a key from 1 to 9.
+/// Stores the camera under a key from 1 to 9.
 struct StoreView {
   int key;
 
@@ -119,14 +117,14 @@ struct SetFrequencyByZoom {
   bool operator==(const SetFrequencyByZoom&) const = default;
 };
 
-/// Another document in place of this one, such as one that was read from a file.
+/// Replaces the document, such as by one read from a file.
 struct Load {
   SessionDocument document;
 
   bool operator==(const Load&) const = default;
 };
 
-/// What is done between these two is undone in one step.
+/// Commands between these two are one undo step.
 struct BeginDrag {
   bool operator==(const BeginDrag&) const = default;
 };
@@ -134,7 +132,7 @@ struct EndDrag {
   bool operator==(const EndDrag&) const = default;
 };
 
-/// Of edits, which leave the camera as it is unless they open another surface or session.
+/// Undoes edits. The camera stays, unless another surface or session is restored.
 struct Undo {
   bool operator==(const Undo&) const = default;
 };
@@ -142,22 +140,21 @@ struct Redo {
   bool operator==(const Redo&) const = default;
 };
 
-/// The pattern that is shown becomes part of the document, without a step of its own; null: it was
-/// made of the document alone (`Session::keep_phases`).
+/// Stores the shown pattern in the document, without a step; null: the pattern depends on the
+/// document alone (`Session::keep_phases`).
 struct KeepPhases {
   std::shared_ptr<const std::vector<float>> phases;
 
   bool operator==(const KeepPhases& other) const;
 };
 
-/// The pattern is made of the document alone, as if nothing had come before
-/// (`Session::solve_anew`).
+/// Makes the pattern from the document alone (`Session::solve_anew`).
 struct SolveAnew {
   bool operator==(const SolveAnew&) const = default;
 };
 
-/// The camera as it was before it was last turned, moved or recalled, and back again. Edits stay:
-/// these are what undo and redo are for.
+/// Restores the camera before its last motion or recall, and back. Edits stay; undo and redo are
+/// for these.
 struct PreviousView {
   bool operator==(const PreviousView&) const = default;
 };
@@ -178,16 +175,16 @@ using SessionCommand =
                  commands::KeepPhases, commands::SolveAnew, commands::PreviousView,
                  commands::NextView, commands::SetSteering>;
 
-/// "set_option", the name of a command in files.
+/// The name of a command in files, such as "set_option".
 std::string_view command_name(const SessionCommand& command);
 
-/// One object a command: `{"command": "set_option", "name": "stripes", "values": ["60"]}`.
+/// A command as an object: `{"command": "set_option", "name": "stripes", "values": ["60"]}`.
 nlohmann::ordered_json command_to_json(const SessionCommand& command);
-/// Throws Error naming the key and what to do.
+/// Throws Error with the key and the remedy.
 SessionCommand command_from_json(const nlohmann::json& json);
 
-/// A list of commands, one line of JSON each; empty lines are passed over. Throws Error naming the
-/// file, the line and what to do.
+/// A list of commands, one line of JSON each; skips empty lines. Throws Error with the file, the
+/// line and the remedy.
 std::vector<SessionCommand> read_commands(const std::filesystem::path& path);
 void write_commands(const std::filesystem::path& path, const std::vector<SessionCommand>& commands);
 

@@ -79,7 +79,7 @@ bool SessionDocument::operator==(const SessionDocument& other) const {
 
 namespace {
 
-/// A part of what a user would miss.
+/// Work that a user would lose.
 struct WorkPart {
   std::string_view words;
   bool (*same)(const SessionDocument& a, const SessionDocument& b);
@@ -346,7 +346,7 @@ void write_session(const std::filesystem::path& path, const SessionDocument& doc
   std::string text;
   try {
     text = document_to_json(document).dump(2);
-  } catch (const nlohmann::json::exception&) {  // of the letters in it
+  } catch (const nlohmann::json::exception&) {  // invalid UTF-8
     throw Error(shown(path.native()) +
                 ": cannot be written, because a session holds names in UTF-8 alone, and the mesh's "
                 "or another file's is not; rename it");

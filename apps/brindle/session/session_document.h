@@ -1,5 +1,4 @@
-/// What a session is: a surface, the options of its stripes, strokes and where it is looked at
-/// from.
+/// The content of a session: a surface, options, strokes and cameras.
 #pragma once
 
 #include <array>
@@ -20,17 +19,17 @@ namespace brindle::tool {
 
 class JsonReader;
 
-/// Values of options by their long names without the dashes, as text: one value, none for flags,
-/// several for options that may be repeated.
+/// Option values as text, by long name without dashes: one value, none for flags, several for
+/// repeatable options.
 using OptionValues = std::map<std::string, std::vector<std::string>>;
 
-/// What a picture shows: that of `brindle stripe`, `curves` or `sample`.
+/// The picture: of `brindle stripe`, `curves` or `sample`.
 enum class Shown { stripes, curves, samples };
 inline constexpr std::array<Shown, 3> kAllShown = {Shown::stripes, Shown::curves, Shown::samples};
 
 /// "stripes", "curves", "samples", and back.
 std::string_view name_of(Shown shown);
-/// "stripe", "curves", "sample": the command whose picture it is.
+/// The command of the picture: "stripe", "curves", "sample".
 std::string_view command_of(Shown shown);
 std::optional<Shown> parse_shown(std::string_view name);
 
@@ -44,61 +43,60 @@ struct PictureSize {
 
 inline constexpr int kStoredViews = 9;
 
-/// All that a picture follows from: equal documents give equal pictures, bit for bit.
+/// All inputs of a picture: equal documents give equal pictures, bit for bit.
 struct SessionDocument {
   std::string mesh = "shape:trefoil";  ///< a file or shape:NAME,...
   Shown shown = Shown::stripes;
-  OptionValues options;              ///< of `brindle stripe`, those that were given
-  OptionValues curves;               ///< of `brindle curves`, those that it alone has
+  OptionValues options;              ///< given options of `brindle stripe`
+  OptionValues curves;               ///< given options of `brindle curves` alone
   OptionValues samples;              ///< the same of `brindle sample`
-  std::vector<FieldStroke> strokes;  ///< the smooth field runs along them, and along --strokes
-  /// The same, of which singularities stay where they were dragged. Windows do not show them.
+  std::vector<FieldStroke> strokes;  ///< guide the smooth field, with those of --strokes
+  /// Strokes that fix dragged singularities. Windows do not show them.
   std::vector<FieldStroke> steering;
-  CameraView camera;  ///< its `up` does not count: --up says it
+  CameraView camera;  ///< `up` is unused: see --up
   PictureSize size;
   std::array<std::optional<CameraView>, kStoredViews> views;  ///< under the keys 1 to 9
-  /// How far frequencies follow the zoom: they are multiplied by zoom^share. 0: not at all; 1: as
-  /// many stripes on the screen however near one is.
+  /// Exponent by which frequencies follow the zoom: they are multiplied by zoom^share. 0: no
+  /// change; 1: constant number of stripes on the screen.
   float frequency_by_zoom = 0;
-  /// Angles in radians, one per vertex: those of a pattern that followed earlier ones. Null: phases
-  /// are solved for.
+  /// Phases in radians, one per vertex, of a pattern that continued earlier ones. Null: solve for
+  /// them.
   std::shared_ptr<const std::vector<float>> phases;
 
-  /// Phases by their values.
+  /// Compares phases by value.
   bool operator==(const SessionDocument& other) const;
 };
 
-/// All that the smooth field runs along: first those that were drawn.
+/// All strokes that guide the smooth field, drawn ones first.
 std::vector<FieldStroke> all_strokes(const SessionDocument& document);
 
-/// Whether both have the same options, strokes and stored views: what a user would miss.
+/// Whether both have the same options, strokes and stored views: the user's work.
 bool same_work(const SessionDocument& a, const SessionDocument& b);
 
-/// What of `now` nobody would have any more if `after` took its place, in words: what neither has,
-/// `after` nor what was saved last. "strokes", for instance.
+/// Names of the work in `now` that would be lost if `after` replaced it: in neither `after` nor
+/// `saved`. For example "strokes".
 std::vector<std::string_view> lost_work(const SessionDocument& now, const SessionDocument& saved,
                                         const SessionDocument& after);
 
-/// Frequencies are multiplied by this.
+/// The factor of all frequencies.
 float frequency_factor(const SessionDocument& document);
 
-/// Throws CLI::ValidationError, naming the option and what to do, for what `brindle stripe`
-/// refuses, for options that sessions do not have and for strokes, phases and numbers that have no
-/// effect or are out of range. Reads no files: what is wrong with these comes out when the pattern
-/// is made.
+/// Throws CLI::ValidationError with the option and the remedy for what `brindle stripe` rejects,
+/// for options that sessions do not have, and for strokes, phases and numbers without effect or out
+/// of range. Reads no files; their errors appear when the pattern is made.
 void check_document(const SessionDocument& document);
 
-/// Turns, copies and stored views as JSON: `{"azimuth": 30, "elevation": 20, "zoom": 1}`, with
-/// `"rotation": [x, y, z, w]` instead of the angles for free views, `"projection": "orthographic"`
-/// and `"center": [x, y, z]` where they are not as usual.
+/// Cameras as JSON: `{"azimuth": 30, "elevation": 20, "zoom": 1}`; free views have `"rotation": [x,
+/// y, z, w]` instead of the angles; `"projection": "orthographic"` and `"center": [x, y, z]` only
+/// if not the default.
 nlohmann::ordered_json camera_to_json(const CameraView& view);
-/// Throws Error naming the key and what to do; `place` is what the message calls the object.
+/// Throws Error with the key and the remedy; `place` names the object in messages.
 CameraView camera_from_json(const nlohmann::json& json, const std::string& place = "camera");
 
 nlohmann::ordered_json stroke_to_json(const FieldStroke& stroke);
 FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& place);
 
-/// What documents and commands have alike, under the keys "shown", "size", "strokes" and "phases".
+/// Common keys of documents and commands: "shown", "size", "strokes" and "phases".
 Shown shown_in(const JsonReader& reader);
 nlohmann::ordered_json size_to_json(PictureSize size);
 PictureSize size_in(const JsonReader& reader);
@@ -112,16 +110,16 @@ nlohmann::ordered_json options_to_json(const OptionValues& options);
 OptionValues options_from_json(const nlohmann::json& json, const std::string& place);
 
 nlohmann::ordered_json document_to_json(const SessionDocument& document);
-/// Throws Error naming the key and what to do for unknown keys, other types and values out of
-/// range, and what `check_document` finds.
+/// Throws Error with the key and the remedy for unknown keys, other types and values out of range,
+/// and what `check_document` throws.
 SessionDocument document_from_json(const nlohmann::json& json);
 
-/// Reads a session. Throws Error naming the file, the key and what to do.
+/// Reads a session. Throws Error with the file, the key and the remedy.
 SessionDocument read_session(const std::filesystem::path& path);
-/// Writes a session, whole or not at all; what is read and written again has the same bytes.
+/// Writes a session atomically; reading and writing it again gives the same bytes.
 void write_session(const std::filesystem::path& path, const SessionDocument& document);
 
-/// The view as text for the clipboard, and back. Throws Error for text that is no view.
+/// The view as text for the clipboard, and back. Throws Error for other text.
 std::string view_text(const CameraView& view);
 CameraView parse_view_text(const std::string& text);
 

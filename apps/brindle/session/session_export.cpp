@@ -26,7 +26,7 @@ namespace {
   throw Error(shown(path.native()) + ": unknown extension; write " + known);
 }
 
-/// Those of options that are measured in pixels of the picture.
+/// Options measured in pixels of the picture.
 std::vector<std::string> pixel_widths(const SessionDocument& document) {
   std::vector<std::string> names;
   const OptionValues given = shown_options(document);
@@ -37,7 +37,7 @@ std::vector<std::string> pixel_widths(const SessionDocument& document) {
   return names;
 }
 
-/// Widths that a value chooses from, where they are in pixels.
+/// A width range in pixels.
 std::optional<WidthRange> pixel_range(const SessionDocument& document) {
   const ParsedSession parsed(document);
   std::optional<WidthRange> range = parsed.arguments().style.width_range;
@@ -57,13 +57,13 @@ void scale_widths(SessionDocument& document, double scale) {
                 scale * static_cast<double>(range->last))};
 }
 
-/// How much larger what is seen becomes: a picture shows as much as its narrower side has room for.
+/// The growth of the visible content: pictures fit it to their narrower side.
 double growth(PictureSize from, PictureSize to) {
   return std::min(static_cast<double>(to.width) / from.width,
                   static_cast<double>(to.height) / from.height);
 }
 
-/// Outlines of stripes, which no option of a style is needed for.
+/// Outlines of stripes, which need no style option.
 void write_stripe_drawing(const LiveState& state, const std::filesystem::path& path,
                           JobListener& listener) {
   StyleJob plain;
@@ -155,7 +155,7 @@ void export_pattern(const LiveState& state, const std::filesystem::path& path,
 
 namespace {
 
-/// With all figures. Their patterns have been moved already.
+/// With all metrics. Their lines are already reshaped.
 std::vector<CurveFamily> measured_curves(const LiveState& state, JobListener& listener) {
   CurvesArguments arguments = *state.parsed->curves();
   arguments.offset = 0;

@@ -13,33 +13,32 @@
 
 namespace brindle::tool {
 
-/// Why no picture of pixels is written to a file of this name; empty if one is: a .png.
+/// The reason why no picture is written to a file of this name; empty for .png.
 std::string picture_refusal(const std::filesystem::path& path);
 
-/// What a file's picture has otherwise than the session's.
+/// Differences of a file's picture from the session's.
 struct PictureChanges {
   std::optional<PictureSize> size;
   bool transparent = false;    ///< without a background
-  bool scaled_widths = false;  ///< those in pixels grow with the size, as all else does
-  double dpi = 0;              ///< pixels an inch that a PNG file says; 0: nothing
+  bool scaled_widths = false;  ///< widths in pixels scale with the size
+  double dpi = 0;              ///< pixels per inch stored in a PNG file; 0: none
 
   bool operator==(const PictureChanges&) const = default;
 };
 
-/// Whether the document has widths in pixels, of stripes or lines, in what it shows.
+/// Whether the shown part of the document has widths in pixels.
 bool has_pixel_widths(const SessionDocument& document);
 
-/// The document whose picture that is. Throws CLI::ValidationError or Error for changes without
-/// effect and out of range.
+/// The document of that picture. Throws CLI::ValidationError or Error for changes without effect or
+/// out of range.
 SessionDocument with_changes(const SessionDocument& document, const PictureChanges& changes);
 
-/// The document that is drawn to a file, checked together with it: what `export_picture` would
-/// refuse later.
+/// The document for a file's picture, checked for everything that `export_picture` would reject.
 SessionDocument planned_picture(const SessionDocument& document, const PictureChanges& changes,
                                 const std::filesystem::path& path);
 
-/// The same picture in several files: pixels as windows and `brindle render` draw them, or outlines
-/// as `brindle stripe` and `curves`. Made and called on one thread.
+/// One picture in several files: pixels as in windows and `brindle render`, or outlines as in
+/// `brindle stripe` and `curves`. Use it on one thread.
 class PictureWriter {
  public:
   /// `dpi`: as in `PictureChanges`.
@@ -54,8 +53,7 @@ class PictureWriter {
   std::optional<LivePicture> picture_;
 };
 
-/// Solves for a document and writes its picture, whole or not at all. Throws Cancelled if the
-/// listener asks for it.
+/// Solves for a document and writes its picture atomically. Throws Cancelled.
 void export_picture(const SessionDocument& document, const std::filesystem::path& path, double dpi,
                     JobListener& listener);
 
@@ -64,16 +62,15 @@ void export_picture(const SessionDocument& document, const std::filesystem::path
 void export_pattern(const LiveState& state, const std::filesystem::path& path,
                     JobListener& listener);
 
-/// The stripes' centre lines, as `brindle curves --output` in .vtp .ply .obj or .csv; of a texture,
-/// those along the field. With the options of curves where these are shown, tubes among them, else
-/// without any. Where they are shown, a .json is the report of these.
-/// Throws Error for points without triangles and for another extension.
+/// The stripes' centre lines, as `brindle curves --output` in .vtp .ply .obj or .csv; for a
+/// texture, those along the field. Uses the options of curves, including tubes, if these are shown;
+/// then .json is their report. Throws Error for points without triangles and for another extension.
 void export_curves(const LiveState& state, const std::filesystem::path& path,
                    JobListener& listener);
 
-/// Points where the stripes and those across them meet, as `brindle sample --output` in .csv .ply
-/// or .vtp; those that are shown, or else those without options. Solves then for the stripes across
-/// unless there is a texture. Throws Error for another extension and in a build without nanoflann.
+/// Crossings of the stripes with those across them, as `brindle sample --output` in .csv .ply or
+/// .vtp: the shown samples, or samples with default options. Without a texture, solves for the
+/// stripes across. Throws Error for another extension and in builds without nanoflann.
 void export_samples(const LiveState& state, const std::filesystem::path& path,
                     JobListener& listener);
 

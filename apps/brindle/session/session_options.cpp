@@ -19,7 +19,7 @@
 namespace brindle::tool {
 namespace {
 
-/// Options that sessions do not have, and what there is instead.
+/// Options that sessions do not have, and their replacements.
 constexpr std::array<std::pair<const char*, const char*>, 11> kElsewhere = {{
     {"camera", "the session's camera says where from"},
     {"size", "the session's size says it"},
@@ -88,7 +88,7 @@ void check_values(const std::string& name, const std::vector<std::string>& value
   }
 }
 
-/// The command line, last word first, as CLI11 wants it.
+/// The command line in CLI11's order, last word first.
 std::vector<std::string> words_of(const SessionDocument& document) {
   std::vector<std::string> words = {document.mesh, "--"};
   for (const auto& [name, values] : shown_options(document)) {
@@ -117,7 +117,7 @@ void check_camera(const CameraView& view, const std::string& name) {
   if (!(length > 1e-6f && std::isfinite(length))) refuse("must have a rotation that is not zero");
 }
 
-/// What the command line does not have.
+/// Checks the parts without a command line.
 void check_rest(const SessionDocument& document) {
   check_camera(document.camera, "the camera");
   for (std::size_t i = 0; i < document.views.size(); ++i) {
@@ -162,7 +162,7 @@ void check_effects(const SessionDocument& document, const StripeArguments& argum
   if (!all_finite(*document.phases)) throw Error("phases must be finite angles; leave them out");
 }
 
-/// Built-in tiles, and names that are neither these nor files. Pictures are read later.
+/// Accepts built-in tiles and files, which are read later.
 void check_tile(const StripeArguments& arguments) {
   const std::string& tile = arguments.texture.tile;
   if (parse_built_in_tile(tile) || !std::filesystem::path(tile).has_extension()) {
@@ -172,10 +172,10 @@ void check_tile(const StripeArguments& arguments) {
 
 using PicturePaths = std::vector<std::filesystem::path>;
 
-/// The session's own picture, which may be shown without being written.
+/// Stands for the session's picture, which need not be written.
 const PicturePaths kShownPicture = {"session.png"};
 
-/// Each as `picture`, or as `drawing`.
+/// Each as `picture` or as `drawing`.
 template <class Kind>
 PlannedFiles<Kind> pictures_of(const PicturePaths& paths, Kind picture, Kind drawing) {
   PlannedFiles<Kind> files;
@@ -185,7 +185,7 @@ PlannedFiles<Kind> pictures_of(const PicturePaths& paths, Kind picture, Kind dra
   return files;
 }
 
-/// Of samples there are no drawings.
+/// Samples have no drawings.
 PlannedFiles<SampleOutput> sample_pictures(const PicturePaths& paths) {
   return pictures_of(paths, SampleOutput::picture, SampleOutput::picture);
 }
@@ -209,7 +209,7 @@ void check_command(const ParsedSession& parsed, const PicturePaths& paths) {
   check_tile(arguments);
   const std::vector<Output> outputs = stripe_pictures(paths);
   check_stripe_options(parsed.command(), arguments, outputs);
-  // Files say whether they hold points when they are read.
+  // Files are known to be points only when read.
   if (arguments.surface.points) check_stripe_points(parsed.command(), arguments, outputs);
 }
 
@@ -218,7 +218,7 @@ void check_parsed(const ParsedSession& parsed) {
   check_own_arrays(parsed.arguments().surface, parsed.arguments().waves);
 }
 
-/// Of options that are not shown: that the commands have them.
+/// Checks that the commands of pictures not shown have their options.
 void check_hidden(const SessionDocument& document) {
   for (const auto& [name, values] : document.options) check_values(name, values, Shown::stripes);
   for (const auto& [kept, shown] :
@@ -266,7 +266,7 @@ bool can_follow(const StripeArguments& arguments) {
 
 namespace {
 
-/// What all that follows has: frames of the multilevel solver on a mesh.
+/// Common conditions of continued patterns: frames of the multilevel solver on a mesh.
 bool can_have_frames(const StripeArguments& arguments) {
   const StripeOptions& stripes = arguments.solving.stripes;
   return arguments.previous.empty() && !arguments.surface.points &&

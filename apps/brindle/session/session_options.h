@@ -1,5 +1,5 @@
-/// The options of `brindle stripe`, `curves` and `sample` as sessions have them: what a window
-/// shows, and what a document's values mean.
+/// Options of `brindle stripe`, `curves` and `sample` in sessions: those shown by windows, and the
+/// meaning of a document's values.
 #pragma once
 
 #include <filesystem>
@@ -17,47 +17,47 @@
 
 namespace brindle::tool {
 
-/// Rows of the table, in its order: those that make a pattern or its picture. Not those that a
-/// session has another way (--camera, --size, --quality), that concern the machine (--threads) or
+/// Rows of the option table, in order, for patterns and their pictures. Without options that
+/// sessions store otherwise (--camera, --size, --quality), that concern the machine (--threads) or
 /// that write files.
 const std::vector<const OptionInfo*>& session_options(Shown shown = Shown::stripes);
 
 /// Null if there is no such option.
 const OptionInfo* find_session_option(const std::string& name, Shown shown = Shown::stripes);
 
-/// Whether curves or samples, which are shown, have the option to themselves: documents keep it
-/// apart from those of stripes.
+/// Whether the option belongs to the shown curves or samples alone: documents store it apart from
+/// that of stripes.
 bool is_own(const OptionInfo& option, Shown shown);
 
-/// All values of a choice; empty of other options.
+/// All values of a choice; empty for other options.
 std::vector<std::string> choices_of(const OptionInfo& option);
 
-/// Where the document keeps this option of what it shows. Throws CLI::ValidationError, with what
-/// there is instead, if there is no such option.
+/// The part of the document that stores this option. Throws CLI::ValidationError with the
+/// alternative if there is no such option.
 OptionValues& options_with(const std::string& name, SessionDocument& document);
 
-/// The options that count for what the document shows.
+/// The options in effect for the shown picture.
 OptionValues shown_options(const SessionDocument& document);
 
-/// Whether patterns may follow earlier ones, so that documents may have phases: stripes of the
-/// multilevel solver, without slack, without given phases and in the paper's weights.
+/// Whether patterns may continue earlier ones, and documents may store phases: stripes of the
+/// multilevel solver with the paper's weights, without a spacing tolerance or given phases.
 bool can_follow(const StripeArguments& arguments);
 
-/// The same with slack: while something moves.
+/// The same with a spacing tolerance, for drafts.
 bool can_follow_loosely(const StripeArguments& arguments);
 
-/// Whether textures or crosses may follow earlier ones in drafts: those of the multilevel solver on
-/// a mesh, without slack.
+/// Whether textures or crosses may continue earlier ones in drafts: those of the multilevel solver
+/// on a mesh, without a spacing tolerance.
 bool can_follow_tiles(const StripeArguments& arguments);
 
-/// A document read as a command line of `brindle stripe`, `curves` or `sample`, as it shows.
+/// A document, parsed as a command line of `brindle stripe`, `curves` or `sample`.
 class ParsedSession {
  public:
-  /// Throws CLI::ParseError as the command does; without effects and without reading files.
+  /// Throws CLI::ParseError as the command does; has no side effects and reads no files.
   explicit ParsedSession(const SessionDocument& document);
 
   const CLI::App& command() const { return *command_; }
-  /// With the document's camera, size, strokes and frequency factor. Of curves and samples: the
+  /// With the document's camera, size, strokes and frequency factor. For curves and samples, the
   /// pattern U.
   const StripeArguments& arguments() const { return *arguments_; }
 
@@ -65,7 +65,7 @@ class ParsedSession {
   const CurvesArguments* curves() const { return curves_.get(); }
   const SampleArguments* samples() const { return samples_.get(); }
 
-  /// All files that are read.
+  /// All input files.
   std::vector<UsedFile> inputs() const;
 
  private:
@@ -79,17 +79,17 @@ class ParsedSession {
   std::unique_ptr<SampleArguments> samples_;
 };
 
-/// Throws as the command does for what points cannot have, if the mesh's file holds nothing else,
-/// which is read for that.
+/// Throws as the command does for options that point clouds do not support; reads the mesh's file
+/// if necessary.
 void check_session_points(const ParsedSession& parsed);
 
 /// Throws CLI::ValidationError or Error unless the document's picture can be written to these
-/// files: .png, and drawings (.svg, .pdf) of stripes and curves. Reads what says whether the mesh
-/// has triangles.
+/// files: .png, and drawings (.svg, .pdf) of stripes and curves. Reads the mesh's file if its kind
+/// matters.
 void check_picture_files(const ParsedSession& parsed,
                          const std::vector<std::filesystem::path>& paths);
 
-/// `check_document` of one that is read already.
+/// `check_document` of a parsed one.
 void check_document(const SessionDocument& document, const ParsedSession& parsed);
 
 }  // namespace brindle::tool

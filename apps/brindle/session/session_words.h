@@ -1,4 +1,4 @@
-/// Command lines of `brindle stripe`, `curves` and `sample` as sessions.
+/// Converts command lines of `brindle stripe`, `curves` and `sample` to sessions.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace brindle::tool {
 
-/// The document of "stripe MESH --stripes 60 --camera 30,20", a word each, whose picture is that of
-/// the command. Throws Error or CLI::ValidationError for what sessions do not have.
+/// The document of the words "stripe MESH --stripes 60 --camera 30,20"; its picture is that of the
+/// command. Throws Error or CLI::ValidationError for options that sessions do not have.
 SessionDocument document_of_words(const std::vector<std::string>& words);
 
 }  // namespace brindle::tool

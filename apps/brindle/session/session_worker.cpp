@@ -9,20 +9,20 @@
 
 namespace brindle::tool {
 
-/// Shared between the window's thread and the worker's; all but what only the latter uses is behind
-/// the mutex.
+/// Shared by the window's and the worker's thread; guarded by the mutex, except for the worker's
+/// own members.
 struct SessionWorker::State {
   int threads = 0;
   mutable std::mutex mutex;
   mutable std::condition_variable_any changed;
   std::optional<SessionRequest> next;
   std::optional<SessionRequest> current;
-  bool cancelled = false;                 ///< `current` is not wanted any more
-  std::optional<std::uint64_t> given_up;  ///< the newest revision that `cancel` was called for
+  bool cancelled = false;                 ///< `current` is obsolete
+  std::optional<std::uint64_t> given_up;  ///< newest revision passed to `cancel`
   std::shared_ptr<const SessionFrame> latest;
   std::optional<SessionFailure> failure;
   WorkerStep step;
-  std::chrono::steady_clock::time_point begun;  ///< `current`
+  std::chrono::steady_clock::time_point begun;  ///< of `current`
   std::uint64_t frames = 0;
 
   bool idle() const { return !next && !current; }
@@ -36,7 +36,7 @@ namespace {
 
 constexpr const char* kGivenUp = "cancelled: all is as it was before";
 
-/// Makes frames, on the worker's thread.
+/// Makes frames on the worker's thread.
 class FrameMaker {
  public:
   std::shared_ptr<SessionFrame> frame(const SessionRequest& request, const Progress& progress) {
@@ -64,8 +64,8 @@ class FrameMaker {
   std::optional<LivePicture> picture_;
 };
 
-/// Whether a frame that is being made is of no use once this is asked for. One that is drawn fast
-/// is shown in any case: somebody who does not stop moving the mouse would see nothing.
+/// Whether the next request makes the current frame useless. Drafts are always shown: otherwise
+/// nothing would be seen during continuous motion.
 bool is_useless(const SessionRequest& current, const SessionRequest& next) {
   return current.quality == PictureQuality::final || next.follow == Follow::afresh ||
          current.document.mesh != next.document.mesh;
@@ -148,7 +148,7 @@ void SessionWorker::run(const std::stop_token& stop) {
 void SessionWorker::request(SessionRequest request) {
   State& s = *state_;
   const std::lock_guard lock(s.mutex);
-  // What was to be made afresh and never was still is.
+  // A dropped request from scratch makes this one from scratch.
   if (s.next && s.next->follow == Follow::afresh) request.follow = Follow::afresh;
   if (s.current && is_useless(*s.current, request)) {
     s.cancelled = true;

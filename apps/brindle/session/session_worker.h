@@ -21,76 +21,76 @@ struct SessionRequest {
   Follow follow = Follow::afresh;                  ///< `Session::follows`
 };
 
-/// What was solved and drawn of a request. Never changes.
+/// The result of a request. Immutable.
 struct SessionFrame {
   std::uint64_t revision = 0;
-  std::uint64_t number = 0;  ///< 1, 2, 3 ... in the order in which frames were finished
+  std::uint64_t number = 0;  ///< 1, 2, 3 ... in the order of completion
   PictureQuality quality = PictureQuality::final;
   Image image;
-  Camera camera;                           ///< with which it was drawn: for `pick`
-  std::string nothing_left;                ///< why it shows nothing; empty if it shows anything
+  Camera camera;                           ///< of the picture, for `pick`
+  std::string nothing_left;                ///< the reason why it shows nothing; else empty
   std::shared_ptr<const LiveState> state;  ///< document, figures, notes, phases
   double draw_milliseconds = 0;
-  double milliseconds = 0;  ///< all together
+  double milliseconds = 0;  ///< in total
 
   const Surface& surface() const { return *state->job->surface; }
 };
 
-/// What a worker is at.
+/// The present activity of a worker.
 struct WorkerStep {
-  std::string name;     ///< "multilevel"; empty if it is at nothing
-  double fraction = 0;  ///< done of the step, in [0, 1]
-  double seconds = 0;   ///< since the request that is being made was begun
+  std::string name;     ///< "multilevel"; empty if idle
+  double fraction = 0;  ///< progress of the step, in [0, 1]
+  double seconds = 0;   ///< since the start of the current request
 };
 
-/// Why a request has no frame.
+/// The reason why a request has no frame.
 struct SessionFailure {
   std::uint64_t revision = 0;
   std::string text;
-  std::string unread_mesh = {};  ///< that cannot be read; empty if something else is the reason
+  std::string unread_mesh = {};  ///< that cannot be read; empty for other reasons
 };
 
-/// One thread that owns a LivePattern and a LivePicture. Nothing here waits for it, but `wait`,
-/// `stop` and the destructor, which stops it.
+/// A thread that owns a LivePattern and a LivePicture. Only `wait`, `stop` and the destructor
+/// block.
 class SessionWorker {
  public:
-  /// Threads that solve; 0: all that the machine has.
+  /// `threads` for solving; 0: all hardware threads.
   explicit SessionWorker(int threads = 0);
   ~SessionWorker();
   SessionWorker(const SessionWorker&) = delete;
   SessionWorker& operator=(const SessionWorker&) = delete;
 
-  /// Asks for a frame. One that waits is dropped. One that is being made is cancelled if its
-  /// quality is final, its mesh another one, or this one is to be made afresh; else it is shown
-  /// before this one, so that there is something to see while requests never stop. If one that was
-  /// to be made afresh is dropped or cancelled, this one is made afresh instead.
+  /// Requests a frame, replacing a waiting request. Cancels the current one if its quality is
+  /// final, its mesh differs, or the new one is from scratch; else it is shown first, so that there
+  /// is something to see during continuous requests. If a request from scratch is replaced or
+  /// cancelled, this one is made from scratch.
   void request(SessionRequest request);
 
   /// The newest frame; null before the first one.
   std::shared_ptr<const SessionFrame> latest() const;
 
-  /// The failure of the newest request that failed, once: then nothing until the next one.
+  /// The failure of the newest failed request, once; then empty until the next one.
   std::optional<SessionFailure> take_failure();
 
-  /// Cancels what is going on and ends the thread; nothing that is asked for later is made.
+  /// Cancels everything and ends the thread; later requests are ignored.
   void stop();
 
-  /// Gives up what is being made and what waits, at the next report. It fails for that reason,
-  /// which `take_failure` has, so that a window goes back to what it shows. Nothing if it is idle.
+  /// Cancels the current and the waiting request. `take_failure` then returns the cancellation, so
+  /// that a window can go back. Does nothing if idle.
   void cancel();
 
-  /// Whether something is being made or waits, and what.
+  /// Whether a request is current or waiting, and the present step.
   bool busy() const;
   WorkerStep step() const;
 
-  /// Waits until nothing is left to do.
+  /// Waits until the worker is idle.
   void wait() const;
 
  private:
   void run(const std::stop_token& stop);
   struct State;
   std::unique_ptr<State> state_;
-  std::jthread thread_;  // last: stops before what it uses goes
+  std::jthread thread_;  // declared last: stops before its members are destroyed
 };
 
 }  // namespace brindle::tool

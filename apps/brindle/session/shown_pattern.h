@@ -1,4 +1,4 @@
-/// What is shown of a pattern instead of its stripes.
+/// Curves and samples, shown instead of stripes.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,11 @@
 
 namespace brindle::tool {
 
-/// What is drawn: ornaments on the surface, or glyphs.
+/// Ornaments on the surface, or glyphs.
 struct ShownOrnaments {
   OrnamentedSurface ornaments;                 ///< if there are no glyphs
   std::unique_ptr<const GlyphPicture> glyphs;  ///< null: ornaments
-  std::shared_ptr<const Surface> surface;      ///< that glyphs refer to
+  std::shared_ptr<const Surface> surface;      ///< for glyphs
 };
 
 struct ShownCurves {
@@ -29,13 +29,13 @@ struct ShownSamples {
   ShownOrnaments drawn;
 };
 
-/// Stripes, and what became of the maker's wishes for them.
+/// Stripes with their fabrication metrics.
 struct MadeStripes {
   StripePattern pattern;
   MakingFigures making = {};
 };
 
-/// Two patterns that cross. V is null where it is not asked for.
+/// Two crossing patterns. V is null if not requested.
 struct CrossingPatterns {
   const StripePattern& u;
   const StripePattern* v;
@@ -48,13 +48,13 @@ struct CurvePatterns {
   const MadeStripes* v;
 };
 
-/// With all figures, curves are measured as `brindle curves` does; with few, windings are not.
+/// With all metrics, curves are measured as by `brindle curves`; with few, without windings.
 ShownCurves shown_curves(const CurvesArguments& arguments,
                          const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
                          const CurvePatterns& patterns, CurveFigures figures,
                          JobListener& listener);
 
-/// `command` says whether glyphs are asked for; their values are those of `prepared`.
+/// `command` tells whether glyphs are requested; their values are those of `prepared`.
 ShownSamples shown_samples(const CLI::App& command, const SampleArguments& arguments,
                            const std::shared_ptr<const Preparation>& prepared,
                            const CrossingPatterns& patterns, JobListener& listener);

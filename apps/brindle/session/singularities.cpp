@@ -23,9 +23,9 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kLeastEdges = 3;
-constexpr float kSpacing = 0.5f;      // of strokes, in reaches
-constexpr float kHalfLength = 0.35f;  // of a stroke, in spacings
-constexpr float kRadius = 0.6f;       // likewise
+constexpr float kSpacing = 0.5f;      // of strokes, relative to the reach
+constexpr float kHalfLength = 0.35f;  // of a stroke, relative to the spacing
+constexpr float kRadius = 0.6f;       // relative to the spacing
 constexpr std::size_t kMostAttractors = 96;
 
 Vec3 barycentre(const Mesh& mesh, std::size_t triangle) {
@@ -33,14 +33,14 @@ Vec3 barycentre(const Mesh& mesh, std::size_t triangle) {
   return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
 }
 
-/// Perpendicular to the triangle, as its corners are listed.
+/// The triangle's normal by its corner order.
 Vec3 listed_normal(const Mesh& mesh, std::size_t triangle) {
   const Triangle& t = mesh.triangles[triangle];
   const Vec3& a = mesh.positions[t[0]];
   return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
-/// Whether its corners are listed the other way round than the vertices' normals say.
+/// Whether the corner order disagrees with the vertex normals.
 bool is_inside_out(const Surface& surface, std::size_t triangle) {
   const Triangle& t = surface.mesh.triangles[triangle];
   const Vec3 outwards = surface.normals[t[0]] + surface.normals[t[1]] + surface.normals[t[2]];
@@ -56,11 +56,11 @@ using EdgeKey = std::uint64_t;
 
 EdgeKey edge_key(Index a, Index b) { return EdgeKey{std::min(a, b)} << 32 | std::max(a, b); }
 
-/// Edges that a walk from triangle to triangle crosses, as the triangle that is left lists them.
+/// Edges that a walk between triangles crosses, in the corner order of the triangle before.
 using CrossedEdges = std::vector<std::pair<Index, Index>>;
 
-/// The shortest walk, by barycentres, over triangles that are not much farther away than both ends
-/// are apart; empty if there is none.
+/// The shortest walk over barycentres of triangles not much farther away than the distance of both
+/// ends; empty if there is none.
 class TriangleWalk {
  public:
   TriangleWalk(const Mesh& mesh, std::size_t from, std::size_t to, float margin) : mesh_(mesh) {
@@ -76,7 +76,7 @@ class TriangleWalk {
     search(from, to);
   }
 
-  std::vector<std::size_t> triangles;  ///< first to last
+  std::vector<std::size_t> triangles;  ///< from first to last
   CrossedEdges crossed;
 
  private:
@@ -122,7 +122,7 @@ class TriangleWalk {
   std::unordered_map<EdgeKey, std::vector<std::size_t>> sides_;
 };
 
-/// Vertices near a walk, in the order of their distance from it along edges.
+/// Vertices near a walk, sorted by their distance along edges.
 std::vector<Index> vertices_near(const Surface& surface, const TriangleWalk& walk, float reach) {
   std::unordered_map<Index, float> distance;
   using Entry = std::pair<float, Index>;
@@ -149,8 +149,8 @@ std::vector<Index> vertices_near(const Surface& surface, const TriangleWalk& wal
   return vertices;
 }
 
-/// By how much lines have to turn at some vertices for the field to be smoothest with half turns
-/// more or less across the walk.
+/// The rotations of lines at some vertices that make the field smoothest with half turns added
+/// across the walk.
 class LineTurns {
  public:
   LineTurns(const Surface& surface, std::span<const Vec3> directions, const TriangleWalk& walk,
@@ -164,7 +164,7 @@ class LineTurns {
     }
   }
 
-  /// One per vertex of `vertices`; all others stay as they are.
+  /// One rotation per vertex of `vertices`; all others stay fixed.
   Eigen::VectorXd solve(const std::vector<Index>& vertices) const {
     std::unordered_map<Index, int> number;
     for (const Index v : vertices) number.emplace(v, static_cast<int>(number.size()));
@@ -172,7 +172,7 @@ class LineTurns {
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertices.size()));
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const int row = static_cast<int>(i);
-      double degree = 1e-9;  // where nothing is held
+      double degree = 1e-9;  // regularizes unconstrained parts
       for (const Index w : surface_.neighborhood->of(vertices[i])) {
         degree += 1;
         wanted[row] += turn(vertices[i], w);
@@ -188,7 +188,7 @@ class LineTurns {
   }
 
  private:
-  /// From a vertex to its neighbour.
+  /// The turn from a vertex to its neighbour.
   double turn(Index from, Index to) const {
     const Vec3 &n = surface_.normals[from], &m = surface_.normals[to];
     const Vec3 carried = Eigen::Quaternionf::FromTwoVectors(n, m) * directions_[from];
@@ -226,7 +226,7 @@ std::vector<FieldSingularity> field_singularities(const Surface& surface,
     if (corners[t].kind != TriangleKind::field_singularity) continue;
     const Triangle& triangle = mesh.triangles[t];
     const Vec3 normal = listed_normal(mesh, t);
-    // Seen from the other side, both walk and turn are the other way round.
+    // From the other side, walk and turn are reversed.
     const int sign = field_index(
         normal, {directions[triangle[0]], directions[triangle[1]], directions[triangle[2]]}, 2);
     result.push_back(

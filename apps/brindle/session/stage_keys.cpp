@@ -13,14 +13,14 @@
 namespace brindle::tool {
 namespace {
 
-/// Says whether a file has become another one.
+/// Changes when a file changes.
 std::string stamp_of(const std::string& path) {
   std::error_code missing;
   const auto time = std::filesystem::last_write_time(path, missing);
   return missing ? "" : std::to_string(time.time_since_epoch().count());
 }
 
-/// Options, and of which files they speak.
+/// Options, with stamps of their files.
 std::string key_of(const OptionValues& options) {
   std::string key = json_text(options_to_json(options));
   for (const auto& [name, values] : options) {
@@ -29,7 +29,7 @@ std::string key_of(const OptionValues& options) {
   return key + '\n';
 }
 
-/// Those of the document's options that `counts` takes, by name and row.
+/// The document's options that `counts` selects, by name and row.
 template <class Counts>
 OptionValues chosen_options(const SessionDocument& document, const Counts& counts) {
   OptionValues options;
@@ -49,19 +49,19 @@ OptionValues named_options(const SessionDocument& document,
 
 constexpr OptionStage kWaveStages = OptionStage::field | OptionStage::waves;
 
-/// Which axis points up, by --up alone: of which the mesh is a shape or a file, its own key says.
+/// The up axis of --up; the mesh's own key covers its default.
 std::string up_key(const SessionDocument& document) {
   constexpr std::array kUp = {std::string_view("up")};
   return key_of(named_options(document, kUp));
 }
 
-/// Where the light of pictures comes from.
+/// The direction of the light.
 std::string light_key(const SessionDocument& document) {
   constexpr std::array kLight = {std::string_view("light-from")};
   return key_of(named_options(document, kLight));
 }
 
-/// On which side of surfaces it is looked for. Where a slice lies has no say in it.
+/// The visible sides of surfaces; the position of a slice does not matter.
 std::string sides_key(const SessionDocument& document) {
   return shown_options(document).contains("slice") ? "both sides" : "";
 }
@@ -110,7 +110,7 @@ std::string ornaments_key(const SessionDocument& document) {
 
 std::string field_key(const SessionDocument& document) {
   std::string key = options_key(document, OptionStage::field);
-  // A smooth field goes on from that of the previous pattern. How both are turned is noted.
+  // A smooth field starts from that of the previous pattern; both turns are noted.
   if (document.options.contains("previous")) {
     constexpr std::array<std::string_view, 5> kLast = {"previous", "lambda", "match", "along",
                                                        "rotate"};

@@ -1,5 +1,5 @@
-/// What the stages of a live pattern follow from, as text: as long as it stays, so does the stage.
-/// Files count with the time of their last change.
+/// Keys of a live pattern's stages: a stage is valid as long as its key stays. Files enter with
+/// their modification time.
 #pragma once
 
 #include <string>
@@ -8,34 +8,33 @@
 
 namespace brindle::tool {
 
-/// The document's options that make one of these stages stale, and of which files they speak.
+/// The document's options that make one of these stages stale, with stamps of their files.
 std::string options_key(const SessionDocument& document, OptionStage stages);
 
 std::string surface_key(const SessionDocument& document);
 std::string field_key(const SessionDocument& document);
 std::string waves_key(const SessionDocument& document);
 
-/// All that the phases of a document's pattern follow from. Where two documents have the same one,
-/// a pattern of one is a pattern of the other.
+/// All inputs of the phases of a document's pattern. Documents with the same key have
+/// interchangeable patterns.
 std::string pattern_key(const SessionDocument& document);
 
-/// Of V: what it has beside the pattern's waves.
+/// The inputs of V besides the pattern's waves.
 std::string second_key(const SessionDocument& document);
 
-/// Values that follow the camera are other ones when it moves, and heights when another axis points
-/// up: both, where there are any such values.
+/// The camera and the up axis, if values depend on them.
 std::string camera_key(const SessionDocument& document, OptionStage stages);
 
-/// What curves and samples of a pattern are shown by, and how: all looks but light and slice, which
-/// are the picture's alone.
+/// The inputs and looks of curves and samples, except for light and slice, which belong to the
+/// picture.
 std::string ornaments_key(const SessionDocument& document);
 
-/// What other surfaces of a picture are read by, but not what they look like. Those with stripes of
-/// their own have them by the document's waves.
+/// The inputs of a picture's other surfaces, without their looks. Surfaces with stripes depend on
+/// the document's waves.
 std::string others_key(const StyleOptions& style, const std::string& waves);
 
-/// What values of a picture are read by. Those that follow the camera are other ones when it moves,
-/// and where it stands depends on all that is seen.
+/// The inputs of a picture's values. Those that depend on the camera depend on everything that it
+/// frames.
 std::string values_key(const SessionDocument& document, const StyleOptions& style,
                        const std::string& others);
 

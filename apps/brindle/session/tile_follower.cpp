@@ -11,7 +11,7 @@ FrameInput frame_input(const WaveSet& waves) {
   return {waves.positions, waves.directions, waves.frequencies};
 }
 
-/// Those that pictures will ask for, if that is known before there is a frame.
+/// The motifs that pictures will need, if known before the first frame.
 std::optional<TileFigures> figures_in_frames(const WholeTiles& whole, const TextureTile& tile,
                                              const StyleOptions& style) {
   if (!style.tile_size_by.empty()) return std::nullopt;
@@ -76,7 +76,7 @@ StripeJob TileFollower::next_cross(const StripeArguments& arguments, const Prepa
                          prepared_->surface.mesh.triangles, frame.cover);
   }
   CrossTexture texture{{}, pattern_of_frame(frame, *cross_, arguments.solving.stripes.phase_shift)};
-  // As of a pattern that is made at once: of the surface without the parts of singular triangles.
+  // As for a pattern from scratch: of the surface without the parts of singular triangles.
   Report report =
       make_report(prepared_->surface, figures, texture, arguments.solving.stripes.solver.solver);
   whole_ = whole_.of_next_texture(arguments.texture.whole);

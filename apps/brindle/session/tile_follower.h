@@ -1,4 +1,4 @@
-/// Textures and crosses that follow while something moves.
+/// Textures and crosses that continue while something moves.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,19 @@
 
 namespace brindle::tool {
 
-/// Frame after frame on one surface. The first is solved for afresh.
+/// Frames on one surface. The first is solved from scratch.
 class TileFollower {
  public:
-  /// `prepared` is without waves and outlives this.
+  /// `prepared` has no waves and outlives this object.
   TileFollower(const StripeArguments& arguments, std::shared_ptr<const Preparation> prepared);
 
-  /// The next frame, and what the pattern of the last one has become. Throws what the animators
-  /// throw, and Cancelled.
+  /// The next frame, continuing the last one. Throws what the animators throw, and Cancelled.
   StripeJob next(const StripeArguments& arguments, const PreparedWaves& waves,
                  const PreparationFigures& figures, const Progress& progress);
 
   double phase_step() const { return phase_step_; }
 
-  /// Forgets the last frame: the next one is solved for afresh.
+  /// Solves the next frame from scratch.
   void restart();
 
  private:
@@ -37,7 +36,7 @@ class TileFollower {
   std::shared_ptr<const Preparation> prepared_;
   std::optional<TextureAnimator> texture_;
   std::optional<CrossAnimator> cross_;
-  std::shared_ptr<const Surface> cross_surface_;  ///< as long as crosses belong together alike
+  std::shared_ptr<const Surface> cross_surface_;  ///< while the matching of crosses stays the same
   InputData cross_data_;
   WholeTiles whole_;  ///< of the last texture
   double phase_step_ = 0;

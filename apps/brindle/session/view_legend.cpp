@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kScaleSteps = 32;
 
-/// That of the library's overlay.
+/// As in the library's overlay.
 Color color_of(TriangleKind kind) {
   Mesh mesh;
   mesh.positions.resize(3);

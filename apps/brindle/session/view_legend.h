@@ -1,4 +1,4 @@
-/// What the colours of a picture mean that has no legend of its own.
+/// Legends of pictures without a legend of their own.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ struct ViewLegend {
   };
 
   std::string title;           ///< empty: none
-  std::vector<Entry> entries;  ///< colours that mean one thing each
-  std::vector<Color> scale;    ///< of numbers, from `lowest` to `highest`, in even steps
+  std::vector<Entry> entries;  ///< colours with one meaning each
+  std::vector<Color> scale;    ///< equal steps from `lowest` to `highest`
   std::string lowest, highest;
 
   bool empty() const { return entries.empty() && scale.empty(); }
 };
 
-/// Of --view branches and angle_error, and of curves of two patterns. Values have legends within
-/// the picture, and plain stripes need none: empty.
+/// For --view branches and angle_error, and for curves of two patterns. Empty otherwise: values
+/// have legends within the picture, and plain stripes need none.
 ViewLegend view_legend(const LiveState& state);
 
 }  // namespace brindle::tool

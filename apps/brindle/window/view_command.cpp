@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kViewExamples =
     R"(The window's panel has all options of 'brindle stripe', 'curves' and 'sample'; those of
-'brindle stripe' may be given here, too.
+'brindle stripe' are options here, too. Further meshes are shown beside the first, as by --with.
 
 Examples:
   brindle view
@@ -29,8 +29,7 @@ Examples:
   brindle view scan.obj --show curves
   brindle view horse.json
 
-Press ? in the window for keys. A session that is saved there is drawn without a window by
-'brindle render'.)";
+Press ? in the window for keys. 'brindle render' draws a saved session without a window.)";
 
 struct ViewArguments {
   std::vector<std::string> meshes;
@@ -42,7 +41,7 @@ struct ViewArguments {
   bool dark = false;
 };
 
-// What the session's own check reads.
+// Validated by the session.
 void add_session_options(CLI::App& command, OptionValues& options) {
   for (const OptionInfo* option : session_options()) {
     const std::string name(option->name), help(option->help);
@@ -88,26 +87,25 @@ void add_window_options(CLI::App& command, ViewArguments& arguments) {
       ->excludes(light);
   command
       .add_option("-o,--output", viewer.output,
-                  "write a picture of the window once all is drawn, and close it")
+                  "write a picture of the window once all is drawn, and close")
       ->type_name("FILE.png");
   command
       .add_option("--log", viewer.log,
-                  "write what the window does, a line of JSON each, for reports of faults")
+                  "write what the window does as lines of JSON, for bug reports")
       ->type_name("FILE.jsonl");
   command
       .add_option("--record-commands", viewer.commands,
-                  "write all that is done, for 'brindle render --replay'")
+                  "write all commands, for 'brindle render --replay'")
       ->type_name("FILE.jsonl");
 }
 
 void add_view_options(CLI::App& command, ViewArguments& arguments) {
   command.add_option("MESH", arguments.meshes,
-                     "a mesh file, a built-in shape such as shape:torus, or a saved session "
-                     "(.json); further meshes are seen beside the first, as with --with");
+                     "meshes, shapes such as shape:torus or a session (.json)");
   add_named_option(command, "--show", arguments.shown, parse_shown,
                    "what the picture shows (default stripes)")
       ->type_name("stripes|curves|samples");
-  command.add_option("--camera", arguments.camera, "where from, in degrees (default 30,20)")
+  command.add_option("--camera", arguments.camera, "view direction, in degrees (default 30,20)")
       ->type_name("AZIMUTH,ELEVATION[,ZOOM]");
   add_session_options(command, arguments.options);
   add_window_options(command, arguments);
@@ -137,7 +135,7 @@ SessionDocument document_of(const ViewArguments& arguments) {
     }
     document.camera = *view;
   }
-  // Phases that were kept may be those of other waves.
+  // Stored phases may belong to other waves.
   if (pattern_key(opened) != pattern_key(document)) document.phases = nullptr;
   check_document(document);
   return document;

@@ -18,20 +18,20 @@
 namespace brindle::tool {
 namespace {
 
-constexpr int kFramesAfterInput = 3;  // what Dear ImGui needs to settle
+constexpr int kFramesAfterInput = 3;  // Dear ImGui needs some frames to settle
 constexpr double kShortest = 1 / 60.0;
-constexpr double kShortestBusy = 1 / 12.0;  // where the software draws, it needs the processor
+constexpr double kShortestBusy = 1 / 12.0;  // software renderers need the processor
 constexpr double kPollWorker = 0.004;
 constexpr double kIdle = 1;
 constexpr double kMessageSeconds = 12;
-constexpr double kLongStep = 0.7;  // seconds from which on progress is shown
+constexpr double kLongStep = 0.7;  // seconds after which progress is shown
 
 double seconds_now() {
   using Seconds = std::chrono::duration<double>;
   return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// What this thread alone has had of a processor.
+// Processor time of this thread.
 double thread_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -95,7 +95,7 @@ void Viewer::run_until_closed() {
   }
 }
 
-// Work that a window takes with it which cannot ask any more: where that is now, in words.
+// Saves unsaved work when a window must close without asking; returns a text about where.
 std::string Viewer::rescued() const {
   if (options_.settings.empty() || !live_.has_unsaved_work()) return "";
   const std::filesystem::path folder = options_.settings.parent_path();
@@ -113,7 +113,7 @@ std::string Viewer::rescued() const {
   }
 }
 
-// What would be lost is asked about first, and what is being written is written.
+// Asks about unsaved work, and waits for files being written.
 bool Viewer::is_to_close() {
   if (!window_.closing()) return false;
   const bool loses = !may_quit_ && options_.output.empty() && live_.has_unsaved_work();
@@ -135,7 +135,7 @@ bool Viewer::is_to_close() {
   return false;
 }
 
-// Waits for something to happen. Returns whether the window is to be drawn.
+// Waits for events. Returns whether the window must be drawn.
 bool Viewer::turn() {
   const bool input = window_.wait(wait_seconds());
   bool changed = live_.update();
@@ -149,7 +149,7 @@ bool Viewer::turn() {
   if (recording_ && live_.frame()) recording_->show(live_.frame());
   if (recording_ && recording_->failed()) stop_recording();
   if (input) frames_to_draw_ = kFramesAfterInput;
-  if (changed) last_drawn_ = 0;  // what is new is shown at once
+  if (changed) last_drawn_ = 0;  // new content is shown at once
   if (changed || !window_picture_.empty()) frames_to_draw_ = std::max(frames_to_draw_, 1);
   const double pause = seconds_now() - last_drawn_;
   if (pause < shortest_pause() || (frames_to_draw_ == 0 && pause < kIdle)) return false;
@@ -293,7 +293,7 @@ void Viewer::draw_question() {
   ImGui::TextUnformatted(question_->text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0, 0.3f * ImGui::GetFontSize()});
-  std::function<void()> go;  // once it is answered
+  std::function<void()> go;  // runs after the answer
   const auto button = [&](const std::string& label, const char* name) {
     const bool pressed = ImGui::Button(label.c_str());
     log_.note_widget(what + " " + name);
@@ -364,7 +364,7 @@ void Viewer::draw_camera() {
   log_.note_widget("camera fit");
 }
 
-// What is going on, and how to find out more.
+// The present activity, and a hint to help.
 void Viewer::draw_status() {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const float height = ImGui::GetFrameHeight() + 2;
@@ -427,7 +427,7 @@ void Viewer::draw_message() {
   ImGui::End();
 }
 
-// What the next picture waits for, once that takes long. The first one has none to go back to.
+// The present step, once it takes long. Before the first picture, it cannot be reverted.
 void Viewer::draw_working() {
   const WorkerStep step = live_.worker().step();
   if (step.seconds < kLongStep || step.name.empty()) return;
@@ -440,7 +440,7 @@ void Viewer::draw_working() {
   log_.note_widget("cancel working");
 }
 
-// What is being written and made, at the upper right corner of the picture.
+// Files and data in progress, at the upper right corner of the picture.
 void Viewer::draw_jobs() {
   const std::vector<BackgroundJobs::Writing> jobs = jobs_.being_written();
   const bool works = live_.worker().step().seconds >= kLongStep;

@@ -26,42 +26,42 @@
 namespace brindle::tool {
 
 struct ViewerOptions {
-  int width = 1280;  ///< of the window, in the desktop's units
+  int width = 1280;  ///< of the window, in desktop units
   int height = 800;
-  float scale = 0;                 ///< of text; 0: what the desktop says
-  std::optional<bool> dark;        ///< else as it was last time
+  float scale = 0;                 ///< of text; 0: the desktop's
+  std::optional<bool> dark;        ///< empty: as last time
   std::filesystem::path log;       ///< empty: none
   std::filesystem::path commands;  ///< empty: none
-  std::filesystem::path output;    ///< a picture of the window to write, and then to close it
-  std::filesystem::path settings;  ///< empty: nothing is remembered
+  std::filesystem::path output;    ///< writes a picture of the window, then closes it
+  std::filesystem::path settings;  ///< empty: none
 };
 
-/// Puts the parts of the window together: menus, keys, panels, the picture.
+/// The window's parts: menus, keys, panels and the picture.
 class Viewer {
  public:
-  /// Opens the window. Throws Error if that cannot be done.
+  /// Opens the window. Throws Error on failure.
   Viewer(SessionDocument document, std::filesystem::path session_file,
          const ViewerOptions& options);
   ~Viewer();
 
-  /// Until the user closes the window. Throws Error if OpenGL is lost, and if the document that it
-  /// was opened with cannot be shown. Then work that is not saved is kept in a file beside the
-  /// settings, which the message names.
+  /// Runs until the user closes the window. Throws Error if OpenGL is lost or the initial document
+  /// cannot be shown; unsaved work is then saved beside the settings, in a file that the message
+  /// names.
   void run();
 
-  /// Lists a mesh or a session among those that were opened.
+  /// Adds a mesh or a session to the recent files.
   void remember_opened(const std::string& name);
 
-  /// Opens what a user has named: a session, a file of strokes, a mesh or a shape. What cannot be
-  /// opened changes nothing and leaves a message.
+  /// Opens a session, a file of strokes, a mesh or a shape. On failure, nothing changes and a
+  /// message is added.
   void open(const std::string& name);
 
  private:
-  /// Work that is not saved would be lost by what is to be done.
+  /// A question before an action that would lose unsaved work.
   struct LossQuestion {
     std::string text;
     std::string what;          ///< "quit", "open"
-    std::function<void()> go;  ///< does it
+    std::function<void()> go;  ///< the action
     bool newly_asked = true;
   };
 
@@ -148,17 +148,17 @@ class Viewer {
   GalleryMenu gallery_;
   std::unique_ptr<Recording> recording_;
   std::filesystem::path session_file_;
-  std::filesystem::path window_picture_;   // to be written after the next frame
-  std::optional<SessionMessage> message_;  // that is shown over the picture
+  std::filesystem::path window_picture_;   // to write after the next frame
+  std::optional<SessionMessage> message_;  // shown over the picture
   double message_since_ = 0;
   bool show_keys_ = false;
-  std::optional<LossQuestion> question_;  // that is to be answered
+  std::optional<LossQuestion> question_;  // waiting for an answer
   std::deque<std::filesystem::path> dropped_;
-  bool may_quit_ = false;     // with what is not saved
+  bool may_quit_ = false;     // despite unsaved work
   bool quits_later_ = false;  // once files are written
   int frames_to_draw_ = 3;
-  int frames_to_picture_ = 0;  // of the window, so that dialogues are gone
-  int frames_to_mark_ = 0;     // until a mark is written to the log
+  int frames_to_picture_ = 0;  // of the window, until dialogs are gone
+  int frames_to_mark_ = 0;     // until the log's mark
   int marks_ = 0;
   double last_drawn_ = 0;
   std::size_t drawn_ = 0;

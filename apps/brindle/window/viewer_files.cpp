@@ -1,4 +1,4 @@
-// What the window reads and writes.
+// Input and output of the window.
 
 #include <algorithm>
 #include <utility>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kOpened = {".ply", ".obj",  ".vtp", ".vtu", ".vtk", ".stl",
                                           ".off", ".gltf", ".glb", ".csv", ".json"};
 
-// Files of strokes have these alone.
+// Whether it is a file of strokes, which has no other keys.
 bool holds_strokes_alone(const fs::path& path) {
   const auto json = nlohmann::json::parse(whole_input(path, "a session"), nullptr, false);
   return json.is_object() && json.contains("strokes") && !json.contains("mesh");
@@ -53,7 +53,7 @@ void Viewer::open(const std::string& name) {
   }
 }
 
-// Whether the file can be read turns out in the worker's thread.
+// The worker's thread reports unreadable files.
 void Viewer::open_mesh(const std::string& name) {
   try {
     check_can_open(name);
@@ -61,10 +61,10 @@ void Viewer::open_mesh(const std::string& name) {
     return live_.add_message(MessageKind::error, error.what() + forget_unread(name));
   }
   SessionDocument after = live_.document();
-  after.strokes.clear();  // as `Open` does
+  after.strokes.clear();  // as in `Open`
   after.steering.clear();
   unless_lost(after, shown(fs::path(name).filename().native()), [this, name] {
-    // Shapes have a menu of their own.
+    // Shapes have their own menu.
     if (live_.apply(commands::Open{name}) && !name.starts_with("shape:")) remember_opened(name);
   });
 }
@@ -75,7 +75,7 @@ std::string Viewer::forget_unread(const std::string& name) {
   return "\nIt is no longer among the recent files.";
 }
 
-// Asks first if work that is not saved would be lost.
+// Asks first if unsaved work would be lost.
 void Viewer::unless_lost(const SessionDocument& after, const std::string& by,
                          std::function<void()> go) {
   const std::vector<std::string_view> lost = live_.lost_by(after);
@@ -106,7 +106,7 @@ void Viewer::take_dropped() {
   open_dropped();
 }
 
-// One after the other, each once what was asked about the one before is answered.
+// One after the other; questions about one are answered before the next.
 void Viewer::open_dropped() {
   while (!dropped_.empty() && !question_ && !browser_.is_open()) {
     const fs::path path = std::move(dropped_.front());
@@ -130,7 +130,7 @@ void Viewer::ask_save_session(std::function<void()> then) {
        .done = [this, then = std::move(then)](const fs::path& path) { save_session(path, then); }});
 }
 
-// What is saved is what is shown when all is drawn.
+// Saves the document together with its final pattern.
 void Viewer::save_session(const fs::path& path, std::function<void()> then) {
   live_.end_drag();
   live_.when_at_rest([this, path, then = std::move(then)](const auto&) {
@@ -237,7 +237,7 @@ void Viewer::toggle_recording() {
                 }});
 }
 
-// The encoder needs a while for what it has been given.
+// The encoder takes a while to finish.
 void Viewer::stop_recording() {
   jobs_.start([recording = std::shared_ptr<Recording>(std::move(recording_))] {
     recording->finish();

@@ -1,4 +1,4 @@
-// What the menus and the keys of the window do.
+// Menus and keys of the window.
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ constexpr std::array<std::pair<const char*, const char*>, 32> kKeys = {{
     {"Ctrl + Q", "quit"},
 }};
 
-// A path's last folders and its name, so that menus stay narrow.
+// The last folders of a path and its name, to keep menus narrow.
 std::string end_of_path(const std::string& path) {
   constexpr std::size_t kLongest = 40;
   if (path.size() <= kLongest) return path;
@@ -275,7 +275,7 @@ void Viewer::follow_keys() {
   const bool typing =
       ImGui::GetIO().WantTextInput || browser_.is_open() || export_.is_open() || question_;
   for (const PressedKey& key : window_.take_keys()) {
-    // Written once widgets have taken notice of all that came before, which takes them two frames.
+    // Logged after widgets have processed all earlier input, which takes two frames.
     if (key.key == GLFW_KEY_F12) frames_to_mark_ = 2;
     if (typing) continue;
     if (key.key == GLFW_KEY_ESCAPE && window_.close_popup()) continue;

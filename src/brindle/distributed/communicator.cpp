@@ -19,11 +19,11 @@ constexpr int kTag = 1;
 
 using Clock = std::chrono::steady_clock;
 
-// A watcher that reads between the two stores sees a wait that has just begun or just ended.
+// A reader between the two stores sees a wait that has just begun or ended, which is harmless.
 std::atomic<const char*> waited_for{nullptr};
 std::atomic<Clock::rep> waiting_since{0};
 
-/// The process waits while this lives. One at a time: MPI is called from one thread.
+/// Marks the process as waiting. One at a time: MPI is called from one thread.
 class WaitMark {
  public:
   explicit WaitMark(const char* what) {
@@ -61,9 +61,9 @@ Failure outcome_of(const std::function<void()>& work) {
   }
 }
 
-/// A ProgressReport that can be sent.
+/// A serializable ProgressReport.
 struct SentReport {
-  bool is_last = true;  ///< there is none: the work has come to its end
+  bool is_last = true;  ///< the work has ended, without a report
   double fraction = 0, step_fraction = 0;
   std::array<char, 48> step = {};
 
@@ -76,7 +76,7 @@ SentReport sent(const ProgressReport& report) {
   return result;
 }
 
-/// Calls `visit(first, count)` for the messages that so many bytes go in.
+/// Calls `visit(first, count)` for the messages that carry these bytes.
 template <class Visit>
 void for_each_message(std::size_t bytes, const Visit& visit) {
   for (std::size_t first = 0; first < bytes; first += kLongestMessage) {

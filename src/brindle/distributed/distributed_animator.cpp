@@ -34,7 +34,7 @@ void check_distributed(const DistributedOptions& options) {
   }
 }
 
-/// Throws on all ranks what it throws on one. Both must live as long.
+/// A progress that throws on all ranks if it throws on one. Both arguments must outlive it.
 Progress on_all(Communicator& ranks, const Progress& progress) {
   return Progress([&ranks, &progress](std::string_view stage, double fraction) {
     ranks.throw_on_all([&] { progress.report(stage, fraction); });
@@ -47,32 +47,32 @@ Progress on_all(Communicator& ranks, const Progress& progress) {
 struct DistributedStripeAnimator::State {
   std::shared_ptr<const RankSurface> surface;
   DistributedOptions options;
-  bool yields = false;  ///< on any rank
+  bool yields = false;  ///< a spacing tolerance on any rank
   bool has_calm = false;
   std::vector<float> calm;  ///< by vertex
 
-  // The last frame, and the one that is solved.
+  // The last frame and the present one.
   bool has_frame = false;
-  std::vector<SentWave> sent_waves, last_waves;  ///< by vertex; of own ones, and often ghosts
+  std::vector<SentWave> sent_waves, last_waves;  ///< of own vertices, and often of ghosts
   std::vector<Complex> z_by_vertex, z_of_piece;
-  std::vector<float> chosen;  ///< frequencies by vertex, where they yield
+  std::vector<float> chosen;  ///< chosen frequencies by vertex, with a spacing tolerance
   std::vector<float> frequencies_of_piece;
 
   std::optional<WholeFrames>
-      whole;  ///< of a surface that rank 0 solves alone; else all that follows
+      whole;  ///< if rank 0 solves alone; otherwise the following members are used
 
   std::optional<RankHierarchy> hierarchy;  ///< empty before the first frame
-  bool has_last = false;   ///< whether the next frame follows one; a rank may have no vertices
-  bool has_given = false;  ///< whether it follows phases that were given
-  std::vector<Complex> given_z;                      ///< these, by own vertex and ghost
+  bool has_last = false;   ///< whether the next frame continues one; even on ranks without vertices
+  bool has_given = false;  ///< whether it continues given phases
+  std::vector<Complex> given_z;                      ///< of own vertices and ghosts
   WaveSet input;                                     ///< of own vertices and ghosts
-  std::vector<SlicedWave> waves, cancellable_waves;  ///< as a StripeAnimator has them
-  std::vector<float> weights;                        ///< by entry; empty: 1
+  std::vector<SlicedWave> waves, cancellable_waves;  ///< as in StripeAnimator
+  std::vector<float> weights;                        ///< by entry; empty: all 1
   std::vector<float> degree;
   std::vector<Complex> last_z;  ///< by slot
   std::vector<Complex> z_by_node;
   Momentum momentum;
-  std::shared_ptr<const RankRows> rows;  ///< of frequencies that yield over several ranks
+  std::shared_ptr<const RankRows> rows;  ///< of the spacing tolerance over several ranks
   FrameFrequencies yielding;             ///< of own vertices and ghosts
   DistributedFigures figures;
 
@@ -100,7 +100,7 @@ struct DistributedStripeAnimator::State {
   void iterate();
   void take_back();
 
-  /// Values of all vertices, of which those of own ones, or of ghosts, too, are known.
+  /// Values of all vertices; only those of own ones, or also of ghosts, are set.
   template <class T>
   void share(std::span<const T> known, std::vector<T>& by_vertex) const {
     by_vertex.resize(surface->vertex_count());
@@ -110,7 +110,7 @@ struct DistributedStripeAnimator::State {
   }
 };
 
-/// Frequencies yield on all ranks or on none.
+/// All ranks have a spacing tolerance, or none.
 void DistributedStripeAnimator::State::take_slack() {
   yields = ranks().any(options.slack.yields());
   has_calm = ranks().any(!options.slack.calm.empty());
@@ -125,7 +125,7 @@ void DistributedStripeAnimator::State::take_slack() {
   rows = std::move(peers);
 }
 
-/// Own waves from the input.
+/// Reads own waves from the input.
 void DistributedStripeAnimator::State::take_own(const FrameInput& frame) {
   sent_waves.resize(surface->vertex_count());
   for (std::size_t p = 0; p < frame.positions.size(); ++p) {
@@ -136,7 +136,7 @@ void DistributedStripeAnimator::State::take_own(const FrameInput& frame) {
   }
 }
 
-/// What the frame has of normals, at own vertices.
+/// The frame's normals of own vertices.
 std::vector<Vec3> DistributedStripeAnimator::State::own_normals(const FrameInput& frame) const {
   std::vector<Vec3> normals;
   if (!ranks().any(!frame.normals.empty())) return normals;
@@ -148,7 +148,7 @@ std::vector<Vec3> DistributedStripeAnimator::State::own_normals(const FrameInput
   return normals;
 }
 
-/// Ghosts' waves from their owners, and all as arrays.
+/// Receives ghosts' waves, and fills the arrays.
 void DistributedStripeAnimator::State::take_ghosts() {
   exchange(ranks(), surface->graph.halo, std::span(sent_waves));
   input.positions.resize(sent_waves.size());
@@ -161,7 +161,7 @@ void DistributedStripeAnimator::State::take_ghosts() {
   }
 }
 
-/// What `check_values` of frame_input.h refuses of the whole, by what owners say.
+/// Applies the checks of `check_values` in frame_input.h to the owners' values.
 void DistributedStripeAnimator::State::check_values(const FrameInput& frame) const {
   const auto own = static_cast<std::ptrdiff_t>(surface->graph.own);
   std::vector<Vec3> normals = own_normals(frame);
@@ -173,7 +173,7 @@ void DistributedStripeAnimator::State::check_values(const FrameInput& frame) con
   normals.resize(surface->graph.own, Vec3::Zero());
   TangentStats tangent =
       tally_tangent(normals, std::span(input.directions).first(surface->graph.own));
-  const bool own_slant = tangent.slanted > 0;  // a rank without one has no vertex to name
+  const bool own_slant = tangent.slanted > 0;  // a rank without one names no vertex
   tangent.counted = ranks().sum(tangent.counted);
   tangent.slanted = ranks().sum(tangent.slanted);
   FinenessTally fineness;
@@ -196,7 +196,7 @@ FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
           std::span(input.frequencies).first(nodes)};
 }
 
-/// Whether frequencies yield, and the input is the last frame's on all ranks.
+/// Whether the input equals the last frame's on all ranks, with a spacing tolerance.
 bool DistributedStripeAnimator::State::is_kept() const {
   return has_last && !has_given && yielding.yields() &&
          !ranks().any(!yielding.is_kept(input_of_nodes()));
@@ -213,7 +213,7 @@ FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
   return result;
 }
 
-/// The finest level, and what frames write to.
+/// Creates the finest level and the outputs of frames.
 void DistributedStripeAnimator::State::start() {
   if (hierarchy) return;
   Stopwatch watch;
@@ -239,7 +239,7 @@ void DistributedStripeAnimator::State::take_given() {
   has_last = true;
 }
 
-/// Makes the frame just solved the last one; it has values of own vertices, and often of ghosts.
+/// Makes the solved frame the last one; it has values of own vertices, and often of ghosts.
 void DistributedStripeAnimator::State::keep(std::span<const Complex> z,
                                             std::span<const float> frequencies) {
   share(z, z_by_vertex);
@@ -252,7 +252,7 @@ void DistributedStripeAnimator::State::keep(std::span<const Complex> z,
   has_frame = true;
 }
 
-/// The result with the values of the last frame that was kept.
+/// The result with the values of the last frame.
 FrameResult DistributedStripeAnimator::State::kept_frame(const FrameResult& solved) const {
   FrameResult result = solved;
   result.z = z_of_piece;
@@ -298,7 +298,7 @@ FrameResult DistributedStripeAnimator::State::frame_of_whole(const FrameInput& f
       whole->frame(std::span(sent_waves).first(surface->graph.own), own_normals(frame), progress);
   if (!solved.unchanged) {
     keep(solved.z, solved.frequencies);
-    // Whatever is not rank 0's work is messages.
+    // All time other than rank 0's work is communication.
     const FrameMilliseconds& known = solved.milliseconds;
     solved.milliseconds.couple +=
         watch.lap() - known.frequency - known.couple - known.sum - known.solve;
@@ -321,11 +321,11 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
   const double yield_milliseconds = watch.lap();
   start();
   watch.lap();
-  // Given phases are of this frame's directions: there is nothing to turn.
+  // Given phases belong to this frame's directions and need no turn.
   const bool loaded_new =
       load_waves(finest().layout(), next.positions, next.directions, next.frequencies, next_waves(),
                  waves, has_given ? std::span<Complex>() : std::span(last_z), momentum.m);
-  // To a rank without vertices nothing changes.
+  // A rank without vertices always sees no change.
   const bool changed = ranks().any(loaded_new && surface->graph.own > 0);
   if (has_given) {
     take_given();
@@ -359,7 +359,7 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
   return kept_frame(result);
 }
 
-/// From the next waves to phases of the finest level.
+/// Solves from the next waves to phases of the finest level.
 FrameMilliseconds DistributedStripeAnimator::State::solve_next(const Progress& progress) {
   FrameMilliseconds milliseconds;
   Stopwatch watch;
@@ -397,7 +397,7 @@ void DistributedStripeAnimator::State::couple_next() {
   }
 }
 
-/// The paper's iterations from the last phases.
+/// The paper's iterations, starting from the last phases.
 void DistributedStripeAnimator::State::iterate() {
   std::ranges::transform(last_z, finest().z.begin(),
                          [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
@@ -406,7 +406,7 @@ void DistributedStripeAnimator::State::iterate() {
   }
 }
 
-/// Makes everything as it was before a frame that has not come to its end.
+/// Restores the state before a frame that failed or was cancelled.
 void DistributedStripeAnimator::State::take_back() {
   if (has_frame) {
     Level& level = finest();
@@ -415,7 +415,7 @@ void DistributedStripeAnimator::State::take_back() {
     couple(level.layout(), waves, options.phase_shift, weights, level.couplings, degree);
     to_slots(level.layout(), z_by_node, level.z);
   } else {
-    // Aggregates follow the couplings of the first frame that comes to its end.
+    // Aggregates are those of the first completed frame.
     hierarchy.reset();
     waves.clear();
     has_last = false;

@@ -27,7 +27,7 @@ void check_waves(const WaveSet& waves, std::size_t vertices) {
   }
 }
 
-/// The waves of the rank's own vertices, whose neighbours it knows all.
+/// Counts own vertices, all of whose neighbours are known.
 WaveTally tally_own(const RankSurface& surface, const WaveSet& of_piece) {
   WaveSet waves;
   waves.directions.resize(surface.graph.own, Vec3::Zero());
@@ -41,8 +41,8 @@ WaveTally tally_own(const RankSurface& surface, const WaveSet& of_piece) {
   return tally_waves({surface.mesh, surface.graph.adjacency, surface.normals}, waves);
 }
 
-/// The k-th smallest, from 0, of all ranks' numbers, none of which is negative or not a number;
-/// infinity if there are not so many. Their bits are ordered as they are.
+/// The k-th smallest, from 0, of all ranks' numbers, which must be non-negative and not NaN;
+/// infinity if there are fewer. Such doubles are ordered like their bits.
 double kth_smallest(Communicator& ranks, std::span<const double> numbers, std::size_t k) {
   std::uint64_t low = 0;
   auto high = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
@@ -60,8 +60,7 @@ double kth_smallest(Communicator& ranks, std::span<const double> numbers, std::s
   return std::bit_cast<double>(low);
 }
 
-/// The middle one of all ranks' numbers, of which there are `count`. One rank has no messages to
-/// save, and sorts in place.
+/// The median of all ranks' numbers, of which there are `count`. A single rank sorts in place.
 double median(Communicator& ranks, std::vector<double>& numbers, std::size_t count) {
   if (ranks.size() > 1) return kth_smallest(ranks, numbers, count / 2);
   const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(count / 2);

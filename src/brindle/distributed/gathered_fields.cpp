@@ -1,4 +1,4 @@
-// Fields that rank 0 finds on the whole surface, as one process does.
+// Fields that rank 0 computes on the whole surface, as one process does.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -18,7 +18,7 @@
 namespace brindle {
 namespace {
 
-/// Those of own vertices, on rank 0.
+/// The anchors of own vertices, on rank 0.
 std::vector<FieldAnchor> anchors_of_whole(const GatheredSurface& whole,
                                           std::span<const FieldAnchor> of_piece) {
   const RankSurface& piece = whole.piece();
@@ -39,7 +39,7 @@ std::vector<FieldAnchor> anchors_of_whole(const GatheredSurface& whole,
   return all;
 }
 
-/// Throws on all ranks for options that do not fit the piece of one.
+/// Throws on all ranks for options that do not fit a partition.
 void check_pieces(const RankSurface& surface, const SmoothFieldOptions& options) {
   const bool any = surface.ranks->any(!options.last.directions.empty());
   surface.ranks->throw_on_all([&] {
@@ -52,7 +52,7 @@ void check_pieces(const RankSurface& surface, const SmoothFieldOptions& options)
   });
 }
 
-/// The last field as owners have it, on rank 0.
+/// The owners' last field, on rank 0.
 KnownDirections last_of_whole(const GatheredSurface& whole, const KnownDirections& last) {
   Communicator& ranks = *whole.piece().ranks;
   KnownDirections all;
@@ -66,7 +66,8 @@ KnownDirections last_of_whole(const GatheredSurface& whole, const KnownDirection
   return all;
 }
 
-/// What rank 0 makes of the principal curvatures of the whole, at the vertices of the piece.
+/// Returns what `make` computes on rank 0 from the principal curvatures of the whole, at the
+/// partition's vertices.
 template <class Make>
 auto of_curvatures(const RankSurface& surface, const Make& make) {
   const GatheredSurface whole(surface);
@@ -79,7 +80,7 @@ auto of_curvatures(const RankSurface& surface, const Make& make) {
   return whole.to_piece(made);
 }
 
-/// Rank 0's strokes on all ranks; they have one radius and strength.
+/// Rank 0's strokes on all ranks; they share one radius and strength.
 std::vector<FieldStroke> of_first_rank(Communicator& ranks, const std::vector<FieldStroke>& strokes,
                                        double radius, double strength) {
   std::vector<std::uint64_t> counts;
@@ -112,7 +113,7 @@ void check_piece(const RankSurface& surface, const MeasuredField& field, const s
   if (!field.confidence.empty()) require(field.confidence.size());
 }
 
-/// A measured field of pieces, on rank 0.
+/// A measured field of all partitions, on rank 0.
 MeasuredField measured_of_whole(const GatheredSurface& whole, const MeasuredField& piece) {
   Communicator& ranks = *whole.piece().ranks;
   MeasuredField field;
@@ -124,7 +125,7 @@ MeasuredField measured_of_whole(const GatheredSurface& whole, const MeasuredFiel
   field.directions = gathered(piece.directions);
   if (ranks.any(!piece.confidence.empty())) {
     std::vector<float> confidence = piece.confidence;
-    confidence.resize(piece.directions.size(), 1);  // of a rank that has no vertex at all
+    confidence.resize(piece.directions.size(), 1);  // on ranks without vertices
     field.confidence = gathered(confidence);
   }
   return field;

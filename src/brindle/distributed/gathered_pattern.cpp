@@ -32,13 +32,13 @@ void check_pattern(const PiecePattern& pattern) {
   });
 }
 
-/// On rank 0, where both must live as long.
+/// On rank 0. Both arguments must outlive the result.
 WavePattern wave_pattern(const Surface& surface, const MeshEdges& edges,
                          const GatheredPattern& pattern, PhaseShiftKind kind) {
   return {surface.mesh, edges, surface.normals, pattern.waves, pattern.z, kind};
 }
 
-/// On rank 0. Places are in the triangles of the whole.
+/// On rank 0. Positions are in triangles of the whole surface.
 StripeCurves curves_of(const Surface& surface, const GatheredPattern& pattern, PhaseShiftKind kind,
                        const CurveOptions& options, const Progress& progress) {
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
@@ -46,7 +46,7 @@ StripeCurves curves_of(const Surface& surface, const GatheredPattern& pattern, P
   return stripe_curves(lifted, options, progress.part(0.2, 1));
 }
 
-/// A part of a line within one rank's triangles, as it is sent there.
+/// A part of a line within one rank's triangles, to be sent there.
 struct SentLine {
   std::uint64_t points = 0;
   std::uint8_t closed = 0;
@@ -65,7 +65,7 @@ struct CutLines {
   std::vector<std::vector<SentPoint>> points;
 };
 
-/// Cuts rank 0's curves where they go on in another rank's triangles.
+/// Cuts rank 0's curves at borders between ranks.
 class CurveCutter {
  public:
   CurveCutter(const GatheredSurface& whole, const StripeCurves& curves,
@@ -79,17 +79,17 @@ class CurveCutter {
   }
 
  private:
-  /// A point where a line goes on in another rank's triangles.
+  /// A point at which a line enters another rank's triangles.
   struct Cut {
-    Index at;  ///< among the points of its line
+    Index at;  ///< index among the points of its line
     std::array<std::uint64_t, 2> edge;
-    double along;  ///< the edge, from its end of lower number
+    double along;  ///< position on the edge from its lower-numbered end
     std::uint32_t number = 0;
   };
 
   int rank_at(Index point) const { return triangles_[lines_.places[point].triangle].rank; }
 
-  /// Places of points are in the triangles of the segments that begin there.
+  /// The positions of points are in the triangles of the segments that begin there.
   void find_cuts(std::size_t line) {
     const Index first = lines_.offsets[line], count = lines_.offsets[line + 1] - first;
     const bool closed = lines_.closed[line] != 0;
@@ -100,8 +100,8 @@ class CurveCutter {
     }
   }
 
-  /// On the edge that both triangles have; where points between them were passed over, on an edge
-  /// of the second one.
+  /// On the common edge of both triangles; if points between them were left out, on an edge of the
+  /// second one.
   Cut cut_at(Index at, Index before, Index point) const {
     const std::vector<Triangle>& triangles = whole_.surface().mesh.triangles;
     const TrianglePoint& place = lines_.places[point];
@@ -145,7 +145,7 @@ class CurveCutter {
     }
   }
 
-  /// So many segments from a point of the line on.
+  /// Adds `segments` segments from a point of the line on.
   void add_part(std::size_t line, Index at, Index segments, const Cut* from, const Cut* to) {
     const Index first = lines_.offsets[line];
     const auto count = static_cast<Index>(lines_.points_of(line).size());
@@ -155,7 +155,7 @@ class CurveCutter {
     std::vector<SentPoint>& points = cut_.points[rank];
     for (Index k = 0; k < segments; ++k) points.push_back(sent(point(k)));
     if (!closed) {
-      // In the triangle of the segment before it.
+      // In the triangle of the last segment.
       SentPoint last = sent(point(segments > 0 ? segments - 1 : 0));
       if (segments > 0) last.place.barycentric = last.arrival;
       last.position = lines_.points[point(segments)];
@@ -184,7 +184,7 @@ class CurveCutter {
   const GatheredSurface& whole_;
   const StripeCurves& curves_;
   const Polylines& lines_;
-  std::span<const TriangleOfPiece> triangles_;  // of the whole
+  std::span<const TriangleOfPiece> triangles_;  // of the whole surface
   CutLines& cut_;
   std::vector<std::vector<Cut>> cuts_;  // by line
 };
@@ -206,7 +206,7 @@ PieceCurves received(const std::vector<SentLine>& lines, const std::vector<SentP
   return result;
 }
 
-/// Which of all ranks' samples stay, list by list.
+/// Which of all ranks' samples are kept, list by list.
 std::vector<std::vector<std::uint8_t>> kept_samples(
     const std::vector<std::vector<std::byte>>& lists, float share) {
   std::vector<Sample> all = joined<Sample>(lists);
@@ -306,7 +306,7 @@ CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& p
   CurveSpacing spacing;
   whole.piece().ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
-    const MeshEdges none;  // nothing is crossed
+    const MeshEdges none;  // without crossings
     spacing =
         measure_curve_spacing(wave_pattern(whole.surface(), none, gathered, pattern.phase_shift),
                               curves, kMostSpacingPoints, all_wanted);

@@ -1,4 +1,4 @@
-/// What rank 0 makes of a pattern of the whole surface.
+/// Curves and samples that rank 0 computes on the whole surface.
 #pragma once
 
 #include <cstddef>
@@ -17,21 +17,21 @@ struct GatheredPattern {
   std::vector<Complex> z;
 };
 
-// All of these must be called by all ranks.
+// All of these are collective.
 
-/// Throws Error on all ranks for a pattern whose parts do not match the piece.
+/// Throws Error on all ranks for patterns that do not match their partition.
 GatheredPattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern);
 
-/// As `whole_curves` of a surface that rank 0 has already.
+/// As `whole_curves`, for a surface that is already on rank 0.
 WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
                          const CurveOptions& options, const Progress& progress = {});
 
-/// What `shift_phases` does with the whole, at the vertices of the piece, to the bit.
+/// The bits of `shift_phases` on the whole surface, at the partition's vertices.
 std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,
                          std::span<Complex> z);
 
-/// Of rank 0's curves, as `measure_curve_spacing` has it; nothing elsewhere. `wanted` are the
-/// frequencies asked for at the vertices of the piece; empty, on all ranks: those of the pattern.
+/// `measure_curve_spacing` of rank 0's curves; empty on other ranks. `wanted` are the requested
+/// frequencies at the partition's vertices; empty on all ranks: those of the pattern.
 CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& pattern,
                              const StripeCurves& curves, std::span<const float> wanted = {});
 

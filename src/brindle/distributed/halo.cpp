@@ -5,7 +5,7 @@
 namespace brindle {
 namespace {
 
-/// Slots of some nodes, a row a colour, in the order of the nodes.
+/// Slots of some nodes, a row per colour, in the order of the nodes.
 template <class NodeAt>
 CompressedRows<Index> slots_by_color(std::size_t count, const NodeAt& node_at,
                                      const SlicedLayout& layout, const Coloring& coloring,

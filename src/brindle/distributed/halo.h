@@ -1,4 +1,4 @@
-/// Values of ghosts: nodes beside a rank's own that other ranks own.
+/// Values of ghosts: neighbours of own nodes that other ranks own.
 #pragma once
 
 #include <span>
@@ -11,18 +11,18 @@
 
 namespace brindle {
 
-/// What one other rank needs of this one's nodes, and what this one needs of its.
+/// The nodes that two ranks exchange.
 struct HaloNeighbor {
   int rank;
-  std::vector<Index> sent;  ///< own nodes, in the order in which the other rank has them as ghosts
-  Index first = 0;          ///< its nodes are ghosts first .. first + count - 1 here
+  std::vector<Index> sent;  ///< own nodes, in the order of the other rank's ghosts
+  Index first = 0;          ///< the other rank's nodes are the ghosts first .. first + count - 1
   Index count = 0;
 };
 
-/// Neighbours in the order of ranks.
+/// Sorted by rank.
 using NodeHalo = std::vector<HaloNeighbor>;
 
-/// Sets the ghosts' values to what their owners have.
+/// Sets ghosts to their owners' values.
 template <class T>
 void exchange(Communicator& ranks, const NodeHalo& halo, std::span<T> by_node) {
   std::vector<std::vector<T>> packed;
@@ -40,31 +40,32 @@ void exchange(Communicator& ranks, const NodeHalo& halo, std::span<T> by_node) {
   ranks.transfer(outgoing, incoming);
 }
 
-/// The same by slots of a level, all at once or a colour at a time: 8 bytes a ghost either way.
+/// The same for slots of a level, all at once or one colour at a time, with 8 bytes per ghost in
+/// total.
 class SlotHalo {
  public:
   SlotHalo() = default;
 
-  /// `coloring` has the same colours for a node and its ghosts on other ranks.
+  /// `coloring` gives a node and its ghosts the same colour.
   SlotHalo(const NodeHalo& halo, const SlicedLayout& layout, const Coloring& coloring,
            Index color_count);
 
-  /// Sends own values of the colours first .. end - 1; ghosts have theirs after `finish` with the
-  /// same colours. `by_slot` may be read in between, and changed in other colours.
+  /// Sends own values of the colours first .. end - 1; `finish` with the same colours receives the
+  /// ghosts'. In between, `by_slot` may be read, and changed in other colours.
   void start(Communicator& ranks, std::span<const Complex> by_slot, Index first, Index end);
   void finish(Communicator& ranks, std::span<Complex> by_slot, Index first, Index end);
 
-  /// All colours, and no waiting for a better time.
+  /// Exchanges all colours at once.
   void exchange(Communicator& ranks, std::span<Complex> by_slot);
 
-  /// How many ghosts there are.
+  /// The number of ghosts.
   std::size_t ghost_count() const;
 
  private:
   struct Neighbor {
     int rank;
-    CompressedRows<Index> sent, received;  ///< slots, a row a colour
-    std::vector<Complex> out, in;          ///< beside their entries
+    CompressedRows<Index> sent, received;  ///< slots, a row per colour
+    std::vector<Complex> out, in;          ///< parallel to their entries
   };
   Index color_count_ = 0;
   std::vector<Neighbor> neighbors_;

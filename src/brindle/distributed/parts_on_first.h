@@ -1,4 +1,4 @@
-/// Rows that ranks have a part each of, on rank 0.
+/// Gathers distributed rows on rank 0.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace brindle {
 
-/// How many rows every rank has. Messages go straight to where they belong; all functions but the
-/// accessors must be called by all ranks.
+/// The number of rows of every rank. Rows are sent directly; all functions but accessors are
+/// collective.
 class PartsOnFirst {
  public:
-  /// Refers to `ranks`.
+  /// Keeps a reference to `ranks`.
   PartsOnFirst(Communicator& ranks, std::size_t own) : ranks_(&ranks) {
     for (const std::size_t count : ranks.all(own)) {
       first_.push_back(first_.back() + static_cast<Index>(count));
@@ -25,7 +25,7 @@ class PartsOnFirst {
   Index first(int rank) const { return first_[static_cast<std::size_t>(rank)]; }
   Index count() const { return first_.back(); }
 
-  /// `all` becomes all ranks' rows, rank by rank; empty on other ranks than the first.
+  /// `all` receives all ranks' rows, rank by rank; empty on other ranks than the first.
   template <class T>
   void gather(std::span<const T> own, std::vector<T>& all) const {
     all.resize(ranks_->rank() == 0 ? count() : 0);
@@ -37,7 +37,7 @@ class PartsOnFirst {
     ranks_->transfer({&outgoing, 1}, incoming);
   }
 
-  /// The other way round.
+  /// The reverse.
   template <class T>
   void scatter(std::span<const T> all, std::span<T> own) const {
     std::vector<Outgoing> outgoing;

@@ -9,8 +9,7 @@
 namespace brindle {
 namespace {
 
-/// Of the ranks that have a triangle around an own vertex, the first that owns a vertex of it
-/// counts it. One rank counts all.
+/// A triangle belongs to the first rank that owns one of its vertices. A single rank owns all.
 FrequencyTriangles frequency_triangles(const RankSurface& surface) {
   FrequencyTriangles triangles{triangles_around_own(surface).triangles, {}, {}};
   if (surface.ranks->size() == 1) return triangles;

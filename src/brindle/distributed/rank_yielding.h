@@ -1,4 +1,4 @@
-/// Frequencies that yield over ranks.
+/// The distributed spacing tolerance.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace brindle {
 
-/// What owners say of all vertices of a rank, given what each has by vertex of its piece. Empty if
-/// no rank has anything. Collective.
+/// Collective. The owners' values at all vertices of a rank, from values by vertex of each
+/// partition. Empty if no rank has any.
 std::vector<float> owners_values(const RankSurface& surface, std::span<const float> of_piece);
 
-/// The setting of a rank's part, whose vertices are own ones and ghosts; `slack` is by vertex of
-/// the piece. Collective.
+/// Collective. The setting of a rank's own vertices and ghosts; `slack` is by vertex of the
+/// partition.
 std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& surface,
                                                              const Slack& slack);
 
-/// Throws Error on all ranks for a slack that `check` refuses, and for one that has a number for
-/// each vertex of some pieces and for none of others. Collective.
+/// Collective. Throws Error on all ranks for a tolerance that `check` rejects, or that is per
+/// vertex on some ranks only.
 void check_on_all(const RankSurface& surface, const Slack& slack);
 
 }  // namespace brindle

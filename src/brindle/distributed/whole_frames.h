@@ -1,4 +1,4 @@
-/// Frames of a surface in pieces that rank 0 solves alone.
+/// Frames of a distributed surface that rank 0 solves alone.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,22 @@
 
 namespace brindle {
 
-/// A wave as owners tell others of it.
+/// A wave that its owner sends.
 struct SentWave {
   Vec3 position;
   Vec3 direction;
   float frequency = 1;
 };
 
-/// A StripeAnimator of the whole surface, which rank 0 has: its bits are those of one process where
-/// triangles have numbers. All functions must be called by all ranks.
+/// A StripeAnimator for the whole surface on rank 0, with the bits of one process if triangles are
+/// numbered. All functions are collective.
 class WholeFrames {
  public:
-  /// Slack and calm by vertex are those of the piece's vertices. The surface must live as long.
+  /// Tolerances and weights are by vertex of the partition. The surface must outlive this object.
   WholeFrames(const RankSurface& surface, const DistributedOptions& options);
 
-  /// As StripeAnimator::frame, of own vertices. `normals` are there on all ranks or none. Any
-  /// rank's `progress` cancels all.
+  /// As StripeAnimator::frame, for own vertices. All ranks have `normals`, or none. If `progress`
+  /// throws on one rank, all ranks throw.
   FrameResult frame(std::span<const SentWave> own, std::span<const Vec3> normals,
                     const Progress& progress);
 
@@ -33,17 +33,17 @@ class WholeFrames {
   void restart();
   /// Of own vertices.
   void set_last_phases(std::span<const Complex> own);
-  /// Of the piece's vertices.
+  /// By vertex of the partition.
   void set_slack(const Slack& slack);
 
   /// Of rank 0.
   double topology_milliseconds() const;
 
-  /// Sweeps of a descent over the finest level, cycles included.
+  /// Sweeps of a descent over the finest level, including cycles.
   int sweeps() const;
 
  private:
-  /// What ranks hear of a frame beside its values.
+  /// The outcome of a frame for all ranks, besides its values.
   struct Outcome {
     bool unchanged = false;
     double phase_step = 0;
@@ -60,7 +60,7 @@ class WholeFrames {
   bool has_descended_ = false;
   std::vector<Complex> z_;  ///< of own vertices
   std::vector<float> frequencies_;
-  // On rank 0 alone.
+  // On rank 0 only.
   std::optional<StripeAnimator> animator_;
   std::vector<SentWave> waves_;
   std::vector<Vec3> positions_, directions_, normals_;

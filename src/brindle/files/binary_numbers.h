@@ -15,7 +15,7 @@ namespace brindle {
 
 static_assert(std::endian::native == std::endian::little, "binary files are little endian");
 
-/// Bytes gathered and written in large pieces.
+/// A buffered stream of bytes.
 class BinaryOutput {
  public:
   explicit BinaryOutput(OutputStream& out) : out_(out) {}
@@ -45,8 +45,7 @@ class BinaryOutput {
   std::vector<char> buffer_;
 };
 
-/// Reverses the bytes of numbers of `size` bytes each, which machines of the other byte order
-/// wrote.
+/// Swaps the bytes of numbers of `size` bytes each, from machines of the other byte order.
 inline void reverse_bytes(std::span<std::byte> numbers, std::size_t size) {
   const auto reverse_all = [&]<std::size_t kSize>(std::integral_constant<std::size_t, kSize>) {
     for (std::size_t at = 0; at + kSize <= numbers.size(); at += kSize) {

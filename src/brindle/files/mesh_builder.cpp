@@ -10,15 +10,15 @@
 namespace brindle {
 namespace {
 
-/// Room for so many more entries; at least twice as many as before, so that many pieces take no
-/// longer than one.
+/// Reserves for `more` entries, at least doubling the capacity, so that many calls cost no more
+/// than one.
 template <class Entry>
 void make_room(std::vector<Entry>& entries, std::size_t more) {
   const std::size_t wanted = entries.size() + more;
   if (wanted > entries.capacity()) entries.reserve(std::max(wanted, 2 * entries.capacity()));
 }
 
-/// Rows of cells as rows of triangles.
+/// Expands rows of cells to rows of triangles.
 void spread_over_triangles(std::vector<DataArray>& cells, std::span<const Index> cell_of_triangle) {
   for (DataArray& array : cells) {
     bool alike = array.rows() == cell_of_triangle.size();

@@ -1,4 +1,4 @@
-/// Meshes put together from coordinates in doubles and polygons.
+/// Builds meshes from double coordinates and polygons.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace brindle {
 
-/// Elements of a file besides its points.
+/// Elements of a file besides points.
 struct FileElements {
   bool faces = false;
   bool lines = false;
@@ -21,42 +21,42 @@ struct FileElements {
 struct RawMesh {
   Mesh mesh;
   DataArrays arrays = {};     ///< a row per vertex and per triangle
-  std::string left_out = {};  ///< lines for the user on parts of the file that are missing here
-  std::string taken = {};     ///< lines for the user on replacements of parts of the file
-  /// Of a mesh without triangles, the reason and the remedy, after "path: ".
+  std::string left_out = {};  ///< lines for the user: parts of the file that were left out
+  std::string taken = {};     ///< lines for the user: parts of the file that were replaced
+  /// Without triangles, the reason and the remedy, after "path: ".
   std::string why_empty = {};
-  FileElements elements = {};  ///< of VTK's files; all cells but points and lines count as faces
-  std::string normals = {};  ///< the array of points with the normals; empty if the file names none
+  FileElements elements = {};  ///< of VTK files; all cells but points and lines count as faces
+  std::string normals = {};    ///< name of the point array with the normals, or empty
 };
 
 class MeshBuilder {
  public:
-  /// Makes room for so many more vertices.
+  /// Reserves memory for `more` vertices.
   void reserve_vertices(std::size_t more);
 
-  /// Makes room for so many more polygons with so many corners in all.
+  /// Reserves memory for `more` polygons with `corners` corners in total.
   void reserve_polygons(std::size_t more, std::size_t corners);
 
   void add_vertex(const Eigen::Vector3d& position) { positions_.push_back(position); }
 
-  /// Corners are indices of vertices, which may be added later. `cell` is the polygon's row in the
-  /// file's data per cell; without it polygons are cells.
+  /// Corners are vertex indices; vertices may be added later. `cell` is the polygon's row in the
+  /// file's cell data; without it, polygons are cells.
   void add_polygon(std::span<const Index> corners, Index cell);
   void add_polygon(std::span<const Index> corners) {
     add_polygon(corners, static_cast<Index>(cells_.size()));
   }
 
-  /// A triangle of every corner and the two before it, wound the other way round each time. Corners
-  /// that repeat turn strips around or join them, and make no triangle of their own.
+  /// A triangle strip, with alternating winding. Repeated corners swap or join strips and make no
+  /// triangle.
   void add_strip(std::span<const Index> corners, Index cell = 0);
 
   std::size_t vertex_count() const { return positions_.size(); }
   std::span<const Eigen::Vector3d> positions() const { return positions_; }
 
-  /// The mesh, with polygons cut into triangles in their order. Its origin is `origin_near` of the
-  /// vertices that polygons use, or of all if there is no polygon. The builder is empty then.
-  /// `arrays` has a row per vertex and per cell, the result one per vertex and per triangle.
-  /// `exact` receives the coordinates as they were added.
+  /// The mesh, with polygons triangulated in order; empties the builder. Its origin is
+  /// `origin_near` of the vertices in polygons, or of all vertices without polygons. `arrays` has
+  /// rows per vertex and cell, the result rows per vertex and triangle. `exact` receives the
+  /// coordinates as added.
   RawMesh take(DataArrays arrays = {}, std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
@@ -64,7 +64,7 @@ class MeshBuilder {
   void for_each_polygon(const Use& use) const;
 
   std::vector<Eigen::Vector3d> positions_;
-  std::vector<Index> polygons_;  ///< each its number of corners, then these
+  std::vector<Index> polygons_;  ///< for each, the number of corners, then the corners
   std::vector<Index> cells_;     ///< per polygon
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The arrays as the file holds them, if it holds them all.
+/// The arrays in the form of the file. Throws if the file cannot hold one.
 DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
                           std::span<const DataArray> point_arrays,
                           std::span<const DataArray> cell_arrays) {
@@ -35,7 +35,7 @@ DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
   return std::move(fitted.arrays);
 }
 
-/// `path` with another ending.
+/// `path` with another extension.
 fs::path beside(const fs::path& path, const char* ending) {
   return path.parent_path() / (path.stem().string() + ending);
 }
@@ -49,11 +49,11 @@ void write_whole(const fs::path& path, const std::string& content) {
   write_file(path, [&](OutputStream& out) { out << content; });
 }
 
-/// What a mesh file says of its texture; all empty if it has none.
+/// File names of a mesh's texture; all empty if it has none.
 struct TextureNames {
-  std::string picture;    ///< file beside the mesh
-  std::string materials;  ///< file beside an OBJ file
-  std::string png;        ///< the picture itself
+  std::string picture;    ///< image file beside the mesh
+  std::string materials;  ///< material file beside an OBJ file
+  std::string png;        ///< the image's content
 };
 
 void write_as(OutputStream& out, const std::string& kind, const Mesh& mesh,
@@ -92,7 +92,7 @@ void write_textured_mesh(const fs::path& path, const Mesh& mesh,
     throw Error("cannot write '" + shown(path.string()) +
                 "': a textured mesh needs the array 'uv'");
   }
-  static_cast<void>(textured_mesh_files(path));  // their names are checked
+  static_cast<void>(textured_mesh_files(path));  // checks their names
   const fs::path picture = picture_path(path);
   const fs::path materials = materials_path(path);
   const std::string kind = lower_extension(path);

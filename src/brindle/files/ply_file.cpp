@@ -138,14 +138,14 @@ class HeaderReader {
   bool has_format_ = false;
 };
 
-/// The numbers of a PLY file's body, one after the other.
+/// The sequence of numbers in a PLY file's body.
 class Body {
  public:
   Body(InputFile& file, Encoding encoding) : file_(file), encoding_(encoding) {}
 
   bool is_text() const { return encoding_ == Encoding::text; }
 
-  /// In text every row of an element is a line.
+  /// In text files, each row is a line.
   void begin_row() {
     if (!is_text()) return;
     do {
@@ -163,7 +163,7 @@ class Body {
     return number;
   }
 
-  /// Appends the next number as it is.
+  /// Appends the next number in its type.
   void append_number(NumberType kind, std::vector<std::byte>& bytes) {
     with_number_type(kind, [&]<class Number>(Number) {
       const auto number = is_text() ? text_number<Number>(kind) : binary_number<Number>();
@@ -172,7 +172,7 @@ class Body {
     });
   }
 
-  /// A bound of a list's entries: the bytes that are left.
+  /// A bound on a list's length: the bytes that remain.
   double most_entries() const {
     return static_cast<double>(is_text() ? rest_.size() : file_.remaining());
   }
@@ -238,8 +238,8 @@ class Body {
   std::string_view rest_;
 };
 
-/// Names the columns of these properties as components of one array, if there are all and they have
-/// one type.
+/// Names the columns of these properties as components of one array, if all exist and have one
+/// type.
 bool name_components(std::vector<DataArray>& columns, std::span<const std::string_view> properties,
                      const std::string& array) {
   std::vector<DataArray*> found;
@@ -253,7 +253,7 @@ bool name_components(std::vector<DataArray>& columns, std::span<const std::strin
   return true;
 }
 
-/// Drops a column that equals another.
+/// Drops a column that equals another one.
 void drop_copy(std::vector<DataArray>& columns, std::string_view name, std::string_view other) {
   const DataArray* first = find_array(columns, other);
   std::erase_if(columns, [&](const DataArray& column) {
@@ -261,14 +261,14 @@ void drop_copy(std::vector<DataArray>& columns, std::string_view name, std::stri
   });
 }
 
-/// The arrays of the columns that have names.
+/// The arrays of all named columns.
 std::vector<DataArray> arrays_of(std::vector<DataArray> columns) {
   using Names = std::initializer_list<std::string_view>;
   std::erase_if(columns, [](const DataArray& column) { return column.name.empty(); });
   const auto name = [&](Names properties, const char* array) {
     return name_components(columns, std::span(properties.begin(), properties.size()), array);
   };
-  // The format has no names of its own for normals: these are those of other programs.
+  // The format does not define names of normals; these are common.
   for (const auto& names : kNormalNames) {
     if (name_components(columns, names, "normal")) break;
   }
@@ -338,7 +338,7 @@ class PlyReader {
     }
   }
 
-  /// Rejects absurd numbers in the header before memory is allocated for them.
+  /// Rejects impossible numbers in the header before memory is allocated for them.
   void check_size(const Element& element) {
     std::uint64_t smallest_row = body_.is_text() ? 1 : 0;
     for (const Property& p : element.properties) {
@@ -354,7 +354,7 @@ class PlyReader {
     }
   }
 
-  /// An array for every property of the element; without a name for lists and for `others`.
+  /// An array per property of the element; unnamed for lists and for `others`.
   static std::vector<DataArray> columns_of(const Element& element,
                                            std::span<const std::string_view> others) {
     std::vector<DataArray> columns;
@@ -368,8 +368,8 @@ class PlyReader {
     return columns;
   }
 
-  /// Reads every row: numbers into their column if it has a name, all other values by
-  /// `use(property, values)`. Calls `end_row()` after each row.
+  /// Reads all rows: named columns receive their numbers, all other values go to `use(property,
+  /// values)`. Calls `end_row()` after each row.
   template <class Use, class EndRow>
   void read_rows(const Element& element, std::vector<DataArray>& columns, const Use& use,
                  const EndRow& end_row) {
@@ -477,7 +477,7 @@ class PlyReader {
   Body body_;
   MeshBuilder mesh_;
   PiecewiseArrays points_, cells_;
-  Index face_ = 0;  ///< counted over all elements that hold faces
+  Index face_ = 0;  ///< counted over all elements with faces
   std::string left_out_;
   std::vector<double> values_;
   std::vector<Index> corners_;

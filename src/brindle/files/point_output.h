@@ -1,5 +1,5 @@
-/// Points with their arrays in .obj, .csv and binary .ply files. Positions are floats, or doubles
-/// where they have an origin other than zero.
+/// Points with arrays in .obj, .csv and binary .ply files. Positions are floats, or doubles if
+/// their origin is not zero.
 #pragma once
 
 #include <span>
@@ -22,17 +22,16 @@ void write_position(TextOutput& text, char separator, const Vec3& position,
 void write_positions(TextOutput& text, std::string_view keyword, std::span<const Vec3> positions,
                      const Eigen::Vector3d& origin);
 
-/// A name as a CSV file has it: between quotation marks if it must be.
+/// A name in a CSV file, quoted if necessary.
 std::string csv_name(std::string_view name);
 
-/// The names of the arrays' columns, each after a comma, and the numbers of a row. The columns of
+/// Column names of the arrays, each after a comma, and the numbers of a row. The columns of
 /// "normal" are nx, ny, nz.
 void put_csv_names(TextOutput& text, std::span<const DataArray> arrays);
 void put_csv_row(TextOutput& text, std::span<const DataArray> arrays, std::size_t row);
 
-/// The properties of a .ply file's element for arrays of fitting names and types, and the numbers
-/// of a row. The properties of "normal" are nx, ny, nz, of "color" red, green, blue; those of "uv"
-/// are there twice.
+/// Properties of a .ply element for arrays of valid names and types, and the numbers of a row.
+/// "normal" has nx, ny, nz, "color" red, green, blue; those of "uv" are written twice.
 void put_ply_properties(OutputStream& out, std::span<const DataArray> arrays);
 void put_ply_row(BinaryOutput& binary, std::span<const DataArray> arrays, std::size_t row);
 
@@ -43,11 +42,10 @@ struct PlyVertices {
   std::span<const DataArray> arrays;
 };
 
-/// The beginning of a .ply file's header, with a line of comment or none, and the element of its
-/// vertices.
+/// The start of a .ply header, with an optional comment, and the vertex element.
 void write_ply_vertices(OutputStream& out, const std::string& comment, const PlyVertices& vertices);
 
-/// The numbers of all vertices, which come first after the header.
+/// The numbers of all vertices, directly after the header.
 void put_ply_vertices(BinaryOutput& binary, const PlyVertices& vertices);
 
 }  // namespace brindle

@@ -27,18 +27,18 @@ std::size_t point_count(Kinds kinds) {
   return count;
 }
 
-/// The origin of the first kind: all lines lie on one mesh.
+/// The origin of the first kind: all kinds lie on the same mesh.
 Eigen::Vector3d origin_of(Kinds kinds) {
   return kinds.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : kinds[0].lines.origin;
 }
 
-/// A point relative to the origin of all.
+/// A point relative to the common origin.
 Vec3 moved(const Vec3& point, const Polylines& lines, Kinds kinds) {
   if (lines.origin == origin_of(kinds)) return point;
   return (placed(point, lines.origin) - origin_of(kinds)).cast<float>();
 }
 
-/// Calls `use(kind, line, first)` for every line; `first` counts points over all kinds from 0.
+/// Calls `use(kind, line, first)` for each line; `first` counts the points of all kinds.
 template <class Use>
 void for_each_line(Kinds kinds, const Use& use) {
   Index before = 0;
@@ -51,7 +51,7 @@ void for_each_line(Kinds kinds, const Use& use) {
   }
 }
 
-/// The arrays of all kinds in one, in the form of the file.
+/// The arrays of all kinds, joined, in the form of the file.
 using LineArrays = std::vector<DataArray>;
 
 bool same_arrays(const NamedLines& a, const NamedLines& b) {
@@ -96,7 +96,7 @@ void write_obj_lines(OutputStream& out, Kinds kinds) {
   });
 }
 
-/// The points of all kinds, relative to one origin.
+/// The points of all kinds, relative to a common origin.
 struct LinePoints {
   std::vector<Vec3> points;
   DataArray normals;
@@ -183,7 +183,7 @@ void write_csv_lines(OutputStream& out, Kinds kinds, const LineArrays& arrays) {
   });
 }
 
-/// The arrays of all kinds as columns of the file.
+/// The arrays of all kinds as file columns.
 LineArrays line_columns(const std::filesystem::path& path, Kinds kinds) {
   return fitted_columns(path, gathered_arrays(path, kinds), point_count(kinds),
                         {"kind", "curve", "closed", "x", "y", "z", "nx", "ny", "nz", "normal"});

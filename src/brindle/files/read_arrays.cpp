@@ -19,10 +19,10 @@ namespace {
 
 using Columns = std::vector<std::size_t>;
 
-/// Columns whose names differ only after the last ':' or '_', by that ending in small letters.
+/// Columns whose names share everything up to the last ':' or '_', by their ending in lower case.
 using Family = std::map<std::string, std::size_t>;
 
-/// Endings that make one array, in the order of its components.
+/// Endings that make up one array, in the order of its components.
 std::vector<std::vector<std::string>> sets_of_endings(const Family& family) {
   std::vector<std::vector<std::string>> sets = {
       {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"},
@@ -35,14 +35,14 @@ std::vector<std::vector<std::string>> sets_of_endings(const Family& family) {
   const auto counted = std::count_if(family.begin(), family.end(), [](const auto& entry) {
     return parse_integer(entry.first).has_value();
   });
-  // With a gap they are something else.
+  // With a gap they are separate arrays.
   if (numbers.size() > 1 && numbers.size() == static_cast<std::size_t>(counted)) {
     sets.push_back(std::move(numbers));
   }
   return sets;
 }
 
-/// The columns of these endings; empty if one is missing or not of their type.
+/// The columns of these endings; empty if one is missing or has another type.
 Columns columns_with(const Family& family, const std::vector<std::string>& endings,
                      std::span<const DataArray> columns) {
   Columns found;
@@ -73,7 +73,7 @@ DataArray joined(std::string name, std::span<const DataArray> columns, const Col
 }  // namespace
 
 std::vector<DataArray> grouped_columns(std::vector<DataArray> columns) {
-  std::map<std::string, Family> families;  // by the name up to and with the separator
+  std::map<std::string, Family> families;  // by the name up to and including the separator
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const std::string& name = columns[c].name;
     const std::size_t separator = name.find_last_of(":_");
@@ -81,7 +81,7 @@ std::vector<DataArray> grouped_columns(std::vector<DataArray> columns) {
     families[name.substr(0, separator + 1)].try_emplace(small_letters(name.substr(separator + 1)),
                                                         c);
   }
-  std::vector<std::pair<std::size_t, DataArray>> arrays;  // with their first columns
+  std::vector<std::pair<std::size_t, DataArray>> arrays;  // with the index of their first columns
   std::vector<char> taken(columns.size(), 0);
   for (const auto& [name, family] : families) {
     for (const auto& endings : sets_of_endings(family)) {
@@ -107,7 +107,7 @@ void PiecewiseArrays::add(std::vector<DataArray> piece) {
     arrays_ = std::move(piece);
     return;
   }
-  std::map<std::string_view, const DataArray*> others;  // whose names differ, by now
+  std::map<std::string_view, const DataArray*> others;  // their names are distinct by now
   for (const DataArray& array : piece) others.emplace(array.name, &array);
   std::erase_if(arrays_, [&](DataArray& array) {
     const auto next = others.find(array.name);
@@ -138,7 +138,7 @@ std::vector<DataArray> PiecewiseArrays::take(const std::string& of, std::string&
 void make_names_unique(std::vector<DataArray>& arrays) {
   std::set<std::string> taken;
   for (const DataArray& array : arrays) taken.insert(array.name);
-  std::map<std::string, std::size_t> met;  // how often
+  std::map<std::string, std::size_t> met;  // occurrences
   for (DataArray& array : arrays) {
     if (array.name.empty()) array.name = "unnamed";
     const std::string name = array.name;

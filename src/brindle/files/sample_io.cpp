@@ -16,7 +16,7 @@
 namespace brindle {
 namespace {
 
-/// What a file has of samples, in the order of its columns.
+/// The samples' own columns of a file, in their order.
 struct SampleTable {
   std::vector<Vec3> points;
   std::vector<DataArray> arrays;
@@ -48,7 +48,7 @@ SampleTable table_of(std::span<const Sample> samples, std::span<const DataArray>
   return table;
 }
 
-/// Names that other arrays and their columns must not have.
+/// Reserved names of columns.
 std::vector<std::string> own_columns() {
   std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz"};
   for (const DataArray& array : table_of({}, {}).arrays) {

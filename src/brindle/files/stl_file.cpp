@@ -16,7 +16,7 @@ constexpr std::uint64_t kHeaderSize = 84;
 constexpr std::uint64_t kTriangleSize = 50;
 constexpr std::uint64_t kMostTriangles = 0xfffffffe / 3;
 
-/// The number of triangles that a binary file's header promises; 0 if there is no room for one.
+/// The number of triangles in a binary file's header; 0 if the file is too short for one.
 std::uint64_t promised_triangles(const std::filesystem::path& path) {
   InputFile file(path);
   if (file.remaining() < kHeaderSize) return 0;
@@ -25,7 +25,7 @@ std::uint64_t promised_triangles(const std::filesystem::path& path) {
   return count;
 }
 
-/// Takes the last three vertices as a triangle.
+/// Adds the last three vertices as a triangle.
 void add_triangle(const InputFile& file, MeshBuilder& mesh) {
   if (mesh.vertex_count() > 3 * kMostTriangles) {
     file.fail_whole("has more triangles than brindle can number; split it into parts");
@@ -41,7 +41,7 @@ RawMesh read_binary(const std::filesystem::path& path, std::uint64_t triangles,
   MeshBuilder mesh;
   mesh.reserve_vertices(static_cast<std::size_t>(3 * triangles));
   for (std::uint64_t t = 0; t < triangles; ++t) {
-    // A normal, three corners, and two bytes that mean nothing.
+    // A normal, three corners and two unused bytes.
     std::array<float, 12> numbers{};
     std::memcpy(numbers.data(), file.take(kTriangleSize), sizeof numbers);
     for (std::size_t c = 3; c < 12; c += 3) {
@@ -102,7 +102,7 @@ RawMesh read_stl(const std::filesystem::path& path, const Progress& progress) {
   const std::uint64_t triangles = promised_triangles(path);
   const bool whole_binary = size >= kHeaderSize && size >= kHeaderSize + kTriangleSize * triangles;
   const bool starts_as_text = size > 5 && same_letters({file.take(5), 5}, "solid");
-  // Many programs let binary files begin with "solid" too; their size gives them away.
+  // Many binary files start with "solid" too; their size identifies them.
   if (whole_binary && (!starts_as_text || size == kHeaderSize + kTriangleSize * triangles)) {
     if (triangles == 0) file.fail_whole("has no triangles; export it again");
     return read_binary(path, triangles, progress);

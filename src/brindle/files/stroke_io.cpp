@@ -29,7 +29,7 @@ void write_strokes(const fs::path& path, std::span<const FieldStroke> strokes) {
       out << (i > 0 ? "," : "") << "\n  {\"radius\": " << stroke.radius
           << ", \"strength\": " << stroke.strength << ", \"points\": [";
       for (std::size_t k = 0; k < stroke.points.size(); ++k) {
-        const Eigen::Vector3d& p = stroke.points[k];  // -0 would be read as a whole number
+        const Eigen::Vector3d& p = stroke.points[k];  // -0 would be read as an integer
         out << (k > 0 ? "," : "") << "\n    [" << p.x() + 0.0 << ", " << p.y() + 0.0 << ", "
             << p.z() + 0.0 << ']';
       }
@@ -45,7 +45,7 @@ namespace {
 
 using StrokeJson = nlohmann::json;
 
-/// Says where in the file things are as JSON paths: "strokes[2].points[5]".
+/// Names places in the file as JSON paths: "strokes[2].points[5]".
 class StrokeReader {
  public:
   StrokeReader(const fs::path& path, const StrokeJson& json) : path_(path), json_(json) {}
@@ -121,7 +121,7 @@ class StrokeReader {
   const StrokeJson& json_;
 };
 
-/// Without what is the JSON library's own: "parse error at line 3, column 5: ...".
+/// Without the JSON library's prefix: "parse error at line 3, column 5: ...".
 std::string reason_of(const StrokeJson::exception& error) {
   const std::string text = printable(error.what());
   const std::size_t tag = text.find("] ");

@@ -30,8 +30,8 @@ auto with_memory(const fs::path& path, const char* what, const Read& read) {
 constexpr const char* kReadable =
     "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
 
-/// Lets triangles use one of the vertices at one place, and removes the others where they have no
-/// numbers.
+/// Lets triangles use one of the vertices at each position. STL files have no vertex numbers, so
+/// there the others are removed.
 void join(const fs::path& path, LoadedMesh& loaded) {
   std::vector<Index> first = first_at_each_place(loaded.mesh.positions);
   loaded.repair.vertices_joined = join_vertices(loaded.mesh, first);
@@ -44,7 +44,7 @@ void join(const fs::path& path, LoadedMesh& loaded) {
   loaded.vertex_of_row = std::move(first);
 }
 
-/// Drops triangles that cannot be used, with their rows.
+/// Drops unusable triangles and their rows.
 void repair(LoadedMesh& loaded) {
   const std::size_t joined = loaded.repair.vertices_joined, count = loaded.mesh.triangle_count();
   std::vector<Index> kept;
@@ -98,7 +98,7 @@ LoadedMesh mesh_of(const fs::path& path, RawMesh raw) {
   return loaded;
 }
 
-/// The array that the file says are normals, or one that is called so.
+/// The array that the file declares as normals, or one named so.
 const DataArray* normals_of(const RawMesh& raw) {
   for (const std::string& name : {raw.normals, std::string("Normals"), std::string("normal")}) {
     const DataArray* array = find_array(raw.arrays.points, name);
@@ -134,7 +134,7 @@ LoadedPoints read_raw_points(const fs::path& path) {
 struct SurfaceFile::Content {
   fs::path path;
   std::optional<FileElements> elements;
-  std::optional<RawMesh> raw;  ///< of a file that had to be read to know whether it has faces
+  std::optional<RawMesh> raw;  ///< of files that are read to find out whether they have faces
 
   RawMesh take(const Progress& progress) {
     if (!raw) return read_raw_mesh(path, progress);
@@ -168,7 +168,7 @@ bool SurfaceFile::has_faces(const Progress& progress) {
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception&) {
-    content_->elements = FileElements{true, false};  // `mesh` will say why
+    content_->elements = FileElements{true, false};  // `mesh` reports the reason
   }
   return content_->elements->faces;
 }

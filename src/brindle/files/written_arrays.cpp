@@ -62,7 +62,7 @@ bool all_finite(const DataArray& array) {
   return finite;
 }
 
-/// Levels from 0 to 1 as bytes and back.
+/// Levels from 0 to 1, rounded to bytes.
 DataArray colors_as_bytes(const DataArray& color) {
   if (color.type == NumberType::uint8) return color;
   std::vector<std::uint8_t> levels;
@@ -92,14 +92,14 @@ std::string xml_text(std::string_view name) {
   return text;
 }
 
-/// The name with underscores at its end until it is not taken; then it is.
+/// Appends underscores to the name until it is free, and takes it.
 std::string free_name(std::string name, std::vector<std::string>& taken) {
   while (std::find(taken.begin(), taken.end(), name) != taken.end()) name += '_';
   taken.push_back(name);
   return name;
 }
 
-/// Arrays in the form of one file's format, and a line for each that is left out.
+/// Converts arrays to a file format and collects a line for each that is left out.
 class Fitting {
  public:
   Fitting(std::string kind, DataArrays arrays) : kind_(std::move(kind)) {

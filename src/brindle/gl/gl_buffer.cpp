@@ -36,8 +36,8 @@ GlBuffer make_buffer(std::size_t bytes, const void* data, std::string_view what,
   glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, flags);
   if (data == nullptr) {
     glClearNamedBufferData(buffer, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-    // NVIDIA's driver lets glNamedBufferSubData overtake a clear, which then wipes out what was
-    // written (64 KiB and more, driver 580).
+    // NVIDIA's driver 580 lets glNamedBufferSubData of 64 KiB and more overtake a clear, which then
+    // erases the data.
     glFinish();
   }
   check_gl("making room for " + std::string(what) + " (" + std::to_string(bytes) + " bytes)");

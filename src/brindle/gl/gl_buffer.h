@@ -1,4 +1,4 @@
-/// Buffers on the device that OpenGL works on, and what went wrong there.
+/// OpenGL buffers and errors.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,12 @@ namespace brindle {
 /// A limit of the current context, such as GL_MAX_TEXTURE_SIZE.
 GLint gl_limit(GLenum name);
 
-/// Throws Error with OpenGL's complaint about what was done since the last call; `job` says what
-/// that was.
+/// Throws Error with OpenGL's error since the last call; `job` describes the work in between.
 void check_gl(const std::string& job);
 
-/// A buffer of `bytes` bytes that shaders can read and write, a copy of `data` or, without that,
-/// zeros; none for no bytes. `flags` are those of glNamedBufferStorage. Throws Error, naming `what`
-/// the buffer holds, if it is larger than shaders of this driver can see or OpenGL is out of
-/// memory.
+/// A buffer of `bytes` bytes for shaders, a copy of `data` or zeros; none for 0 bytes. `flags` are
+/// those of glNamedBufferStorage. Throws Error with `what`, its content, if it exceeds the driver's
+/// limit or OpenGL is out of memory.
 GlBuffer make_buffer(std::size_t bytes, const void* data, std::string_view what,
                      GLbitfield flags = 0);
 

@@ -31,7 +31,7 @@ GlDevice gl_device() {
     glGetInteger64v(limit, values.data());
     device.limits.emplace_back(name, values[0]);
   }
-  if (epoxy_gl_version() < 43) return device;  // has no compute shaders
+  if (epoxy_gl_version() < 43) return device;  // no compute shaders
   GLint groups = 0;
   glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &groups);
   device.limits.emplace_back("max_compute_work_group_count", groups);

@@ -1,4 +1,4 @@
-/// Owners of OpenGL objects, and of places in the device's work.
+/// Owners of OpenGL objects and fences.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace brindle {
 
-/// Owns the name of an OpenGL object; 0 is none. `Delete` frees one.
+/// Owns an OpenGL object name; 0 is none. `Delete` frees one.
 template <void (*Delete)(GLuint)>
 class GlName {
  public:
@@ -37,15 +37,14 @@ using GlTexture = GlName<delete_texture>;
 using GlFramebuffer = GlName<delete_framebuffer>;
 using GlVertexArray = GlName<delete_vertex_array>;
 
-/// A vertex array without attributes: what to bind where shaders fetch all they need from buffers.
+/// A vertex array without attributes, for shaders that read buffers only.
 inline GlVertexArray no_vertex_attributes() {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   return GlVertexArray(name);
 }
 
-/// A place in the device's work that the processor can wait for. Must be set, awaited and destroyed
-/// in the same context, or one that shares its objects.
+/// A fence that the host can wait for. Use it in one context, or in contexts that share objects.
 class GlFence {
  public:
   GlFence() = default;
@@ -56,12 +55,12 @@ class GlFence {
   }
   ~GlFence() { glDeleteSync(name_); }
 
-  /// After all that was asked of the device so far.
+  /// Signals after all commands issued so far.
   void set() { *this = GlFence(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)); }
 
-  /// Waits until the device has come there; not at all if it was never set, or awaited before.
+  /// Waits for the signal; returns at once if never set, or already awaited.
   void await() {
-    constexpr GLuint64 kPatience = 10'000'000'000;  // nanoseconds between two looks
+    constexpr GLuint64 kPatience = 10'000'000'000;  // nanoseconds per wait
     while (name_ &&
            glClientWaitSync(name_, GL_SYNC_FLUSH_COMMANDS_BIT, kPatience) == GL_TIMEOUT_EXPIRED) {
     }

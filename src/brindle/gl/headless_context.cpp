@@ -15,8 +15,8 @@
 
 namespace brindle {
 
-/// Displays are shared by the whole process and stay initialised: to terminate one would take it
-/// from every other context.
+/// EGL displays are shared by the whole process and stay initialized: terminating one would break
+/// other contexts.
 struct HeadlessContext::State {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
@@ -50,7 +50,7 @@ bool has_extension(const char* list, const char* name) {
   return list != nullptr && std::strstr(list, name) != nullptr;
 }
 
-/// Software devices come after the surfaceless platform, which may know a better one.
+/// Software devices come after the surfaceless platform, which may offer a better one.
 std::vector<Candidate> candidate_displays(const char* client_extensions) {
   std::vector<Candidate> hardware;
   std::vector<Candidate> software;
@@ -103,7 +103,7 @@ std::string egl_failure(const char* step) {
   return std::string(step) + " failed (EGL error " + code.data() + ")";
 }
 
-/// Which OpenGL a display has that has no 4.5: ", it has ..." or nothing.
+/// The version of a display without 4.5: ", it has ..." or "".
 std::string older_version(EGLDisplay display) {
   EGLContext context = create_context(display, 3, 2);
   if (context == EGL_NO_CONTEXT) return "";
@@ -150,7 +150,7 @@ void GLAPIENTRY collect_error(GLenum, GLenum type, GLuint, GLenum severity, GLsi
 }  // namespace
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
-  // libepoxy would end the program where there is no EGL.
+  // Without EGL, libepoxy would end the program.
   if (!system::load_library("libEGL.so.1")) {
     throw Error(std::string("there is no EGL on this system; ") + kRemedy);
   }

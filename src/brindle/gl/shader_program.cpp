@@ -22,14 +22,14 @@ std::string log_of(GLuint object, decltype(glGetShaderiv) get, decltype(glGetSha
   return log;
 }
 
-/// Where a driver's message says that the fault is, and how many letters it takes to say so.
+/// The position of an error in a driver's message, and the length of its text.
 struct Place {
   std::size_t source;
   std::size_t line;
   std::size_t length;
 };
 
-/// Reads "ERROR: 0:12", "0:12(3)" or "0(12)" at the start of a message.
+/// Parses "ERROR: 0:12", "0:12(3)" or "0(12)" at the start of a message.
 std::optional<Place> place_of(std::string_view message) {
   constexpr std::string_view kError = "ERROR: ";
   Place place{};
@@ -72,7 +72,7 @@ GLuint linked(std::initializer_list<GLuint> shaders, std::string_view main_file)
   const GLuint name = glCreateProgram();
   for (const GLuint shader : shaders) {
     glAttachShader(name, shader);
-    glDeleteShader(shader);  // as soon as the program lets it go
+    glDeleteShader(shader);  // deleted together with the program
   }
   glLinkProgram(name);
   GLint success = 0;

@@ -11,10 +11,10 @@
 
 namespace brindle {
 
-/// The text of a file in any room's shaders/; empty if there is none of that name.
+/// The text of a file in any module's shaders/; empty for an unknown name.
 std::string_view shader_text(std::string_view name);
 
-/// A part of a shader: an embedded file, or a text of its own with a name for messages.
+/// A part of a shader: an embedded file, or another text with a name for messages.
 struct ShaderSource {
   ShaderSource(const char* file)
       : name(file), text(shader_text(file)) {}  // NOLINT(google-explicit-constructor)
@@ -32,8 +32,8 @@ using ShaderSources = std::vector<ShaderSource>;
 /// OpenGL 4.5 context.
 class ShaderProgram {
  public:
-  /// Each shader is its sources one after the other.
-  /// Throws Error with the driver's message, naming file and line, if they do not compile or link.
+  /// Concatenates the sources of each shader. Throws Error with the driver's message, file and
+  /// line, if compiling or linking fails.
   ShaderProgram(const ShaderSources& vertex, const ShaderSources& fragment);
   /// A compute shader. Throws as the constructor does.
   static ShaderProgram compute(const ShaderSources& sources);
@@ -43,7 +43,7 @@ class ShaderProgram {
 
   unsigned name() const { return name_; }
 
-  /// Sets a uniform; names that the program does not use are ignored.
+  /// Sets a uniform; ignores names that the program does not use.
   void set(const char* uniform, bool value) const;
   void set(const char* uniform, int value) const;
   void set(const char* uniform, float value) const;
@@ -59,16 +59,16 @@ class ShaderProgram {
   unsigned name_;
 };
 
-/// A file of a shader and how many lines it has.
+/// A file of a shader and its number of lines.
 struct ShaderFile {
   std::string_view name;
   std::size_t line_count;
 };
 
-/// Puts file names into a driver's log, which counts lines through all files after the first line
-/// of all, #version: "0:12(3): error" (Mesa) and "0(12) : error" (NVIDIA) begin with
-/// "waves.glsl:11" if that is the first file. (#line would number files, but Mesa forgets that
-/// number once a line has been parsed.)
+/// Replaces line numbers in a driver's log by file names and lines. Lines count through all files,
+/// after #version as the first one: "0:12(3): error" (Mesa) and "0(12) : error" (NVIDIA) become
+/// "waves.glsl:11" if that is the first file. (#line could number files, but Mesa forgets the
+/// number after parsing a line.)
 std::string with_file_names(std::string_view log, std::span<const ShaderFile> files);
 
 }  // namespace brindle

@@ -20,7 +20,7 @@
 namespace brindle {
 namespace {
 
-/// Bindings of kernels beside those of the levels.
+/// Bindings of kernels in addition to those of the levels.
 enum Binding : unsigned {
   kPositions = 1,
   kDirections = 2,
@@ -42,11 +42,11 @@ constexpr GLint kLambda = 0;                               // of couple
 constexpr GLint kTrapezoid = 1;                            // of couple
 constexpr GLint kLinked = 2;                               // of couple
 
-/// One list of the caller's input on both sides.
+/// One list of the caller's input, on host and device.
 template <class Item>
 struct InputList {
-  std::vector<Item> kept;  ///< of the last frame that came to its end
-  bool differs = true;     ///< the list compared last from what is kept
+  std::vector<Item> kept;  ///< of the last completed frame
+  bool differs = true;     ///< whether the last compared list differs from `kept`
   GlBuffer buffer;
   bool buffer_is_kept = false;
 
@@ -54,7 +54,7 @@ struct InputList {
     differs = !std::equal(now.begin(), now.end(), kept.begin(), kept.end());
     return differs;
   }
-  /// Copies to the device what is not there yet.
+  /// Uploads changes.
   void upload(std::span<const Item> now, const char* what) {
     if (buffer_is_kept && !differs) return;
     buffer_is_kept = false;
@@ -74,8 +74,8 @@ struct InputList {
 struct Input {
   InputList<Vec3> positions, directions;
   InputList<float> frequencies;
-  bool is_last = false;  ///< whether the last frame was solved from what is kept
-  GlFence read;          ///< when the last frame has read the buffers
+  bool is_last = false;  ///< whether `kept` is the input of the last frame
+  GlFence read;          ///< signalled after the last frame has read the buffers
 
   /// Whether the input differs from that of the last frame.
   bool compare(const FrameInput& now) {
@@ -85,7 +85,7 @@ struct Input {
     return differs || !is_last;
   }
   WaveBuffers upload(const FrameInput& now) {
-    // NVIDIA's driver lets small writes overtake a shader that still has to read what was there.
+    // NVIDIA's driver lets small writes overtake shaders that still read the old content.
     read.await();
     positions.upload(now.positions, "positions");
     directions.upload(now.directions, "directions");
@@ -112,27 +112,28 @@ std::vector<Item> read_buffer(GLuint buffer, std::size_t count) {
 struct GpuAnimator::State {
   std::shared_ptr<const GpuKernels> kernels;
   std::shared_ptr<const Adjacency> neighborhood;
-  std::shared_ptr<const Adjacency> coupled;  ///< with links over creases; else the same
+  std::shared_ptr<const Adjacency> coupled;  ///< with links across creases, if any
   AnimatorOptions options;
   double topology_milliseconds = 0;
 
-  std::shared_ptr<const GpuTopology> topology;  ///< none before the first frame
+  std::shared_ptr<const GpuTopology> topology;  ///< null before the first frame
   std::optional<GpuHierarchy> hierarchy;
-  std::optional<GpuRelaxation> relaxation;  ///< the paper's mode alone
+  std::optional<GpuRelaxation> relaxation;  ///< for the relaxation solver only
   std::optional<GpuMeasure> measure;
   GlBuffer waves, last_z, z_by_node;  ///< of the last frame
-  GlBuffer next_waves;                ///< of the frame that is solved
-  GlBuffer turned_z;                  ///< the last phases, turned with its directions
-  std::vector<Complex> given_z;       ///< what the next frame follows instead, by node; or empty
-  GlBuffer given;                     ///< the same
+  GlBuffer next_waves;                ///< of the present frame
+  GlBuffer turned_z;                  ///< the last phases, turned with their directions
+  std::vector<Complex>
+      given_z;     ///< phases that the next frame continues instead, by node; or empty
+  GlBuffer given;  ///< on the device
   Input input;
   FrameFrequencies yielding;
   RestNormals in_place;
-  bool linked = false;      ///< whether there are links over creases
-  MovingNormals moving;     ///< for these
-  GlBuffer normals;         ///< for these, by node
-  bool has_frame = false;   ///< whether a frame has come to its end
-  bool is_sibling = false;  ///< whether the topology was there before
+  bool linked = false;      ///< whether there are links across creases
+  MovingNormals moving;     ///< for links
+  GlBuffer normals;         ///< for links, by node
+  bool has_frame = false;   ///< whether a frame has been completed
+  bool is_sibling = false;  ///< whether the topology is shared
   bool has_last = false;
   bool forgets_momenta = false;  ///< before the next frame
 
@@ -158,7 +159,7 @@ struct GpuAnimator::State {
 
 namespace {
 
-/// The hierarchy of the first frame, on which all later ones are solved: that of StripeAnimator.
+/// The hierarchy of the first frame, used by all later ones, as in StripeAnimator.
 Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
                           std::span<const Vec3> normals, PhaseShiftKind kind,
                           const Progress& progress) {
@@ -269,7 +270,7 @@ void GpuAnimator::State::solve(const Progress& progress) {
   timer.stage("relaxation");
 }
 
-/// Makes the frame just solved the last one.
+/// Makes the solved frame the last one.
 void GpuAnimator::State::keep() {
   if (measures) take_measure();
   hierarchy->bind();
@@ -285,14 +286,14 @@ void GpuAnimator::State::keep() {
   ++frames;
 }
 
-/// Undoes a frame that failed or was cancelled. Before `keep`, nothing of the last frame is
-/// overwritten on the device.
+/// Restores the state before a frame that failed or was cancelled. Before `keep`, no data of the
+/// last frame are overwritten.
 void GpuAnimator::State::take_back() {
   if (has_frame) return;
   hierarchy.reset();
   relaxation.reset();
   measure.reset();
-  // Aggregates follow the couplings of the first frame that comes to its end.
+  // Aggregates are those of the first completed frame.
   if (!is_sibling) topology = nullptr;
 }
 
@@ -384,14 +385,14 @@ void GpuAnimator::frame(const WaveBuffers& input, const Progress& progress) {
   });
 }
 
-/// Solves from the buffers that `prepare` hands over.
+/// Solves from the buffers that `prepare` provides.
 template <class Prepare>
 void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
   State& s = *state_;
   const std::size_t before = dispatch_count();
   try {
     const WaveBuffers input = prepare();
-    // The caller's shaders may have written there.
+    // The caller's shaders may have written to them.
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     s.load_waves(input);
     s.timer.stage("load");

@@ -15,7 +15,7 @@ namespace {
 enum Location : GLint { kLevel = 0, kSlices = 1, kWorkCount = 2, kOverRelaxation = 3 };
 enum SmallLocation : GLint { kFirstLevel = 0, kRenewsGauges = 1, kStart = 1 };
 
-/// Invocations that share a row (kParts of shaders/gauge.glsl).
+/// Invocations per row (kParts of shaders/gauge.glsl).
 constexpr std::size_t kPartsOfRow = 8;
 
 /// `Row` of shaders/couplings.glsl.
@@ -31,13 +31,13 @@ void overwrite(const GlBuffer& buffer, const std::vector<Item>& items) {
                        items.data());
 }
 
-/// A buffer of so many times the same complex number.
+/// A buffer filled with a complex number.
 GlBuffer buffer_filled_with(Complex value, std::size_t count, const char* what) {
   const std::vector<Complex> values(count, value);
   return make_buffer(count * sizeof(Complex), values.data(), what, GL_DYNAMIC_STORAGE_BIT);
 }
 
-/// The rows of a level, and its B where there are any.
+/// The rows of a level, with its matrix B if it has one.
 struct UploadedRows {
   std::vector<Row> rows;
   std::vector<Complex> reflecting;
@@ -113,7 +113,7 @@ void GpuHierarchy::solve(StageTimer* timer) const {
 
 void GpuHierarchy::run_cycles(int cycles, const Progress& progress) const {
   if (cycles == 0) return;
-  // Gauges of references are not renewed in the next solution: they have to be 1 again, even if
+  // Gauges of references are not recomputed by the next solve, so they are reset to 1 even if
   // cycles end early.
   struct Reset {
     const GpuHierarchy& hierarchy;

@@ -1,4 +1,4 @@
-/// The multilevel solver on the device (twin: phases/hierarchy.h, phases/multilevel.h).
+/// The multilevel solver on the device (twin of phases/hierarchy.h and phases/multilevel.h).
 #pragma once
 
 #include <memory>
@@ -12,31 +12,31 @@
 
 namespace brindle {
 
-/// Couplings, gauges and phases of all levels in buffers.
+/// Buffers of couplings, gauges and phases of all levels.
 class GpuHierarchy {
  public:
-  /// Throws Error if a buffer is larger than the driver's, or OpenGL is out of memory.
+  /// Throws Error if a buffer exceeds the driver's limit or OpenGL is out of memory.
   GpuHierarchy(std::shared_ptr<const GpuKernels> kernels,
                std::shared_ptr<const GpuTopology> topology);
 
-  /// Copies couplings and anchors of the finest level; `layout` is that of the topology.
+  /// Uploads couplings and anchors of the finest level; `layout` is that of the topology.
   void upload(const SlicedLayout& layout, const SlicedCouplings& couplings);
 
-  /// Copies phases of the finest level, one a slot.
+  /// Uploads phases of the finest level, one per slot.
   void upload_phases(std::span<const Complex> z);
 
-  /// Renews all gauges and sums from the couplings of the finest level and descends to it
+  /// Recomputes all gauges and sums from the couplings of the finest level and descends to it
   /// (`renew`, then `descend`). Stages: "sums", "small levels", "sweeps".
   void solve(StageTimer* timer = nullptr) const;
 
-  /// So many further descents, each from the phases that the finest level has (twin: `run_cycles`
-  /// of phases/multilevel.h). Throws Cancelled if `progress` asks for it.
+  /// Further descents, each from the phases of the finest level (twin of `run_cycles` of
+  /// phases/multilevel.h). Throws Cancelled.
   void run_cycles(int cycles, const Progress& progress) const;
 
   /// Binds all buffers of the levels.
   void bind() const;
 
-  /// The phases of the finest level as they stand, by slot. Waits for the device.
+  /// The present phases of the finest level, by slot. Waits for the device.
   std::vector<Complex> read_phases() const;
 
   const GpuKernels& kernels() const { return *kernels_; }
@@ -44,7 +44,7 @@ class GpuHierarchy {
   std::shared_ptr<const GpuTopology> shared_topology() const { return topology_; }
   std::shared_ptr<const GpuKernels> shared_kernels() const { return kernels_; }
 
-  /// Names of the buffers that other kernels bind in other places.
+  /// Buffer names, for kernels with other bindings.
   GLuint phases() const { return z_; }
 
  private:
@@ -63,7 +63,7 @@ class GpuHierarchy {
   GlBuffer direct_, reflecting_, rows_, gauges_, gauged_, z_;
 };
 
-/// Sets where `sweep` and `relax` work.
+/// Sets the colour of `sweep` and `relax`.
 void set_color(const ShaderProgram& kernel, const GpuTopology::Color& color);
 
 }  // namespace brindle

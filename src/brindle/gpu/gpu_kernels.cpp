@@ -7,16 +7,16 @@
 namespace brindle {
 namespace {
 
-/// Every device takes so many groups in one dimension.
+/// The limit of groups per dimension that every device supports.
 constexpr std::size_t kMostGroups = 65535;
 
-/// For shaders whose invocations read couplings and gauges that others of them wrote.
+/// For shaders whose invocations read couplings and gauges written by others.
 constexpr const char* kCoherent = "#define BETWEEN_INVOCATIONS coherent restrict\n";
 constexpr const char* kPhasesInGroup = "#define PHASES_IN_GROUP\n";
 
 thread_local std::size_t dispatches = 0;
 
-/// A kernel with one or several invocations for every slot of a level.
+/// A kernel with one or several invocations per slot of a level.
 ShaderProgram kernel(const ShaderSources& sources) {
   ShaderSources all{"invocation.glsl", "complex.glsl", "levels.glsl"};
   all.insert(all.end(), sources.begin(), sources.end());

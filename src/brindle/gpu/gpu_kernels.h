@@ -8,8 +8,8 @@
 
 namespace brindle {
 
-/// Where buffers are bound (shaders/levels.glsl, couplings.glsl and so on). A shader sees no more
-/// than eight, as many as every device has: some places have several uses.
+/// Bindings of buffers (shaders/levels.glsl, couplings.glsl and so on). Shaders use at most eight,
+/// which every device supports, so that some bindings are reused.
 enum GpuBinding : unsigned {
   kTopologyBinding,
   kNeighborBinding,
@@ -21,11 +21,11 @@ enum GpuBinding : unsigned {
   kScratchBinding
 };
 
-/// Compiled once for all that is solved in a context. Each member runs the file of its name.
+/// Compiled once per context. Each member runs the file of its name.
 struct GpuKernels {
-  /// Compiles in the OpenGL 4.5 context that is current; that or one that shares its objects must
-  /// be current whenever the kernels are used or destroyed. Throws Error, naming shader file and
-  /// line, if the driver does not take one.
+  /// Compiles in the current OpenGL 4.5 context; that or one that shares its objects must be
+  /// current when the kernels are used or destroyed. Throws Error with shader file and line if the
+  /// driver rejects one.
   GpuKernels();
 
   ShaderProgram load_waves;
@@ -46,11 +46,11 @@ struct GpuKernels {
   ShaderProgram measure;
   ShaderProgram sum_parts;
 
-  /// Invocations of a group, except in shaders that run as one group.
+  /// Invocations per group, except in shaders with a single group.
   static constexpr std::size_t kGroupSize = 64;
 };
 
-/// The groups of a dispatch: as many as one dimension takes, then a second one.
+/// The groups of a dispatch, in two dimensions if one is too small.
 struct GpuGroups {
   unsigned x, y;
 
@@ -58,14 +58,14 @@ struct GpuGroups {
   std::size_t count() const { return std::size_t{x} * y; }
 };
 
-/// Runs a kernel with at least so many invocations; what it writes is seen by all that follows.
-/// `dispatch_one_group` runs a kernel that is one group, `dispatch_indirect` as many groups as
-/// `commands` holds at a place.
+/// Run a kernel, with a barrier for its writes: `dispatch` with at least `invocations` invocations,
+/// `dispatch_one_group` with one group, `dispatch_indirect` with the number of groups at a position
+/// of `commands`.
 void dispatch(const ShaderProgram& kernel, std::size_t invocations);
 void dispatch_one_group(const ShaderProgram& kernel);
 void dispatch_indirect(const ShaderProgram& kernel, unsigned commands, std::size_t place);
 
-/// How often these were called so far, on this thread.
+/// The number of dispatches so far, on this thread.
 std::size_t dispatch_count();
 
 /// Binds a buffer by its name.

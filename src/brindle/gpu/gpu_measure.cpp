@@ -20,7 +20,7 @@ using Sums = std::array<float, 4>;  // energy, weight, angle, count
 
 }  // namespace
 
-/// Results lie in memory that both sides see; a fence tells when one has been written.
+/// Results are in persistently mapped memory; a fence signals that one has been written.
 struct GpuMeasure::State {
   std::size_t part_count;
   GlBuffer parts, results;

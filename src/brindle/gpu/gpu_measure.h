@@ -1,4 +1,4 @@
-/// The energy and the step of phases, measured on the device.
+/// Measures the energy and the change of phases on the device.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,10 @@ namespace brindle {
 struct PhaseMeasure {
   double energy = 0;      ///< as `energy()` of phase_graph.h defines it
   double weight = 0;      ///< sum of all weights
-  double phase_step = 0;  ///< mean |angle| against the last phases, radians, over nodes with a wave
+  double phase_step = 0;  ///< mean |angle| to the last phases, radians, over nodes with a wave
 };
 
-/// Reduces on the device. The result is read later, so that the frame that is measured does not
-/// wait.
+/// Reduces on the device. The result is read later, so that the frame does not wait.
 class GpuMeasure {
  public:
   /// For hierarchies with the topology of `hierarchy`.
@@ -23,12 +22,11 @@ class GpuMeasure {
   ~GpuMeasure();
   GpuMeasure(GpuMeasure&&) noexcept;
 
-  /// Begins to measure the finest level of `hierarchy` against `last_phases` (a buffer, by slot).
-  /// At most two measurements may be under way.
+  /// Starts measuring the finest level of `hierarchy` against `last_phases` (a buffer, by slot). At
+  /// most two measurements may be pending.
   void begin(const GpuHierarchy& hierarchy, GLuint last_phases);
 
-  /// The oldest measurement under way; waits for the device if that has not finished. Nothing if
-  /// none is.
+  /// The oldest pending measurement, waiting for the device if necessary; empty if none is pending.
   std::optional<PhaseMeasure> end();
 
  private:

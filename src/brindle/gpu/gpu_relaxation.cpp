@@ -15,7 +15,7 @@ constexpr unsigned kCommandBinding = 1;
 constexpr unsigned kMomentumBinding = kGaugeBinding;
 constexpr unsigned kPartBinding = kScratchBinding;
 
-/// Bindings of follow_phases.comp beside those of the levels.
+/// Bindings of follow_phases.comp in addition to those of the levels.
 enum FollowBinding : unsigned { kFollowedWaves = 1, kFollowedLastWaves = 2, kFollowedPhases = 3 };
 
 /// Uniform locations of relax.comp and judge_iteration.comp.

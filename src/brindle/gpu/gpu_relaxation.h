@@ -1,4 +1,4 @@
-/// The paper's local optimisation on the device (twin: phases/relaxation.h).
+/// The paper's local optimization on the device (twin of phases/relaxation.h).
 #pragma once
 
 #include <memory>
@@ -9,47 +9,46 @@
 
 namespace brindle {
 
-/// Iterations over the colours of the finest level of a hierarchy, and what they carry from one to
-/// the next.
+/// Iterations over the colours of the finest level of a hierarchy, with momenta.
 class GpuRelaxation {
  public:
   /// For hierarchies with the topology of `hierarchy`; `strength` is s_m of Eq. 11.
   GpuRelaxation(const GpuHierarchy& hierarchy, float strength);
 
-  /// Forgets the momenta.
+  /// Sets the momenta to zero.
   void clear() const;
 
-  /// Lets iterations go on at these phases by slot, and momenta from the last waves to these ones.
-  /// All are names of buffers.
+  /// Continues from these phases by slot, with momenta transported from the last waves to these.
+  /// All are buffer names.
   void follow(const GpuHierarchy& hierarchy, unsigned phases, unsigned last_waves,
               unsigned waves) const;
 
-  /// One iteration over the first `colors` colours, a dispatch each; does nothing once `judge` has
-  /// found convergence.
+  /// One iteration over the first `colors` colours, with a dispatch each; does nothing after
+  /// `judge` has found convergence.
   void iterate(const GpuHierarchy& hierarchy, std::size_t colors) const;
 
-  /// Where iterations stand.
+  /// The state of the iterations.
   struct Standing {
     std::uint32_t iterations = 0;
     std::uint32_t converged = 0;
     float weight = 0;  ///< sum of all weights
   };
 
-  /// Begins to count iterations and to note energies, from `energy` (as `energy()` of phase_graph.h
-  /// defines it) and for so many iterations at most.
+  /// Starts counting iterations and recording energies, from `energy` (defined in phase_graph.h)
+  /// and for at most `max_iterations`.
   void begin(double energy, double weight, int max_iterations);
 
-  /// Notes the energy after an iteration over `colors` colours, and whether its relative
-  /// improvement was below `epsilon`. The device does both, without waiting for the processor.
+  /// Records, on the device, the energy after an iteration over `colors` colours, and whether its
+  /// relative improvement is below `epsilon`.
   void judge(const GpuHierarchy& hierarchy, std::size_t colors, float epsilon) const;
 
-  /// The notes since `begin`. Both wait for the device.
+  /// The records since `begin`. Both functions wait for the device.
   Standing standing() const;
   std::vector<float> energies() const;  ///< before the first iteration and after each one
 
  private:
   float strength_;
-  std::vector<std::uint32_t> first_part_;  ///< of every colour, and their count
+  std::vector<std::uint32_t> first_part_;  ///< of every colour, and their number
   GlBuffer momenta_, parts_, commands_, relaxation_;
 };
 

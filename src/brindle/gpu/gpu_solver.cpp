@@ -17,7 +17,7 @@
 namespace brindle {
 namespace {
 
-/// Iterations between two checks for convergence, which wait for the device.
+/// Iterations between two convergence checks, which wait for the device.
 constexpr int kIterationBatch = 8;
 
 PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const PhaseGraph& graph,
@@ -44,7 +44,7 @@ PhaseSolution solve_multilevel(std::shared_ptr<const GpuKernels> kernels, const 
   return solution;
 }
 
-/// Iterates until convergence; the device is asked every few iterations.
+/// Iterates until convergence, with a check every few iterations.
 void relax_to_convergence(const GpuHierarchy& hierarchy, const GpuRelaxation& relaxation,
                           const SolverOptions& options, const Progress& progress) {
   const std::size_t all = hierarchy.topology().colors(0).size();

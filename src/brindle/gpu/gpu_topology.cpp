@@ -12,7 +12,7 @@
 namespace brindle {
 namespace {
 
-/// Adds to the words of a FlatHierarchy; returns where what is added begins.
+/// Appends to the words of a FlatHierarchy; returns the position of the appended list.
 class Words {
  public:
   explicit Words(std::vector<std::uint32_t>& words) : words_(words) {}
@@ -26,7 +26,7 @@ class Words {
     return begin;
   }
 
-  /// Room for words that are only known when later ones stand.
+  /// Reserves words that are filled in later.
   std::uint32_t leave(std::size_t count) {
     const std::uint32_t begin = next();
     words_.resize(words_.size() + count);
@@ -40,8 +40,8 @@ class Words {
   std::vector<std::uint32_t>& words_;
 };
 
-/// For every colour the list of its slices, three words each: its number, its first column and the
-/// end of its columns.
+/// For every colour, the list of its slices with three words each: number, first column and end of
+/// columns.
 void append_colors(Words& words, const SlicedLayout& layout, FlatLevel& level) {
   level.color_count = layout.color_count();
   level.color_begin = words.leave(std::size_t{level.color_count} + 1);
@@ -58,7 +58,7 @@ void append_colors(Words& words, const SlicedLayout& layout, FlatLevel& level) {
   words.set(level.color_begin + level.color_count, words.next());
 }
 
-/// For every slot the entries that its gauge depends on, in the order of the rounds.
+/// For every slot, the entries that its gauge depends on, in round order.
 std::vector<std::vector<Index>> gauge_entries(const LevelTopology& topology) {
   std::vector<std::vector<Index>> entries(topology.layout->slot_count());
   const GaugeSchedule& rounds = topology.aggregation->gauges;
@@ -73,8 +73,8 @@ std::vector<std::vector<Index>> gauge_entries(const LevelTopology& topology) {
   return entries;
 }
 
-/// Members of all aggregates, two words each: the slot, and where the list of entries that its
-/// gauge depends on begins, each with its neighbour. The next member's begin is its end.
+/// Members of all aggregates with two words each: the slot, and the start of the list of entries,
+/// with neighbours, that its gauge depends on. The list ends where the next member's starts.
 void append_members(Words& words, const LevelTopology& topology, FlatLevel& level) {
   const Aggregation& aggregation = *topology.aggregation;
   const std::uint32_t members =
@@ -98,8 +98,7 @@ void append_members(Words& words, const LevelTopology& topology, FlatLevel& leve
   level.gauge_entry_count = (words.next() - (end + 2)) / 2;
 }
 
-/// The rounds name fine entries here: all couplings are brought into their gauges before sums
-/// begin.
+/// Here, rounds refer to fine entries: all couplings are gauged before sums begin.
 void append_sources(Words& words, const LevelTopology& topology, const SlicedLayout& coarse,
                     FlatLevel& level) {
   const SumSchedule& sources = topology.aggregation->sources;
@@ -117,7 +116,7 @@ void append_sources(Words& words, const LevelTopology& topology, const SlicedLay
       words.append(sources.round_begin, [&](Index round) { return rounds + round * kLanes; });
 }
 
-/// `nowhere` is the slot that means no aggregate.
+/// `nowhere` is the slot for no aggregate.
 void append_aggregation(Words& words, const LevelTopology& topology, const SlicedLayout& coarse,
                         std::uint32_t nowhere, FlatLevel& level) {
   const std::uint32_t next_slot = level.first_slot + level.slot_count;
@@ -128,8 +127,7 @@ void append_aggregation(Words& words, const LevelTopology& topology, const Slice
   append_sources(words, topology, coarse, level);
 }
 
-/// Words grow beyond what they can number only with more memory than any device has, but wrong
-/// numbers would be silent.
+/// An overflow would need more memory than any device has, but would be silent.
 void check_counts(std::size_t topology_words, std::size_t entries, std::size_t levels) {
   if (levels > FlatHierarchy::kMostLevels) {
     throw Error("this mesh has " + std::to_string(levels) +
@@ -175,8 +173,8 @@ FlatHierarchy flatten(std::span<const LevelTopology> levels, SweepPlan plan) {
 
 namespace {
 
-/// Sums of levels with fewer slots are made by one group: for larger ones a dispatch a step takes
-/// less time (docs/gpu.md).
+/// Levels with fewer slots sum in one group; for larger ones, a dispatch per step is faster
+/// (docs/gpu.md).
 constexpr Index kSmallSums = 1024;
 
 /// The uniform block `Levels` of shaders/levels.glsl.

@@ -9,7 +9,7 @@
 namespace brindle {
 namespace {
 
-// Bytes of one item of each kind (shaders/levels.glsl, couplings.glsl).
+// Bytes per item (shaders/levels.glsl, couplings.glsl).
 constexpr std::size_t kWord = 4, kNumber = 8, kRow = 16, kWave = 32, kVertexInput = 28;
 
 std::size_t entries_of(const GpuTopology& topology, std::size_t l) {

@@ -1,4 +1,4 @@
-/// What each stage of a frame takes on the device: time, and bytes that are moved.
+/// Device time and memory traffic of the stages of a frame.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@ namespace brindle {
 
 class GpuTopology;
 
-/// Timestamps between stages, taken on the device by OpenGL's timer queries.
+/// Timestamps between stages by OpenGL's timer queries.
 class StageTimer {
  public:
   StageTimer() = default;
@@ -19,14 +19,13 @@ class StageTimer {
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
 
-  /// Forgets the last stages; the first one begins here.
+  /// Discards the last stages and starts the first one.
   void start();
 
-  /// The stage that ends here; `name` must outlive the timer.
+  /// Ends a stage; `name` must outlive the timer.
   void stage(std::string_view name);
 
-  /// All stages since `start`, those of one name together, in the order of their first. Waits for
-  /// the device.
+  /// The times since `start`, summed by name in order of first occurrence. Waits for the device.
   std::vector<StageTime> milliseconds() const;
 
  private:
@@ -36,9 +35,9 @@ class StageTimer {
   std::vector<std::string_view> names_;
 };
 
-/// Bytes read and written by the stages of a multilevel frame with anchors if every pass over a
-/// level (a sweep is one) reads and writes each item once: gathers that miss the caches come on
-/// top, levels that fit into them stay below.
+/// Bytes read and written by the stages of a multilevel frame with anchors, if every pass over a
+/// level, such as a sweep, reads and writes each item once. Cache misses of gathers add to this;
+/// levels that fit into caches stay below.
 std::vector<StageBytes> frame_traffic(const GpuTopology& topology);
 
 }  // namespace brindle

@@ -15,8 +15,8 @@
 namespace brindle {
 namespace {
 
-constexpr double kFieldOfViewDeg = 28;  ///< of the longer side: calm perspective
-constexpr double kMargin = 0.05;        ///< of half a side, left free on either side
+constexpr double kFieldOfViewDeg = 28;  ///< of the longer side: weak perspective
+constexpr double kMargin = 0.05;        ///< of half a side, free on either side
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -94,7 +94,7 @@ Eigen::Matrix4f perspective(double t, double u, double near_plane, double far_pl
   return m.cast<float>();
 }
 
-/// Half the sides that are seen.
+/// Half the visible sides.
 Eigen::Matrix4f parallel(double half_width, double half_height, double near_plane,
                          double far_plane) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
@@ -105,7 +105,7 @@ Eigen::Matrix4f parallel(double half_width, double half_height, double near_plan
   return m.cast<float>();
 }
 
-/// The projection from so far away that all that is seen from straight ahead fills the picture.
+/// An orthographic projection that fills the picture with the extent, seen straight on.
 Eigen::Matrix4f parallel_projection(const Extent& extent, const CameraView& view, int width,
                                     int height, double size, const Eigen::Vector2d& planes) {
   const double half_pixel =
@@ -143,7 +143,7 @@ std::optional<LightDirection> parse_light_direction(std::string_view text) {
 
 namespace {
 
-/// "0.2" or "50%" along the axis that `name` names, "x" or, the other way round, "-x".
+/// "0.2" or "50%" along an axis: "x", or "-x" for the other side.
 std::optional<Slice> slice_along(std::string_view name, std::string_view place) {
   const bool backwards = name.starts_with('-');
   if (backwards) name.remove_prefix(1);
@@ -245,7 +245,7 @@ Vec3 eye_of(const Camera& camera) {
 
 Vec3 viewpoint_of(const Camera& camera) {
   if (!camera.orthographic()) return eye_of(camera);
-  constexpr float kFar = 1e6f;  // times the camera's distance: no float tells it from farther away
+  constexpr float kFar = 1e6f;  // times the camera's distance: as good as infinite in float
   const float distance = camera.view_from_world.topRightCorner<3, 1>().norm();
   return eye_of(camera) +
          kFar * std::max(distance, 1e-30f) * camera.view_from_world.row(2).head<3>().transpose();

@@ -68,8 +68,7 @@ std::optional<Color> named_color(std::string_view text) {
   return color_of(found->rgb);
 }
 
-/// Colours at equal distances, 0xrrggbb. A spline through so few is within two levels of the maps'
-/// full tables.
+/// Colours at equal steps, 0xrrggbb. Splines through them are within two levels of the full tables.
 constexpr std::array<std::uint32_t, 10> kViridis{0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e,
                                                  0x1f9e89, 0x35b779, 0x6dcd59, 0xb4de2c, 0xfde725};
 constexpr std::array<std::uint32_t, 10> kMagma{0x000004, 0x180f3e, 0x451077, 0x721f81, 0x9f2f7f,
@@ -99,7 +98,7 @@ Vec3 level(std::uint32_t color) {
          255;
 }
 
-/// Catmull and Rom's spline between b and c.
+/// Catmull-Rom spline between b and c.
 Vec3 spline(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, float t) {
   return b + 0.5f * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
@@ -157,7 +156,7 @@ Color map_color(ColorMap map, float place) {
   const auto at = [&](std::ptrdiff_t i) {
     return level(colors[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))]);
   };
-  // Straight on beyond the ends.
+  // Linear extrapolation beyond the ends.
   const Vec3 before = left > 0 ? at(left - 1) : Vec3(2 * at(0) - at(1));
   const Vec3 after = left + 2 <= last ? at(left + 2) : Vec3(2 * at(last) - at(last - 1));
   const float share = t * static_cast<float>(last) - static_cast<float>(left);

@@ -1,4 +1,4 @@
-/// Names of colours as CSS has them (CSS Color Module Level 4).
+/// Colour names of CSS (CSS Color Module Level 4).
 #pragma once
 
 #include <array>

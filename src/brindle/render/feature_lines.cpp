@@ -28,12 +28,12 @@ void check_normals(const Mesh& mesh, std::span<const Vec3> normals) {
               std::to_string(normals.size()));
 }
 
-/// The part of a line that is passed on as one dash.
+/// The part of a line that becomes one dash.
 struct Dash {
   std::size_t first, last;
 };
 
-/// A dash that reaches the end of a closed line goes on to its first point.
+/// A dash that reaches the end of a closed line continues at its first point.
 void add_dash(const Polylines& lines, std::size_t line, const Dash& dash, Polylines& dashes) {
   for (std::size_t i = dash.first; i <= dash.last; ++i) {
     dashes.points.push_back(lines.points[i]);
@@ -49,7 +49,7 @@ void add_dash(const Polylines& lines, std::size_t line, const Dash& dash, Polyli
   dashes.closed.push_back(whole ? 1 : 0);
 }
 
-/// Whether a stroke of the pattern covers the point; so it does where there is no wave.
+/// Whether a stroke of the pattern covers the point; true without a wave.
 bool covered(const TrianglePoint& place, const Mesh& mesh, const WaveSet& waves,
              std::span<const Complex> z, float width) {
   const Triangle& t = mesh.triangles[place.triangle];
@@ -65,7 +65,7 @@ bool covered(const TrianglePoint& place, const Mesh& mesh, const WaveSet& waves,
   return std::abs(turns - std::round(turns)) <= 0.5f * width;
 }
 
-/// Steps short enough that no dash is missed.
+/// Steps short enough to hit every dash.
 float fine_spacing(const WaveSet& waves) {
   constexpr float kStepsPerPeriod = 40;
   const auto highest = ranges::max_element(waves.frequencies);
@@ -73,8 +73,8 @@ float fine_spacing(const WaveSet& waves) {
                                                                : 1 / (kStepsPerPeriod * *highest);
 }
 
-/// Where values of vertices, linear between them, pass zero. If they are `of_normals`, they have
-/// the other sign where the normal has: on a surface with one side, normals are turned somewhere.
+/// Zero crossings of linearly interpolated vertex values. Values `of_normals` change sign with the
+/// normal: on a one-sided surface, normals flip somewhere.
 std::vector<LineSegment> zero_segments(const Mesh& mesh, std::span<const Vec3> normals,
                                        std::vector<double> values, bool of_normals) {
   for (double& value : values) {
@@ -102,14 +102,14 @@ std::vector<LineSegment> zero_segments(const Mesh& mesh, std::span<const Vec3> n
   return segments;
 }
 
-/// A triangle at an edge whose ends stand where those of another one do.
+/// A triangle edge whose end positions coincide with those of another one.
 struct PlacedSide {
-  std::array<Index, 2> places;  ///< the first vertex at each end, the lower number first
+  std::array<Index, 2> places;  ///< the first vertex at each end position, ascending
   Index triangle;
   std::array<int, 2> corners;
 };
 
-/// All edges at which a mesh was split: the sides of one edge stand beside each other.
+/// All edges at which a mesh is split; copies of one edge are adjacent.
 std::vector<PlacedSide> split_sides(const Mesh& mesh) {
   const std::vector<Index> first = first_at_each_place(mesh.positions);
   std::vector<std::uint8_t> is_split(first.size());
@@ -133,8 +133,8 @@ std::vector<PlacedSide> split_sides(const Mesh& mesh) {
   return sides;
 }
 
-/// Where a surface was split and one side is turned to the viewer, the other away. Nodes are
-/// numbered from `first_node`.
+/// Silhouettes along split edges: one side faces the viewer, the other does not. Nodes are numbered
+/// from `first_node`.
 void add_split_silhouettes(const Mesh& mesh, std::span<const double> facing, Index first_node,
                            std::vector<LineSegment>& segments) {
   const std::vector<PlacedSide> sides = split_sides(mesh);
@@ -169,7 +169,7 @@ Polylines silhouette_lines(const Mesh& mesh, std::span<const Vec3> normals, cons
 
 Polylines slice_lines(const Mesh& mesh, std::span<const Vec3> normals,
                       const Eigen::Hyperplane<float, 3>& slice) {
-  constexpr float kWithin = 1e-4f;  // of the diagonal: on the side that is left
+  constexpr float kWithin = 1e-4f;  // of the diagonal: on the kept side
   check_normals(mesh, normals);
   const float within = kWithin * bounding_box(mesh).diagonal();
   std::vector<double> beyond(mesh.vertex_count());

@@ -24,11 +24,11 @@ constexpr float kFullTurn = 2 * std::numbers::pi_v<float>;
 
 constexpr std::size_t kGlyphsPerReport = 1 << 10;
 
-/// How much of a tile a quad shows along each side: beyond its border is the opposite one.
+/// The visible share of a tile on a quad; a full tile would show the opposite border.
 constexpr float kTileShare = 0.99f;
 
-/// Adds one glyph after the other. Coordinates of a glyph: x along the first direction, y across
-/// it, z off the surface.
+/// Appends glyphs. Coordinates of a glyph: x along the first direction, y across it, z along the
+/// normal.
 class GlyphBuilder {
  public:
   void reserve(std::size_t vertices, std::size_t triangles, bool tiles) {
@@ -70,7 +70,7 @@ class GlyphBuilder {
       for (std::size_t m = 0; m < 3; ++m) {
         const Vec3 position = glyphs_.mesh.positions[vertices[m]];
         const float way = (position - glyphs_.mesh.positions[corner]).dot(direction);
-        // The texture coordinate is a quarter more than the phase over 2 pi.
+        // Texture coordinates are the phase over 2 pi plus a quarter.
         const float turns = 0.5f * (1 - kTileShare) + way * frequency - 0.25f;
         corners[m] = {{position, direction, frequency}, elementary::polar(1.0f, kFullTurn * turns)};
       }
@@ -81,7 +81,7 @@ class GlyphBuilder {
     glyphs_.waves.v.push_back(waves(1, size.across));
   }
 
-  /// A number from 0 to 1 that looks like chance and is the same for the same numbers.
+  /// A reproducible pseudo-random number from 0 to 1.
   float chance(Index which) const {
     std::uint32_t x = number_ * 0x9e3779b9u + which * 0x85ebca6bu;
     x = (x ^ (x >> 16)) * 0x7feb352du;
@@ -116,7 +116,7 @@ void add_disc(GlyphBuilder& builder, const GlyphSize& size) {
   }
 }
 
-/// A ring of vertices around the x axis, which lies at `height`.
+/// A ring of vertices around the x axis at `height`.
 struct Ring {
   float x, radius;
   float slope;  // of the normal along x
@@ -143,7 +143,7 @@ void add_turned(GlyphBuilder& builder, std::span<const Ring> rings, float height
   }
 }
 
-/// A shaft and a head, which take all of the length.
+/// A shaft and a head, as long as the glyph.
 void add_arrow(GlyphBuilder& builder, const GlyphSize& size) {
   const float length = size.along;
   const float head = 0.42f * length;
@@ -185,7 +185,7 @@ void add_ellipse(GlyphBuilder& builder, const GlyphSize& size) {
   }
 }
 
-/// Bristles side by side that begin and end in points.
+/// Parallel bristles with pointed ends.
 void add_stroke(GlyphBuilder& builder, const GlyphSize& size) {
   constexpr int kBristles = 4, kSteps = 14;
   const float length = 1.5f * size.across, width = 0.36f * size.along;
@@ -200,7 +200,7 @@ void add_stroke(GlyphBuilder& builder, const GlyphSize& size) {
     Index last = 0;
     for (int step = 0; step <= kSteps; ++step) {
       const float t = static_cast<float>(step) / kSteps;
-      // Soon at its full width, and long in running out.
+      // Full width soon, then a long taper.
       const float thick = half * std::min(1.0f, 6 * t) * std::sqrt(std::max(1 - t * t, 0.0f));
       const float y = length * (begin + t * (end - begin));
       const float bow = 0.06f * length * (4 * t * (1 - t) - 0.5f);
@@ -215,7 +215,7 @@ void add_stroke(GlyphBuilder& builder, const GlyphSize& size) {
   }
 }
 
-/// On both sides. Neighbours may overlap: each lies at a height of its own.
+/// Two-sided. Overlapping neighbours get different heights.
 void add_quad(GlyphBuilder& builder, const GlyphSize& size) {
   const float lift = (0.03f + 0.03f * builder.chance(0)) * std::min(size.along, size.across);
   for (const float side : {-1.0f, 1.0f}) {
@@ -231,7 +231,7 @@ void add_quad(GlyphBuilder& builder, const GlyphSize& size) {
 
 bool is_drawn(const GlyphSize& size) { return size.along > 0 && size.across > 0; }
 
-/// How much one glyph of a shape adds to the mesh.
+/// Vertices and triangles of one glyph.
 struct GlyphCounts {
   std::size_t vertices, triangles;
 };
@@ -252,7 +252,7 @@ GlyphCounts counts_of(GlyphShape shape) {
   return {8, 4};
 }
 
-/// Refuses glyphs that memory does not hold, and takes what they need.
+/// Rejects glyphs beyond the memory limit, and reserves their memory.
 void make_room(GlyphBuilder& builder, GlyphShape shape, std::size_t glyphs) {
   const GlyphCounts each = counts_of(shape);
   const bool tiles = shape == GlyphShape::quad;
@@ -262,7 +262,7 @@ void make_room(GlyphBuilder& builder, GlyphShape shape, std::size_t glyphs) {
   check_fits(static_cast<double>(glyphs), static_cast<double>(of_glyph), "the picture", "glyphs",
              [](double most) { return rounded_down(most) + " would do"; });
   const std::size_t vertices = glyphs * each.vertices;
-  if (vertices > std::numeric_limits<Index>::max()) return;  // refused where there are too many
+  if (vertices > std::numeric_limits<Index>::max()) return;  // rejected later
   builder.reserve(vertices, glyphs * each.triangles, tiles);
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 static_assert(sizeof(Pixel) == 4 && std::is_standard_layout_v<Pixel>);
 
-/// libpng's simplified interface, which reports failures instead of jumping out of them.
+/// libpng's simplified interface: failures are return values, not longjmp.
 struct PngSession {
   png_image image{};
   PngSession() { image.version = PNG_IMAGE_VERSION; }
@@ -55,14 +55,14 @@ std::vector<std::uint8_t> packed_rows(const Image& image, bool with_alpha,
   return rows;
 }
 
-/// A file in memory that libpng writes to piece by piece, so that it can be stopped between them:
-/// an exception must not run through it.
+/// A file in memory that libpng writes in parts. It can stop in between without an exception
+/// through C code.
 class HeardFile {
  public:
   HeardFile(std::size_t expected, const Progress& progress)
       : expected_(static_cast<double>(expected)), progress_(progress) {}
 
-  /// Whether to go on.
+  /// False to stop.
   bool append(const char* bytes, std::size_t count) {
     content_.append(bytes, count);
     try {
@@ -86,8 +86,7 @@ class HeardFile {
   std::exception_ptr thrown_;
 };
 
-/// The PNG file of packed rows. Where the C library has no streams of one's own it is written in
-/// one piece.
+/// Packed rows as a PNG file. Written in one go if the C library has no custom streams.
 std::string compressed(PngSession& png, const std::vector<std::uint8_t>& rows,
                        const Progress& progress) {
 #ifdef __GLIBC__
@@ -120,7 +119,7 @@ void append_number(std::uint32_t number, std::string& bytes) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
 }
 
-/// CRC-32 as PNG files have it.
+/// The CRC-32 of PNG.
 std::uint32_t checksum(std::string_view bytes) {
   std::uint32_t crc = ~std::uint32_t{0};
   for (const char byte : bytes) {
@@ -130,8 +129,8 @@ std::uint32_t checksum(std::string_view bytes) {
   return ~crc;
 }
 
-/// Says in a PNG file how many pixels are a metre: a chunk behind that of the header, which
-/// libpng's simple functions do not write.
+/// Adds the pHYs chunk (pixels per metre) after the header; libpng's simplified interface cannot
+/// write it.
 void set_density(double pixels_per_inch, std::string& file) {
   constexpr std::size_t kHeaderEnd = 8 + 25;  // signature and IHDR
   constexpr double kInchesPerMetre = 1 / 0.0254;
@@ -184,8 +183,8 @@ std::string png_of(const Image& image, const Progress& heard, double pixels_per_
   png.image.width = static_cast<png_uint_32>(image.width);
   png.image.height = static_cast<png_uint_32>(image.height);
   png.image.format = with_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-  // No filters: stripes are flat but for the dithered rounding, which filters would spread. Files
-  // are smaller, and written seven times as fast.
+  // Filters would spread the dithered rounding of flat stripes. Without them, files are smaller and
+  // written seven times as fast.
   png.image.flags |= PNG_IMAGE_FLAG_FAST;
   std::string file = compressed(png, rows, progress.part(0.2, 1));
   if (pixels_per_inch > 0) set_density(pixels_per_inch, file);

@@ -16,7 +16,7 @@ std::uint8_t encoded(float light) {
   return static_cast<std::uint8_t>(std::lround(255 * level));
 }
 
-/// Lays light over a pixel that covers `share` of it.
+/// Blends light over a pixel of which it covers `share`.
 void cover(Pixel& pixel, const Vec3& light, float share) {
   if (!(share > 0)) return;
   const Eigen::Vector4f below = premultiplied_light(pixel);
@@ -34,7 +34,7 @@ float distance_to(const Eigen::Vector2f& point, const Eigen::Vector2f& a,
   return (point - a - t * along).norm();
 }
 
-/// The shares of all pixels that strokes cover.
+/// Coverage of all pixels by strokes.
 class Coverage {
  public:
   Coverage(int width, int height)

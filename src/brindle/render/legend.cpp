@@ -16,7 +16,7 @@ using Eigen::Vector2f;
 
 constexpr int kMostTicks = 6;
 
-/// Measures of a legend, in pixels.
+/// Sizes of a legend, in pixels.
 struct LegendSizes {
   float letter;  // height of capitals
   float line;    // width of the pen
@@ -58,8 +58,7 @@ std::vector<Tick> ticks_of(const Legend& legend) {
   return ticks;
 }
 
-/// Whether values from the threshold on have no place on the bar: then a field above it has their
-/// colour.
+/// Whether values above the threshold are not on the bar: a field above it shows their colour.
 bool has_field_beyond(const Legend& legend) {
   constexpr float kRounding = 1e-6f;
   return legend.scale && legend.scale->threshold && legend.highest > legend.lowest &&
@@ -101,7 +100,7 @@ float width_of(const Legend& legend, const LegendSizes& sizes) {
   return std::max(bar, text_width(legend.title, sizes.letter)) + 2 * sizes.margin;
 }
 
-/// The bar from the highest value at `top` to the lowest at `bottom`, row by row.
+/// The bar from the highest value at `top` to the lowest at `bottom`.
 void draw_bar(Image& image, const Legend& legend, const Vector2f& top, float bottom, float width) {
   const float height = bottom - top.y();
   const Vector2f widths = legend.widths.value_or(Vector2f(1, 1));
@@ -120,7 +119,7 @@ void draw_bar(Image& image, const Legend& legend, const Vector2f& top, float bot
   }
 }
 
-/// Draws the field at `corner` and its label among `lines`. Returns how far the bar is below.
+/// Draws the field at `corner` and its label among `lines`. Returns the offset of the bar below it.
 float draw_field_beyond(Image& image, const Legend& legend, const LegendSizes& sizes,
                         const Vector2f& corner, std::vector<Stroke>& lines) {
   const float height = 1.5f * sizes.letter;
@@ -132,7 +131,7 @@ float draw_field_beyond(Image& image, const Legend& legend, const LegendSizes& s
   return height + 0.6f * sizes.letter;
 }
 
-/// Draws the legend's tiles below each other from `top` on, their meanings beside them.
+/// Draws the legend's tiles as a column from `top` on, with their meanings.
 void draw_tiles(Image& image, const Legend& legend, const LegendSizes& sizes, const Vector2f& top,
                 std::vector<Stroke>& lines) {
   const int side = tile_side(sizes), left = static_cast<int>(std::lround(top.x()));

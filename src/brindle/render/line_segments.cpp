@@ -19,7 +19,7 @@ Vec3 normal_in(std::span<const Vec3> normals, const Triangle& t, const CornerWei
   return normal.normalized();
 }
 
-/// Joins segments at their nodes into lines as long as they go on.
+/// Joins segments at nodes of degree two into lines.
 class SegmentJoiner {
  public:
   SegmentJoiner(const Mesh& mesh, std::span<const Vec3> normals,
@@ -31,7 +31,7 @@ class SegmentJoiner {
   }
 
   Polylines joined() {
-    // From where lines end or fork first, then what is left: closed lines.
+    // First from ends and forks, then the remaining closed lines.
     for (const auto& [node, around] : at_node_) {
       if (around.size() != 2) add_lines(node);
     }

@@ -1,4 +1,4 @@
-/// Straight lines within triangles, and the lines on a surface that they join to.
+/// Line segments within triangles, joined to lines on a surface.
 #pragma once
 
 #include <array>
@@ -19,11 +19,10 @@ struct LineSegment {
   std::array<CornerWeights, 2> barycentric;
 };
 
-/// Where values that are linear between corners a and b of a triangle pass zero.
+/// The zero of values that are linear between corners a and b of a triangle.
 CornerWeights zero_between(int a, int b, double value_a, double value_b);
 
-/// Segments joined at their nodes, as long as no more than two of them meet there. `normals` has
-/// one unit normal per vertex.
+/// Segments joined at nodes where at most two of them meet. `normals`: one unit normal per vertex.
 Polylines joined_lines(const Mesh& mesh, std::span<const Vec3> normals,
                        std::span<const LineSegment> segments);
 

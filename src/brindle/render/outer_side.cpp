@@ -13,13 +13,13 @@
 namespace brindle {
 namespace {
 
-/// A number for an edge that looks random.
+/// A hash of an edge.
 std::uint64_t number_of_edge(Index lower, Index upper) {
   return mixed_bits((std::uint64_t{lower} << 32 | upper) + kRandomStep);
 }
 
-/// Whether every edge is walked as often one way as the other: the numbers of edges, added and
-/// taken off, then cancel out. Of other meshes, one in 2^64 is mistaken for closed.
+/// Whether every edge is used equally often in both directions: signed edge hashes then cancel.
+/// Another mesh passes with probability 2^-64.
 bool is_closed(const Mesh& mesh) {
   std::uint64_t sum = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -31,7 +31,7 @@ bool is_closed(const Mesh& mesh) {
   return sum == 0;
 }
 
-/// A vertex that stands for the connected part, for every vertex.
+/// A representative vertex of the connected component, for every vertex.
 std::vector<Index> connected_parts(const Mesh& mesh) {
   MergedSets parts(mesh.vertex_count());
   for (const Triangle& t : mesh.triangles) {

@@ -1,4 +1,4 @@
-/// Surfaces that show one of their sides alone.
+/// Surfaces with one visible side.
 #pragma once
 
 #include "brindle/mesh.h"
@@ -7,9 +7,9 @@ namespace brindle {
 
 enum class HiddenSide { none, back, front };
 
-/// The side of all triangles that nobody outside sees: one is hidden if the mesh is closed, its
-/// triangles are wound alike, and connected parts all enclose positive, or all negative, volumes.
-/// (Unless it passes through itself and turns itself inside out.)
+/// The side of all triangles that is invisible from outside. It exists if the mesh is closed and
+/// consistently wound, and the volumes of its connected components have the same sign. (Surfaces
+/// that intersect themselves inside out are not detected.)
 HiddenSide hidden_side(const Mesh& mesh);
 
 }  // namespace brindle

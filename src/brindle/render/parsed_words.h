@@ -1,4 +1,4 @@
-/// Words of pictures, as command lines and scripts have them.
+/// Parsers for pictures on command lines and in scripts.
 #pragma once
 
 #include <optional>
@@ -12,37 +12,35 @@
 
 namespace brindle {
 
-/// Reads "azimuth,elevation" or "azimuth,elevation,zoom", in degrees, into a view with `up`.
-/// Empty if the text is not that, a number is not finite, elevation is beyond -90 .. 90 or zoom is
-/// not in 0.01 .. 10000.
+/// Parses "azimuth,elevation" or "azimuth,elevation,zoom", in degrees, with the given `up`. Empty
+/// for other text, numbers that are not finite, an elevation outside -90 .. 90 or a zoom outside
+/// 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
-/// What `parse_camera_view` reads, for messages.
+/// The syntax of `parse_camera_view`, for messages.
 inline constexpr const char* kCameraViewForm =
     "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90, zoom from 0.01 to "
     "10000";
 
-/// Reads "azimuth,elevation" in degrees. Empty if the text is not that, a number is not finite, or
-/// elevation is beyond -90 .. 90.
+/// Parses "azimuth,elevation" in degrees. Empty for other text, numbers that are not finite or an
+/// elevation outside -90 .. 90.
 std::optional<LightDirection> parse_light_direction(std::string_view text);
 
-/// Reads "x=0.2", "z=50%" (of the bounding box), "-z=50%", which takes away the other side, or a
-/// point and a normal: "x,y,z,nx,ny,nz". Empty if the text is none of these, a number is not finite
-/// or the normal is zero.
+/// Parses "x=0.2", "z=50%" (of the bounding box), "-z=50%" (the other side), or a point and a
+/// normal, "x,y,z,nx,ny,nz". Empty for other text, numbers that are not finite or a zero normal.
 std::optional<Slice> parse_slice(std::string_view text);
 
-/// Reads "#rrggbb" or "#rgb", with or without the '#', and names of CSS such as "steelblue". Empty
-/// if the text is none of these.
+/// Parses "#rrggbb" or "#rgb", with or without '#', and CSS names such as "steelblue". Empty for
+/// other text.
 std::optional<Color> parse_color(std::string_view text);
 
-/// Reads the names of the maps. Empty if there is no such map.
+/// Parses the name of a map. Empty for other text.
 std::optional<ColorMap> parse_color_map(std::string_view name);
 
-/// Reads the names of the shapes but `quad`, which needs a picture. Empty if there is no such
-/// shape.
+/// Parses the name of a shape except `quad`, which needs a picture. Empty for other text.
 std::optional<GlyphShape> parse_glyph_shape(std::string_view name);
 
-/// Reads the names of the tiles. Empty if there is no such tile.
+/// Parses the name of a tile. Empty for other text.
 std::optional<BuiltInTile> parse_built_in_tile(std::string_view name);
 
 }  // namespace brindle

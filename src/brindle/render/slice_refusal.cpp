@@ -7,20 +7,20 @@
 namespace brindle {
 namespace {
 
-/// Of a mesh, and how far from the camera's origin its own lies.
+/// A mesh, and the offset of its origin from the camera's.
 struct CutMesh {
   const Mesh& mesh;
   Vec3 offset = Vec3::Zero();
 };
 
-/// Whether anything is to be seen of it. What touches the plane in a point or in a line alone has
-/// no area; what lies within the plane has not been taken away.
+/// Whether any area remains. Contact with the plane in a point or a line has no area; triangles
+/// within the plane are kept.
 bool is_left(const CutMesh& cut, const Camera& camera) {
   const Mesh& mesh = cut.mesh;
   const auto height = [&](Index v) {
     return camera.slice->signedDistance(mesh.positions[v] + cut.offset);
   };
-  // Places in shares of a box are rounded.
+  // Positions in percent of a box are rounded.
   const float near = 1e-6f * bounding_box(mesh).diagonal();
   if (mesh.triangles.empty()) {
     return ranges::any_of(mesh.positions, [&](const Vec3& point) {

@@ -1,5 +1,4 @@
-/// Whether the plane that cuts a picture's surfaces open leaves anything to be seen. All that draws
-/// asks here, so that no picture is empty without a word.
+/// Rejects slices that cut everything away, so that no picture is empty without an error.
 #pragma once
 
 #include <span>
@@ -11,21 +10,21 @@
 
 namespace brindle {
 
-/// Why a picture with this camera shows nothing of the mesh, or of its points if it has no
-/// triangles: its slice takes all of it away. Empty where anything is left, and without a slice.
-/// `name` is what users call the plane.
+/// The reason why a picture with this camera shows nothing of the mesh (of its points if it has no
+/// triangles): the slice cuts all of it away. Empty if anything remains. `name`: the user's name
+/// for the plane.
 std::string slice_refusal(const Mesh& mesh, const Camera& camera,
                           const std::string& name = "slice");
 
-/// The same of surfaces in styles, some of which slices may leave whole. The camera's coordinates
-/// are relative to the first one's origin.
+/// The same for styled surfaces, some of which ignore slices. The camera is relative to the origin
+/// of the first one.
 std::string slice_refusal(std::span<const StyledSurface> surfaces, const Camera& camera,
                           const std::string& name = "slice");
 
-/// Throws Error if there is such a reason, so that no picture is written.
+/// Throws Error if the text is not empty.
 void check_slice(const std::string& refusal);
 
-/// The same of a mesh that a picture shows alone.
+/// The same for a picture of one mesh.
 void check_slice(const Mesh& mesh, const RenderOptions& render, const std::string& name = "slice");
 
 }  // namespace brindle

@@ -8,9 +8,9 @@
 namespace brindle {
 namespace {
 
-/// Strokes are separated by spaces and begin with '-' where corners stay and '~' where they are
-/// rounded. Two characters a point, 0 to 9 and then a, b: to the right, and upwards from two units
-/// below the base line. Capitals are eight units high, small letters five.
+/// Strokes are separated by spaces; '-' begins one with sharp corners, '~' one with rounded
+/// corners. A point has two characters, 0 to 9, a, b: x, and y from two units below the base line.
+/// Capitals are eight units high, small letters five.
 struct Letter {
   char32_t code;
   std::string_view strokes;
@@ -113,7 +113,7 @@ using Points = std::vector<Eigen::Vector2f>;
 
 float unit_of(char c) { return static_cast<float>(c <= '9' ? c - '0' : c - 'a' + 10); }
 
-/// Cuts corners off (Chaikin 1974); ends stay.
+/// Corner cutting (Chaikin 1974); ends stay.
 Points with_corners_cut(const Points& points, bool closed) {
   Points cut;
   if (!closed) cut.push_back(points.front());
@@ -142,7 +142,7 @@ std::string_view letter_of(char32_t code) {
   return letter == std::end(kLetters) ? kUnknown : letter->strokes;
 }
 
-/// The next character of UTF-8; two bytes at most are told apart.
+/// The next UTF-8 character; longer ones than two bytes are not distinguished.
 char32_t next_code(std::string_view& text) {
   const auto first = static_cast<unsigned char>(text.front());
   text.remove_prefix(1);
@@ -155,7 +155,7 @@ char32_t next_code(std::string_view& text) {
   return code;
 }
 
-/// Calls `put` with the strokes of every letter and where it begins; returns where the text ends.
+/// Calls `put` with the strokes of each letter and its position; returns the end of the text.
 template <class Put>
 float lay_out(std::string_view text, Put put) {
   float x = 0;

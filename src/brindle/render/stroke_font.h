@@ -1,4 +1,4 @@
-/// Letters as strokes of a pen.
+/// Letters as pen strokes.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace brindle {
 
-/// The strokes of a text (UTF-8; letters, digits and the signs of units; others are boxes) whose
-/// capitals are `height` pixels high. It begins at `start`, which is on the base line.
+/// The strokes of a UTF-8 text with capitals `height` pixels high. `start` is on the base line.
+/// Characters other than letters, digits and signs of units become boxes.
 std::vector<Stroke> text_strokes(std::string_view text, const Eigen::Vector2f& start, float height);
 
-/// How far the text goes, in pixels.
+/// Width of the text, in pixels.
 float text_width(std::string_view text, float height);
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// How light a point of a surface is.
+/// Lightness of surface points.
 #pragma once
 
 #include "brindle/camera.h"
@@ -8,16 +8,15 @@ namespace brindle {
 /// Unit vectors towards the lights of a picture, in the camera's coordinates.
 struct Lights {
   Vec3 key;   ///< the brightest
-  Vec3 fill;  ///< a weak one from the other side
+  Vec3 fill;  ///< a weak one from the opposite side
   Vec3 sky;   ///< upwards
 };
 
 /// The lights of a picture from this camera.
 Lights lights_of(const Camera& camera, const PictureLight& light);
 
-/// The twin of tone.glsl: how light a white surface is at a point, 0 to 1. The unit normal of the
-/// side that is seen and the way from the viewer to the point (of any length) are in the camera's
-/// coordinates.
+/// Twin of tone.glsl: the lightness of a white surface at a point, 0 to 1. `view_normal` (unit, of
+/// the visible side) and `sight` (from the viewer, any length) are in camera coordinates.
 float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights);
 
 }  // namespace brindle

@@ -19,17 +19,17 @@ float smoothstep(float from, float to, float x) {
   return t * t * (3 - 2 * t);
 }
 
-/// Without a direction that is asked for; of any length.
+/// The default direction; any length.
 const Vec3 kUsualKey(-0.45f, 0.70f, 0.75f);
 
-/// From the side that the key light leaves dark, as far aside as that is off the middle, and no
-/// farther than the usual one.
+/// From the side opposite to the key light, by the same angle but no farther aside than the
+/// default.
 Vec3 fill_opposite(const Vec3& key) {
   const float aside = key.x() / kUsualKey.normalized().x();
   return Vec3(0.85f * std::clamp(aside, -1.0f, 1.0f), 0.05f, 0.50f).normalized();
 }
 
-/// Towards the light of these angles.
+/// Direction towards the light.
 Vec3 key_from(const LightDirection& from) {
   const double azimuth = from.azimuth_deg * std::numbers::pi / 180;
   const double elevation = from.elevation_deg * std::numbers::pi / 180;
@@ -39,7 +39,7 @@ Vec3 key_from(const LightDirection& from) {
       .cast<float>();
 }
 
-/// The twin of `lit` in light.glsl for a white surface: change both or neither.
+/// Twin of `lit` in light.glsl for a white surface: change both or neither.
 Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Lights& lights) {
   const Vec3 v = -view_position.normalized();
   const float facing = std::clamp(n.dot(v), 0.0f, 1.0f);
@@ -57,7 +57,7 @@ Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Lights& ligh
   return light;
 }
 
-/// The twin of tone.glsl.
+/// Twin of tone.glsl.
 float tone_of(const Vec3& light) {
   return elementary::pow(std::clamp(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 0.0f, 1.0f),
                          1 / 2.2f);
@@ -81,7 +81,7 @@ std::vector<float> surface_tones(const Mesh& mesh, std::span<const Vec3> normals
     throw Error("light needs a normal for each of the " + std::to_string(mesh.vertex_count()) +
                 " vertices, not " + std::to_string(normals.size()));
   }
-  // A slice shows the inner side, too.
+  // A slice shows the inner side.
   const HiddenSide hidden = camera.slice ? HiddenSide::none : hidden_side(mesh);
   const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
   const Lights lights = lights_of(camera, light);

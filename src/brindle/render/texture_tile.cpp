@@ -14,10 +14,10 @@ namespace {
 
 using Point = Eigen::Vector2f;
 
-// In sides of the tile.
+// In tile sides.
 constexpr float kDotRadius = 0.29f;
 constexpr float kSignLength = 0.25f, kSignWidth = 0.07f;  // half of each
-constexpr float kSmallSign = 0.75f;                       // where a tile has two
+constexpr float kSmallSign = 0.75f;                       // in tiles with two
 
 constexpr std::array<std::pair<std::string_view, BuiltInTile>, 9> kTiles{
     {{"stripes", BuiltInTile::stripes},
@@ -40,7 +40,7 @@ float box(const Point& p, const Point& half) {
   return d.cwiseMax(0.0f).norm() + std::min(d.maxCoeff(), 0.0f);
 }
 
-/// A stroke with round ends.
+/// A stroke with round caps.
 float stroke(const Point& p, const Point& from, const Point& to, float radius) {
   const Point along = to - from;
   const float t = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0f, 1.0f);
@@ -65,7 +65,7 @@ float lone_arrow(const Point& p) {
   return std::min(box(p + Point(0.14f, 0), {0.26f, 0.065f}), arrow_head(p, 0.06f, 0.42f, 0.21f));
 }
 
-/// Behind an arrow's tip is the next one's tail.
+/// An arrow's tip meets the next one's tail.
 float arrow(const Point& p) {
   return std::min({lone_arrow(p), lone_arrow(p + Point(1, 0)), lone_arrow(p - Point(1, 0))});
 }
@@ -77,8 +77,8 @@ float checker(float u, float v) {
   return (to_u < 0) == (to_v < 0) ? -distance : distance;
 }
 
-/// One course has its brick in the middle, the other its joint. Rows are set so that half a turn
-/// about the middle maps each onto itself.
+/// One course has a brick in its middle, the other a joint. The rows map to themselves under half a
+/// turn about the middle.
 float bricks(const Point& p) {
   constexpr float kRound = 0.03f;
   const Point half(0.5f - kHalfJoint - kRound, 0.25f - kHalfJoint - kRound);
@@ -87,8 +87,7 @@ float bricks(const Point& p) {
   return std::min(middle_course, other_course) - kRound;
 }
 
-/// Before and behind each stroke is its next copy. A stroke's image under half a turn about the
-/// middle is a stroke, too.
+/// Each stroke has copies before and after it, and its image under half a turn is a stroke.
 float hatch(float u, float v) {
   constexpr float kRadius = 0.03f;
   float distance = 1;
@@ -111,7 +110,7 @@ float minus_sign(const Point& p) { return box(p, {kSignLength, kSignWidth}); }
 
 float plus_sign(const Point& p) { return std::min(minus_sign(p), minus_sign({p.y(), p.x()})); }
 
-/// Both signs share the tile, so they are smaller.
+/// Smaller signs, because the tile has both.
 float plus_and_minus(const Point& p) {
   return kSmallSign * std::min(plus_sign(p / kSmallSign),
                                minus_sign(wrapped(p + Point(0.5f, 0.5f)) / kSmallSign));
@@ -119,7 +118,7 @@ float plus_and_minus(const Point& p) {
 
 using Covered = Eigen::AlignedBox2f;
 
-// Ways to turn a tile round that its figures look the same after, as TileFigures has them.
+// Symmetries of a tile, as in TileFigures.
 constexpr std::uint8_t kAsItIs = 1 << 0;
 constexpr std::uint8_t kMirroredAlongV = 1 << kTurnsV;
 constexpr std::uint8_t kHalfTurn = 1 << (kTurnsU | kTurnsV);
@@ -134,7 +133,7 @@ TileFigures single_figure(const Covered& covered, std::uint8_t symmetries) {
   return {TileLayout::single, {covered, covered}, symmetries};
 }
 
-/// All that is not transparent, from the middle.
+/// The extent of opaque pixels from the middle.
 Covered opaque_part(const Image& picture) {
   Covered covered;
   for (int y = 0; y < picture.height; ++y) {
@@ -179,7 +178,7 @@ TileFigures figures_of(BuiltInTile tile) {
                covering(kSmallSign * kSignLength, kSmallSign * kSignWidth)},
               kOfRectangle};
     case BuiltInTile::bricks:
-      // Half of each joint is a brick's. Joints go on where they would end.
+      // Bricks own half of each joint. A joint that ends in a tile continues.
       return {TileLayout::courses,
               {covering(0.5f, 0.25f), covering(0.5f, 0.25f)},
               kOfRectangle,

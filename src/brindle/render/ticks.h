@@ -1,12 +1,12 @@
-/// Numbers beside an axis.
+/// Tick values of an axis.
 #pragma once
 
 #include <vector>
 
 namespace brindle {
 
-/// Numbers, at most `most` and at least two, that are whole multiples of 1, 2 or 5 times a power of
-/// ten and lie between the ends. The ends themselves if there are no such numbers.
+/// At least two and at most `most` multiples of 1, 2 or 5 times a power of ten between the ends.
+/// The ends themselves if there are none.
 std::vector<double> tick_values(double lowest, double highest, int most);
 
 }  // namespace brindle

@@ -13,10 +13,9 @@ namespace {
 using Point = Eigen::Vector3d;
 
 constexpr double kNegligible = 20;  // exp(-20) is below the accuracy of a float position
-// Sums of the parts that are near differ in their last bits from sums of all: built-in shapes,
-// which have up to 255 parts, stay as they are.
+// A grid changes the last bits of sums. Built-in shapes have up to 255 parts and keep their bits.
 constexpr std::size_t kPartsOfGrid = 256;
-constexpr int kCellsAlong = 32;  // the longest side of the grid
+constexpr int kCellsAlong = 32;  // along the longest side of the grid
 
 }  // namespace
 
@@ -28,7 +27,7 @@ CapsuleDistance::CapsuleDistance(const Capsule& capsule)
   const double length2 = axis_.squaredNorm();
   if (length2 == 0) return;
   over_length2_ = 1 / length2;
-  // Along the axis the slope of the radius comes on top of that of the distance.
+  // Along the axis, the slope of the radius adds to that of the distance.
   scale_ = 1 / std::sqrt(1 + widening_ * widening_ / length2);
 }
 
@@ -51,7 +50,7 @@ CapsuleUnion::CapsuleUnion(std::span<const Capsule> parts, double blend)
   fill(Cell::Zero(), cells_, all_);
 }
 
-// Of a range of cells, `candidates` holds every part that may count there; halves of the range have
+// `candidates` includes every part that matters in the range of cells; halves of the range have
 // fewer.
 void CapsuleUnion::fill(const Cell& lower, const Cell& upper, const std::vector<int>& candidates) {
   const Cell size = upper - lower;
@@ -112,7 +111,7 @@ BoundingBox box_around(std::span<const Capsule> parts) {
 Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length,
                      const Progress& progress) {
   BoundingBox box = box_around(parts);
-  // The smooth minimum lies below the minimum, by less the fewer parts are equally near.
+  // The smooth minimum is below the minimum, by at most this for that many equal distances.
   const auto margin =
       static_cast<float>(blend * elementary::log(static_cast<double>(parts.size()) + 1));
   box.lower.array() -= margin;

@@ -10,13 +10,13 @@
 
 namespace brindle {
 
-/// A segment whose radius changes linearly from end to end; a sphere if the ends coincide.
+/// A segment with linearly varying radius; a sphere if the ends coincide.
 struct Capsule {
   Eigen::Vector3d a, b;
   double radius_a, radius_b;
 };
 
-/// The signed distance from a capsule, or a little less, so that it is nowhere steeper than 1.
+/// The signed distance from a capsule, or slightly less, with slopes of at most 1.
 class CapsuleDistance {
  public:
   explicit CapsuleDistance(const Capsule& capsule);
@@ -28,9 +28,9 @@ class CapsuleDistance {
   double over_length2_ = 0, scale_ = 1;
 };
 
-/// The smooth minimum of the distances to all capsules, with blends of about radius `blend`, above
-/// 0: what `isosurface` takes. For many capsules a grid of cells lists those that count in each
-/// cell, so that the cost of a value depends on nearby ones alone. There is at least one capsule.
+/// The smooth minimum of the distances to all capsules, of which there is at least one, with blends
+/// of about radius `blend` above 0, for `isosurface`. With many capsules, a grid lists those that
+/// matter in each cell, so that the cost depends on nearby ones alone.
 class CapsuleUnion {
  public:
   CapsuleUnion(std::span<const Capsule> parts, double blend);
@@ -48,13 +48,13 @@ class CapsuleUnion {
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   double cell_ = 0;
   Cell cells_ = Cell::Zero();
-  std::vector<std::vector<int>> near_;  ///< of every cell; empty: there is no grid
+  std::vector<std::vector<int>> near_;  ///< of every cell; empty: no grid
 };
 
 /// The box around all capsules, without blends.
 BoundingBox box_around(std::span<const Capsule> parts);
 
-/// The blended surface of capsules, as `isosurface` makes it.
+/// The blended surface of capsules, from `isosurface`.
 Mesh capsule_surface(std::span<const Capsule> parts, double blend, float edge_length,
                      const Progress& progress = {});
 

@@ -17,7 +17,7 @@ Eigen::Vector3d position_at(const Mesh& mesh, Index half_edge) {
   return mesh.positions[vertex_at(mesh.triangles, half_edge)].cast<double>();
 }
 
-/// The cotangent of the angle opposite of a half-edge, in its triangle.
+/// The cotangent of the angle opposite a half-edge.
 double opposite_cotangent(const Mesh& mesh, Index h) {
   const Eigen::Vector3d apex = position_at(mesh, previous_in_triangle(h));
   const Eigen::Vector3d a = position_at(mesh, h) - apex;
@@ -25,7 +25,7 @@ double opposite_cotangent(const Mesh& mesh, Index h) {
   return a.dot(b) / std::max(a.cross(b).norm(), 1e-30);
 }
 
-/// Whether an edge runs from the origin of `h` to vertex `to`.
+/// Whether an edge connects the origin of `h` with vertex `to`.
 bool has_edge(const Mesh& mesh, const std::vector<Index>& twins, Index h, Index to) {
   const Index start = h;
   do {
@@ -35,7 +35,7 @@ bool has_edge(const Mesh& mesh, const std::vector<Index>& twins, Index h, Index 
   return false;
 }
 
-/// Whether the two triangles of the flipped edge would look the same way as those of the old one.
+/// Whether the flipped triangles face the same side as the old ones.
 bool flip_keeps_side(const Mesh& mesh, const Triangle& one, const Triangle& other, Index h,
                      Index twin) {
   const Vec3 old = triangle_normal(mesh, mesh.triangles[h / 3]) +
@@ -43,7 +43,7 @@ bool flip_keeps_side(const Mesh& mesh, const Triangle& one, const Triangle& othe
   return triangle_normal(mesh, one).dot(old) > 0.2f && triangle_normal(mesh, other).dot(old) > 0.2f;
 }
 
-/// Whether the edge could be flipped.
+/// Flips the edge if that is valid; returns whether it did.
 bool flip(Mesh& mesh, std::vector<Index>& twins, Index h) {
   const Index t = twins[h];
   const Index h_next = next_in_triangle(h), h_previous = previous_in_triangle(h);
@@ -73,8 +73,8 @@ bool flip(Mesh& mesh, std::vector<Index>& twins, Index h) {
 }  // namespace
 
 void flip_to_delaunay(Mesh& mesh, std::vector<Index>& twins, int rounds, const Progress& progress) {
-  // The cotangents of two angles add up to less than 0 if the angles add up to more than 180
-  // degrees. The margin keeps cocircular corners from flipping to and fro.
+  // The cotangents add up to less than 0 if the angles exceed 180 degrees in total. The margin
+  // avoids cycles of flips for cocircular corners.
   constexpr double kLimit = -1e-3;
   for (int round = 0; round < rounds; ++round) {
     bool flipped = false;

@@ -1,4 +1,4 @@
-/// Edges of closed manifold meshes turned so that triangles get better angles.
+/// Delaunay flips on closed manifold meshes.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace brindle {
 
-/// Flips edges until every one is locally Delaunay (the angles opposite it add up to at most 180
-/// degrees), or `rounds` passes are done. An edge stays if its flip would double another edge or
-/// fold the surface over. `twins` are those of the mesh (`manifold_twins`), and stay so. Where
-/// `progress` throws, some edges are flipped.
+/// Flips edges until each is locally Delaunay (opposite angles of at most 180 degrees in total),
+/// for at most `rounds` passes. Skips flips that would duplicate an edge or fold the surface.
+/// Maintains `twins`, those of the mesh (`manifold_twins`). Exceptions of `progress` leave some
+/// edges flipped.
 void flip_to_delaunay(Mesh& mesh, std::vector<Index>& twins, int rounds,
                       const Progress& progress = {});
 

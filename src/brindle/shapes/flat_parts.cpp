@@ -24,13 +24,13 @@ Loop reversed(Loop loop) {
   return loop;
 }
 
-/// The same in another plane at right angles to an axis, exactly.
+/// The loop in another plane perpendicular to an axis, without rounding.
 Loop moved_to(Loop loop, int axis, float place) {
   for (Vec3& corner : loop) corner[axis] = place;
   return loop;
 }
 
-/// From a to b, which are at right angles and as long as the radius.
+/// An arc from a to b, perpendicular vectors as long as the radius.
 Loop circle(const Vec3& center, const Vec3& a, const Vec3& b, int corners) {
   Loop loop;
   for (int k = 0; k < corners; ++k) {
@@ -41,16 +41,16 @@ Loop circle(const Vec3& center, const Vec3& a, const Vec3& b, int corners) {
   return loop;
 }
 
-/// Collects the faces of a part. Corners at one place become one vertex.
+/// Collects the faces of a part. Corners at one position become one vertex.
 class FlatPart {
  public:
-  /// A face of which the first corner sees all others.
+  /// A face that is star-shaped from its first corner.
   void add_fan(const Loop& rim) {
     for (std::size_t k = 2; k < rim.size(); ++k) add(rim[0], rim[k - 1], rim[k]);
   }
 
-  /// A wall between two loops of as many corners, outside of a lower one that is counter-clockwise
-  /// as seen from the upper one.
+  /// A wall between two loops of equal size, outside a lower one that is counter-clockwise from the
+  /// upper one.
   void add_wall(const Loop& lower, const Loop& upper) {
     for (std::size_t k = 0; k < lower.size(); ++k) {
       const std::size_t next = (k + 1) % lower.size();
@@ -58,8 +58,8 @@ class FlatPart {
     }
   }
 
-  /// A face with a hole, whose middle sees all edges. Each makes a triangle with a corner of the
-  /// other loop: the one that has been reached, going round by the directions of edges.
+  /// A face with a hole whose middle sees all edges. Edges of both loops, merged by direction, each
+  /// make a triangle with the current corner of the other loop.
   void add_ring(const Loop& rim, const Loop& hole) {
     std::vector<RingEdge> edges;
     add_edges(rim, hole, 0, edges);
@@ -84,7 +84,7 @@ class FlatPart {
 
  private:
   struct RingEdge {
-    double direction;  ///< of its middle, from the hole's
+    double direction;  ///< of its midpoint from the hole's centre
     std::size_t loop;  ///< 0: the rim, 1: the hole
     Vec3 from, to;
   };
@@ -118,7 +118,7 @@ class FlatPart {
   Mesh mesh_;
 };
 
-/// A plate of the bracket: its inner face, and the coordinate of its outer one along an axis.
+/// A plate of the bracket: its inner face, and the position of its outer face along an axis.
 void add_plate(FlatPart& part, const Loop& inner, const Loop& outer, int axis,
                const BracketShape& shape) {
   const Vec3 center = (inner[0] + inner[2]) / 2;
@@ -142,7 +142,7 @@ Mesh make_bracket(const BracketShape& shape) {
   const float left = -shape.length / 2, right = shape.length / 2;
   const float bottom = -shape.height / 2, top = shape.height / 2, back = shape.depth / 2;
   const float x = left + shape.thickness, z = bottom + shape.thickness;
-  // From the outer edge on, as seen from the front, where y is lowest.
+  // From the outer edge on, seen from the front, where y is smallest.
   const Vec3 middle(x + shape.fillet, -back, z + shape.fillet);
   Loop profile = {{left, -back, bottom}, {right, -back, bottom}, {right, -back, z}};
   Loop fillet = {{middle.x(), -back, z}};

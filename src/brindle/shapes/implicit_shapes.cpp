@@ -45,7 +45,7 @@ struct VesselGrowth {
     return lower + (upper - lower) * random_number(shape.seed, drawn++);
   }
 
-  /// `side` is the normal of the plane in which the last split happened.
+  /// `side` is the normal of the plane of the last split.
   void grow(const Point& from, const Point& direction, const Point& side, double radius,
             double length, int generation) {
     // Murray's law: radius^3 = left^3 + right^3.
@@ -55,10 +55,10 @@ struct VesselGrowth {
     const Point to = from + length * direction;
     vessels.push_back({from, to, radius, std::max(left, right)});
     if (generation == 0) return;
-    // Successive splits are nearly at right angles to each other, so the tree fills space.
+    // Successive splits are nearly perpendicular, so that the tree fills space.
     const Point split = Eigen::AngleAxisd(random(1.2, 1.9), direction) * side;
     for (const auto& [child, sign] : {std::pair(left, 1.0), std::pair(right, -1.0)}) {
-      // The thinner vessel turns further away.
+      // The thinner vessel deviates more.
       const double angle = sign * shape.spread * random(0.85, 1.15) * radius * 0.8 / child;
       const Eigen::AngleAxisd turn(angle, split);
       grow(to, (turn * direction).normalized(), split, child, length * random(0.72, 0.88),
@@ -87,7 +87,7 @@ std::vector<Capsule> molecule_atoms(const MoleculeShape& shape) {
   std::vector<Capsule> atoms;
   std::uint64_t drawn = 0;
   const auto random = [&] { return random_number(shape.seed, drawn++); };
-  // Prefers places near the middle, too.
+  // Prefers positions near the middle.
   const auto clearance = [&](const Point& p) {
     double nearest = 1e30;
     for (const Capsule& atom : atoms) nearest = std::min(nearest, (atom.a - p).norm());
@@ -96,7 +96,7 @@ std::vector<Capsule> molecule_atoms(const MoleculeShape& shape) {
   for (int i = 0; i < shape.atoms; ++i) {
     const double radius = kRadii[static_cast<std::size_t>(random() * 3)];
     Point best = Point::Zero();
-    // Of some places beside any of the atoms, the one with the most room that is not far out.
+    // Of several positions beside random atoms, the one with the most space that is not far out.
     for (int attempt = 0; attempt < 8 && i > 0; ++attempt) {
       const Point& anchor = atoms[static_cast<std::size_t>(random() * i)].a;
       const double z = 2 * random() - 1, turn = 2 * std::numbers::pi * random();

@@ -1,4 +1,4 @@
-/// Numbers of keys, in one block of memory: filled and given back far faster than a list of nodes.
+/// A hash map in one block of memory, much faster to fill and free than node-based maps.
 #pragma once
 
 #include <bit>
@@ -11,11 +11,11 @@
 
 namespace brindle {
 
-/// A table with open addressing, linearly probed. Nothing is ever taken out.
+/// Open addressing with linear probing. Keys are never removed.
 class IndexMap {
  public:
-  /// The number of a key, which is `number` if it has none yet, and whether it had none. No key is
-  /// ~0.
+  /// Inserts the key with `number` unless it exists; returns its number and whether it is new. ~0
+  /// is no valid key.
   std::pair<Index, bool> try_emplace(std::uint64_t key, Index number) {
     if (2 * (count_ + 1) > entries_.size()) grow();
     Entry& entry = place(key);
@@ -34,7 +34,7 @@ class IndexMap {
   };
 
   Entry& place(std::uint64_t key) {
-    // Multiplied by the golden ratio's fraction, whose upper bits depend on all of the key's.
+    // Fibonacci hashing: the upper bits of the product depend on all bits of the key.
     const std::size_t last = entries_.size() - 1;
     auto at = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> (64 - std::bit_width(last)));
     while (entries_[at].key != kNoKey && entries_[at].key != key) at = (at + 1) & last;
@@ -50,7 +50,7 @@ class IndexMap {
     }
   }
 
-  std::vector<Entry> entries_;  // a power of two, at most half of them taken
+  std::vector<Entry> entries_;  // size is a power of two, at most half full
   std::size_t count_ = 0;
 };
 

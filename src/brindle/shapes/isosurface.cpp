@@ -28,20 +28,19 @@ using Point = Eigen::Vector3d;
 using Cell = Eigen::Vector3i;
 using Tetrahedron = std::array<Index, 4>;
 
-/// Measured ratio of the lattice's cells to the edges of the resulting triangles.
+/// Measured ratio of lattice cells to edges of the triangles.
 constexpr double kCellPerEdge = 1.29;
 constexpr int kMaxCells = 1 << 12;  ///< along one axis
 constexpr std::size_t kValuesPerReport = 1 << 12;
 constexpr Index kNone = ~Index{0};
-constexpr std::size_t kMovedPerReport = 1 << 12;  ///< vertices, each some values
+constexpr std::size_t kMovedPerReport = 1 << 12;  ///< vertices, with several evaluations each
 
-/// Edges by their ends, in lists from each end of lower number.
+/// Edges by their ends, in lists per lower-numbered end.
 class EdgeList {
  public:
   explicit EdgeList(std::size_t points) : first_(points, kNone) {}
 
-  /// The number of the edge between two points, counted in the order in which they come, and
-  /// whether it is new.
+  /// The number of the edge between two points, in order of insertion, and whether it is new.
   std::pair<Index, bool> try_emplace(Index a, Index b) {
     if (a > b) std::swap(a, b);
     for (Index edge = first_[a]; edge != kNone; edge = edges_[edge].next) {
@@ -55,14 +54,14 @@ class EdgeList {
  private:
   struct Edge {
     Index to;
-    Index next;  ///< from the same point; kNone: none
+    Index next;  ///< with the same lower end; kNone: none
   };
 
   std::vector<Index> first_;
   std::vector<Edge> edges_;
 };
 
-/// The body-centred cubic lattice near the surface: points with the function's values, and all
+/// The body-centred cubic lattice near the surface: points with values of the function, and all
 /// tetrahedra that the surface crosses.
 class Lattice {
  public:
@@ -70,7 +69,7 @@ class Lattice {
           const Progress& progress)
       : function_(function), progress_(progress), origin_(box.lower.cast<double>()), cell_(cell) {
     const Point extent = (box.upper - box.lower).cast<double>();
-    // Up to the last cell on each axis one tetrahedron reaches beyond it: leave a margin.
+    // Tetrahedra extend one cell beyond the last cell on each axis.
     origin_ -= Point::Constant(1.5 * cell);
     const Cell cells = (extent / cell).array().ceil().cast<int>() + 3;
     descend(Cell::Zero(), cells, 0, 1);
@@ -78,7 +77,7 @@ class Lattice {
     numbers_ = {};
   }
 
-  std::vector<double> values;  ///< the function at all points
+  std::vector<double> values;  ///< of the function, at all points
   std::vector<Tetrahedron> tetrahedra;
 
   Point position(Index point) const {
@@ -87,14 +86,14 @@ class Lattice {
   }
 
  private:
-  /// The function at a point. From time to time reports that a share of the box is done.
+  /// The function at a point. Reports progress regularly.
   double value(const Point& at) {
     if (++asked_ % kValuesPerReport == 0) progress_.report(done_);
     return function_(at);
   }
 
-  /// Halves the range of cells [lower, upper) until it is one cell or away from the surface. In the
-  /// order of the work the range goes from `begin` to `end` of the box.
+  /// Bisects the range of cells [lower, upper) down to single cells near the surface. `begin` to
+  /// `end` is the range's share of the progress.
   void descend(const Cell& lower, const Cell& upper, double begin, double end) {
     done_ = begin;
     const Cell size = upper - lower;
@@ -133,7 +132,7 @@ class Lattice {
     if (inside > 0 && inside < 4) tetrahedra.push_back(t);
   }
 
-  /// Lattice coordinates count half cells: all even at corners, all odd at centres.
+  /// Lattice coordinates are in half cells: all even at corners, all odd at centres.
   Point place(const Cell& halves) const { return origin_ + 0.5 * cell_ * halves.cast<double>(); }
 
   Index point(const Cell& halves) {
@@ -148,8 +147,8 @@ class Lattice {
     return number;
   }
 
-  /// Where the number of a point is. The points of 4 x 4 x 4 cells, a corner and a centre each, are
-  /// beside each other, since the surface goes through many of them.
+  /// The storage of a point's number. Points of 4 x 4 x 4 cells, a corner and a centre each, are
+  /// adjacent for locality.
   Index& number_at(const Cell& halves) {
     std::uint64_t block = 0;
     std::size_t place_in_block = static_cast<std::size_t>(halves[0]) & 1;
@@ -168,8 +167,8 @@ class Lattice {
   double done_ = 0;
   Point origin_;
   double cell_;
-  std::vector<std::array<std::uint16_t, 3>> halves_;  ///< a third of what positions would take
-  IndexMap blocks_;                                   ///< which of `numbers_` has a block's points
+  std::vector<std::array<std::uint16_t, 3>> halves_;  ///< a third of the size of positions
+  IndexMap blocks_;  ///< the block of `numbers_` with a block's points
   std::deque<std::array<Index, 128>> numbers_;
 };
 
@@ -178,9 +177,9 @@ Point crossing(const Lattice& lattice, Index a, Index b) {
   return lattice.position(a) + fa / (fa - fb) * (lattice.position(b) - lattice.position(a));
 }
 
-/// The tetrahedra at each lattice point, in one list.
+/// The tetrahedra at each lattice point, in compressed rows.
 struct TetrahedraAround {
-  std::vector<std::size_t> begin;  ///< one a point, and the end of the last
+  std::vector<std::size_t> begin;  ///< one per point, and the end of the last
   std::vector<Index> tetrahedra;
 
   std::span<const Index> of(Index point) const {
@@ -191,7 +190,7 @@ struct TetrahedraAround {
 TetrahedraAround tetrahedra_around(const Lattice& lattice) {
   const auto& all = lattice.tetrahedra;
   TetrahedraAround around;
-  // Counted one place to the right, so that filling moves each offset to where it belongs.
+  // Counts are shifted by one, so that filling advances each offset to its final value.
   around.begin.assign(lattice.values.size() + 2, 0);
   for (const Tetrahedron& tetrahedron : all) {
     for (const Index point : tetrahedron) ++around.begin[point + 2];
@@ -207,7 +206,7 @@ TetrahedraAround tetrahedra_around(const Lattice& lattice) {
   return around;
 }
 
-/// Lattice points that are moved, and where to.
+/// Snapped lattice points and their positions.
 class SnappedPoints {
  public:
   explicit SnappedPoints(std::size_t points) : number_(points, kNone) {}
@@ -220,11 +219,11 @@ class SnappedPoints {
   }
 
  private:
-  std::vector<Index> number_;  ///< of places; kNone: stays
+  std::vector<Index> number_;  ///< of positions; kNone: not snapped
   std::vector<Point> places_;
 };
 
-/// Moves lattice points that are close to a crossing of one of their edges onto it.
+/// Snaps lattice points that are close to a crossing on one of their edges.
 SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress) {
   struct Candidate {
     double distance;
@@ -234,7 +233,7 @@ SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress
   const auto add_candidate = [&](Index a, Index b) {
     const double distance = (crossing(lattice, a, b) - lattice.position(a)).norm();
     const double length = (lattice.position(a) - lattice.position(b)).norm();
-    // The limits of Labelle and Shewchuk, for the cubic lattice's edges and the diagonals.
+    // The limits of Labelle and Shewchuk for axis-parallel and diagonal edges.
     const double limit = (length > 0.9 * cell ? 0.249 : 0.412) * length;
     if (distance < limit) candidates.push_back({distance, a, b});
   };
@@ -263,7 +262,7 @@ SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress
     if (number % kReportSlice == 0) progress.tick();
     const Index point = candidates[number].point, other = candidates[number].other;
     if (snapped.has(point) || snapped.has(other)) continue;
-    // A tetrahedron that lies in the surface with all its corners is neither inside nor outside.
+    // A tetrahedron whose corners are all on the surface is neither inside nor outside.
     const auto flat = [&](Index t) { return snapped_corners[t] == 3; };
     const std::span<const Index> at = around.of(point);
     if (std::any_of(at.begin(), at.end(), flat)) continue;
@@ -273,7 +272,7 @@ SnappedPoints snap(const Lattice& lattice, double cell, const Progress& progress
   return snapped;
 }
 
-/// Turns the crossed tetrahedra of a lattice into triangles.
+/// Triangulates the crossed tetrahedra of a lattice.
 class Polygonizer {
  public:
   Polygonizer(const Lattice& lattice, const SnappedPoints& snapped, const Progress& progress)
@@ -293,14 +292,14 @@ class Polygonizer {
   Mesh mesh;
 
  private:
-  /// Faces of the lattice are in lists from each lowest corner.
+  /// Faces of the lattice, in lists per lowest corner.
   struct MadeTriangle {
     Triangle corners;
     bool stays;
     Index next_face;
   };
 
-  /// A vertex of the surface within a tetrahedron, and where it would be on the regular lattice.
+  /// A vertex of the surface within a tetrahedron, and its position on the unsnapped lattice.
   struct Node {
     Index vertex;
     Point regular;
@@ -322,7 +321,7 @@ class Polygonizer {
       }
     }
     if (nodes.size() < 3 || inside.size() + outside.size() == 0) return;
-    // A point on the outer side of the triangles.
+    // A point outside the triangles.
     const bool known_outside = !outside.empty();
     const Point side = lattice_.position(known_outside ? outside[0] : inside[0]);
     if (nodes.size() == 3) {
@@ -345,8 +344,8 @@ class Polygonizer {
     }
   }
 
-  /// Winds the triangle so that `side` is on its outer side, or on its inner one. A face of the
-  /// lattice is one whose corners all were snapped.
+  /// Winds the triangle so that `side` is outside, or inside. It is a face of the lattice if all
+  /// corners were snapped.
   void add_triangle(const Node& a, const Node& b, const Node& c, const Point& side, bool outer,
                     bool is_face = false) {
     Triangle t = {a.vertex, b.vertex, c.vertex};
@@ -357,8 +356,7 @@ class Polygonizer {
       triangles_.push_back({t, true, kNone});
       return;
     }
-    // It is added from both sides: it stays, once, only if one side is inside and the other
-    // outside.
+    // Both sides add a face; it is kept, once, only if one side is inside and the other outside.
     if (MadeTriangle* reversed = face({t[0], t[2], t[1]})) {
       reversed->stays = false;
     } else if (!face(t)) {
@@ -398,11 +396,11 @@ class Polygonizer {
   std::vector<Index> vertex_of_point_;
   EdgeList edges_;
   std::vector<Index> vertex_of_edge_;
-  std::vector<Index> first_face_;  ///< of those with this lowest corner
+  std::vector<Index> first_face_;  ///< of faces with this lowest corner
   std::vector<MadeTriangle> triangles_;
 };
 
-/// Vertices that lost all their triangles are left out.
+/// Removes vertices without triangles.
 void drop_unused_vertices(Mesh& mesh) {
   std::vector<Index> number(mesh.vertex_count(), ~Index{0});
   std::vector<Vec3> positions;
@@ -418,7 +416,7 @@ void drop_unused_vertices(Mesh& mesh) {
   mesh.positions = std::move(positions);
 }
 
-/// By forward differences: `value` is the function at `at`, and evaluations are what takes time.
+/// Forward differences, because evaluations are expensive; `value` is the function at `at`.
 Point gradient(const ImplicitFunction& function, const Point& at, double value, double step) {
   Point result;
   for (int axis = 0; axis < 3; ++axis) {
@@ -427,7 +425,7 @@ Point gradient(const ImplicitFunction& function, const Point& at, double value, 
   return result;
 }
 
-/// Newton steps along the gradient, each at most `reach` long.
+/// Newton steps along the gradient, of at most `reach` each.
 Point project(const ImplicitFunction& function, Point at, double reach, int steps) {
   for (int i = 0; i < steps; ++i) {
     const double value = function(at);
@@ -476,7 +474,7 @@ Mesh polygonize(const Lattice& lattice, const SnappedPoints& snapped, const Prog
   return mesh;
 }
 
-/// How many cells of a coarse grid the surface goes through, within `reach` of their centres.
+/// The number of cells of a coarse grid that the surface crosses, within `reach` of their centres.
 std::size_t cells_near(const ImplicitFunction& function, const Point& lower, const Point& size,
                        int most) {
   const Point middle = lower + 0.5 * size;
@@ -490,13 +488,13 @@ std::size_t cells_near(const ImplicitFunction& function, const Point& lower, con
   return cells_near(function, lower, half, most - 1) + cells_near(function, upper, half, most - 1);
 }
 
-/// Refuses a surface that memory does not hold. Cells of a coarse grid near the surface tell how
-/// large it is: as many more are near it as they are smaller, squared.
+/// Rejects surfaces beyond the memory limit. Their area is estimated from cells of a coarse grid
+/// near the surface.
 void check_room(const ImplicitFunction& function, const BoundingBox& box, float edge_length) {
   constexpr int kHalvings = 12;
-  // Both by measurement: of built-in shapes the count is right within a factor of two.
+  // Measured on built-in shapes; the estimate is right within a factor of two.
   constexpr double kVerticesPerFace = 0.6;  ///< of a cell near the surface
-  constexpr double kBytesPerVertex = 560;   ///< with the lattice
+  constexpr double kBytesPerVertex = 560;   ///< including the lattice
   const Point size = (box.upper - box.lower).cast<double>();
   const auto near =
       static_cast<double>(cells_near(function, box.lower.cast<double>(), size, kHalvings));
@@ -531,7 +529,7 @@ Mesh isosurface(const ImplicitFunction& function, const BoundingBox& box, float 
     twins = manifold_twins(mesh);
     progress.report(0.44);
     if (!twins) {
-      // Snapping may pinch what is hardly thicker than a cell; without it nothing is pinched.
+      // Snapping may pinch parts hardly thicker than a cell, so repeat without snapping.
       mesh = polygonize(lattice, SnappedPoints(lattice.values.size()), progress);
       twins = manifold_twins(mesh);
     }

@@ -1,4 +1,4 @@
-/// Rough versions of smooth meshes.
+/// Noise on meshes.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace brindle {
 
-/// Moves every vertex along its normal by a random distance, uniform between -amplitude and
-/// +amplitude times the mean edge length. The same seed gives the same mesh.
-/// Throws Error if the amplitude is not finite, and Cancelled if `progress` asks for it.
+/// Moves each vertex along its normal by a random distance, uniform within +-amplitude times the
+/// mean edge length. The same seed gives the same mesh. Throws Error if the amplitude is not
+/// finite, and Cancelled.
 void add_noise(Mesh& mesh, float amplitude, std::uint32_t seed = 1, const Progress& progress = {});
 
 }  // namespace brindle

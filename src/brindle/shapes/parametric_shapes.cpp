@@ -18,7 +18,7 @@ namespace brindle {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// Distance of the rows of a lattice of equilateral triangles, over the length of their edges.
+/// The distance of rows in a lattice of equilateral triangles, relative to the edge length.
 const double kRowHeight = std::sqrt(0.75);
 
 Vec3 point(double x, double y, double z) { return Eigen::Vector3d(x, y, z).cast<float>(); }
@@ -27,25 +27,25 @@ int row_count(double height, double spacing) {
   return std::max(2, static_cast<int>(std::lround(height / (spacing * kRowHeight))));
 }
 
-/// One row of a lattice: its vertices, and where along the row each one stands.
+/// A row of a lattice: its vertices, and their positions along the row.
 struct Row {
   std::vector<double> at;  ///< ascending, from 0 to 1
   std::vector<Index> vertices;
 };
 
-/// Odd rows are shifted by half an edge, but all reach from border to border.
+/// Odd rows are shifted by half an edge, but all rows span the full width.
 Index row_size(int edges, std::size_t number) {
   return static_cast<Index>(edges) + (number % 2 == 0 ? 1 : 2);
 }
 
-/// Where vertex i of row `number` stands.
+/// The position of vertex i in row `number`.
 double row_place(int edges, std::size_t number, Index i) {
   if (number % 2 == 0) return static_cast<double>(i) / edges;
   if (i == 0) return 0;
   return i > static_cast<Index>(edges) ? 1 : (static_cast<double>(i - 1) + 0.5) / edges;
 }
 
-/// Row `number`, whose vertices are `first` and on.
+/// Row `number`, with vertices from `first` on.
 Row make_row(int edges, std::size_t number, Index first) {
   Row row;
   for (Index i = 0; i < row_size(edges, number); ++i) {
@@ -55,7 +55,7 @@ Row make_row(int edges, std::size_t number, Index first) {
   return row;
 }
 
-/// Triangles between two open rows; `upper` lies to the left of `lower`.
+/// Triangles between two open rows; `upper` is to the left of `lower`.
 void connect_rows(const Row& lower, const Row& upper, std::vector<Triangle>& triangles) {
   std::size_t a = 0, b = 0;
   while (a + 1 < lower.at.size() || b + 1 < upper.at.size()) {
@@ -74,9 +74,9 @@ void connect_rows(const Row& lower, const Row& upper, std::vector<Triangle>& tri
   }
 }
 
-/// An open lattice: strip s lies between the rows that `rows_of(s)` numbers, the blocks of the
-/// shape. `number_of(row)` says which row of a lattice it is, `position(row, at)` where a vertex
-/// is.
+/// An open lattice: strip s is between the rows `rows_of(s)`, which are the shape's blocks.
+/// `number_of(row)` is a row's number within its lattice, `position(row, at)` the position of a
+/// vertex.
 template <class Position, class Number, class Rows>
 StripShape open_lattice(int edges, std::size_t rows, std::size_t strips, const Number& number_of,
                         const Rows& rows_of, const Position& position) {
@@ -100,16 +100,16 @@ StripShape open_lattice(int edges, std::size_t rows, std::size_t strips, const N
                         std::vector<Triangle>& triangles) {
     const auto [lower, upper] = rows_of(strip);
     Row next = make_row(edges, number_of(upper), first[1]);
-    // Back at the first row: after a half turn.
+    // Back at the first row, after a half turn.
     if (upper < lower) ranges::reverse(next.vertices);
     connect_rows(make_row(edges, number_of(lower), first[0]), next, triangles);
   };
   return shape;
 }
 
-/// A lattice that closes around rows: `ring` has as many vertices in every row, odd ones half an
-/// edge ahead. `position(u, v)` takes u in [0, 1) around a row and v in [0, 1] across rows. With
-/// `closed`, the last row is joined to the first; `rows` is then even.
+/// A lattice that is periodic along rows of `ring` vertices; odd rows are shifted by half an edge.
+/// `position(u, v)` takes u in [0, 1) along a row and v in [0, 1] across rows. If `closed`, the
+/// last row is joined to the first, and `rows` is even.
 template <class Position>
 StripShape ring_lattice(int around, int rows, bool closed, const Position& position) {
   const auto row_vertices = static_cast<std::size_t>(closed ? rows : rows + 1);
@@ -147,7 +147,7 @@ int even_row_count(double height, double spacing) {
   return std::max(4, 2 * static_cast<int>(std::lround(height / (spacing * kRowHeight) / 2)));
 }
 
-/// The point that divides the great circle from a to b (unit vectors) at t.
+/// Interpolates along the great circle from a to b (unit vectors).
 Eigen::Vector3d slerp(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t) {
   const double angle = elementary::atan2(a.cross(b).norm(), a.dot(b));
   if (angle < 1e-12) return a;
@@ -175,8 +175,8 @@ constexpr std::array<Triangle, 20> kIcosahedronFaces = {
 
 Eigen::Vector3d icosahedron_corner(Index c) { return kIcosahedronVertices[c].normalized(); }
 
-/// The blocks of an icosphere, in the order in which its faces need their vertices: corners, then
-/// of every face those of its edges that no face before it has, and its rows.
+/// The blocks of an icosphere: corners, then, face by face, edges that no earlier face has, and
+/// rows.
 class Icosphere {
  public:
   explicit Icosphere(const SphereShape& shape)
@@ -220,7 +220,7 @@ class Icosphere {
   std::size_t strips() const { return faces_.size() * n_; }
   std::size_t triangles_of(std::size_t strip) const { return 2 * row_of(strip) - 1; }
 
-  /// The three corners and edges of the face, and the rows on either side of the strip.
+  /// The three corners and edges of the face, and the rows beside the strip.
   std::vector<std::size_t> blocks_of(std::size_t strip) const {
     const Triangle& face = kIcosahedronFaces[strip / n_];
     const FaceBlocks& of_face = faces_[strip / n_];
@@ -269,7 +269,7 @@ class Icosphere {
     return place->second;
   }
 
-  /// Vertex i of row `row`, counted from corner 0 towards the edge from corner 1 to corner 2.
+  /// Vertex i of row `row`, counted from corner 0 to the opposite edge.
   Index vertex(const Triangle& face, std::span<const Index> first, Index row, Index i,
                Index first_of_row) const {
     if (i == 0) return on_edge(face, first, 0, 1, row, first[3]);
@@ -285,7 +285,7 @@ class Icosphere {
     return first_of_edge + (face[a] < face[b] ? step : n_ - step) - 1;
   }
 
-  /// The mean over the three ways to reach the point along great circles: symmetric in the corners.
+  /// The mean of the three constructions along great circles, symmetric in the corners.
   Eigen::Vector3d inner(const Triangle& face, int row, int i) const {
     const int n = shape_.resolution;
     const auto corner = [&](int c) { return icosahedron_corner(face[c]); };
@@ -305,10 +305,10 @@ class Icosphere {
   std::map<std::pair<Index, Index>, std::size_t> edges_;
 };
 
-/// Point and derivative of the trefoil knot, about two units wide.
+/// The trefoil knot's point and derivative, about two units wide.
 constexpr double kTrefoilScale = 1.0 / 3.2;
 Eigen::Vector3d trefoil_point(double t) {
-  // Shifted so that the middle of the bounding box is at the origin.
+  // Centred: the middle of the bounding box is the origin.
   return kTrefoilScale * Eigen::Vector3d(elementary::sin(t) + 2 * elementary::sin(2 * t),
                                          elementary::cos(t) - 2 * elementary::cos(2 * t) + 0.46,
                                          -elementary::sin(3 * t));
@@ -320,7 +320,7 @@ Eigen::Vector3d trefoil_tangent(double t) {
       .normalized();
 }
 
-/// A closed curve's points at equal arc length, with frames that turn as little as possible.
+/// A closed curve's points at equal arc length, with rotation-minimizing frames.
 struct Tube {
   std::vector<Eigen::Vector3d> center, normal, binormal;
 };
@@ -362,7 +362,7 @@ Tube trefoil_frames(double spacing) {
     tube.normal.push_back(normal);
     tube.binormal.push_back(tangent.cross(normal));
   }
-  // What the frame has turned by after one round is spread evenly over the rows.
+  // The frame's total rotation is distributed evenly over the rows.
   transport(parameters[0]);
   const double turn = elementary::atan2(normal.dot(tube.binormal[0]), normal.dot(tube.normal[0]));
   for (int row = 0; row < rows; ++row) {
@@ -458,7 +458,7 @@ StripShape trefoil_strips(const TrefoilShape& shape) {
   });
 }
 
-// Ring k has 4k vertices: along the rim edges are as long as the rings are apart.
+// Ring k has 4k vertices: edges along the rim are about as long as the distance of rings.
 StripShape hemisphere_strips(const HemisphereShape& shape) {
   const auto rings = static_cast<std::size_t>(shape.resolution);
   const auto size_of = [](std::size_t ring) {
@@ -514,7 +514,7 @@ StripShape sheets_strips(const SheetsShape& shape) {
   const int edges = std::max(1, static_cast<int>(std::lround(shape.height / spacing)));
   const auto rows = static_cast<std::size_t>(row_count(shape.width, spacing));
   const std::size_t strips = rows * static_cast<std::size_t>(shape.count);
-  // Block 0 is the edge that all have in common, row 0 of each sheet.
+  // Block 0 is the common edge, row 0 of each sheet.
   const auto number_of = [=](std::size_t block) { return block == 0 ? 0 : (block - 1) % rows + 1; };
   return open_lattice(
       edges, strips + 1, strips, number_of,
@@ -533,7 +533,7 @@ StripShape sheets_strips(const SheetsShape& shape) {
 }
 
 StripShape pieces_strips(const PiecesShape& shape) {
-  // Neighbours on a circle of radius 1 - size leave a gap of half their size.
+  // Neighbours on a circle of radius 1 - size are separated by half their size.
   const double half = elementary::sin(kPi / std::max(2, shape.count));
   const double size = shape.count < 2 ? 1.0 : std::min(0.5, half / (1.25 + half));
   const auto radius = static_cast<float>(size);

@@ -1,8 +1,8 @@
-/// Built-in shapes that have a formula: planes, spheres, tubes, strips.
+/// Built-in shapes with a formula: planes, spheres, tubes, strips.
 ///
-/// All are centred at the origin, about two units large, and wound outwards (the plane: towards
-/// +z). Triangles are near equilateral. `resolution` counts the edges along what each shape names.
-/// Each comes in strips, of which the whole (`mesh_of`) or parts can be made.
+/// All are centred at the origin, about two units large, wound outwards (the plane: towards +z),
+/// with near-equilateral triangles. `resolution` counts edges along a direction that each shape
+/// names. Each consists of strips, and can be made as a whole (`mesh_of`) or in parts.
 #pragma once
 
 #include "brindle/mesh.h"
@@ -18,7 +18,7 @@ struct PlaneShape {
 };
 StripShape plane_strips(const PlaneShape& shape = {});
 
-/// The side surface, about the z axis.
+/// The side surface of a cylinder, about the z axis.
 struct CylinderShape {
   float radius = 0.5f;
   float height = 2;
@@ -26,26 +26,27 @@ struct CylinderShape {
 };
 StripShape cylinder_strips(const CylinderShape& shape = {});
 
-/// An open tube about an arc in the plane y = 0: a sleeve, a bottle, a horn.
+/// An open tube about an arc in the plane y = 0: a sleeve, a bottle or a horn.
 struct TubeShape {
   float radius = 0.25f;
-  float length = 2;      ///< along the arc
-  float bend_deg = 60;   ///< how much the arc turns
-  float bulge = 0;       ///< wider by this share at a quarter of the length, narrower at three
-  float taper = 1;       ///< the radius of the upper end over that of the lower one
+  float length = 2;     ///< along the arc
+  float bend_deg = 60;  ///< turn of the arc
+  float bulge =
+      0;  ///< relative widening at a quarter of the length, and narrowing at three quarters
+  float taper = 1;       ///< radius of the upper end over that of the lower one
   int resolution = 104;  ///< edges around
 };
 StripShape tube_strips(const TubeShape& shape = {});
 
-/// An icosahedron, each face divided along great circles.
+/// An icosahedron whose faces are divided along great circles.
 struct SphereShape {
   float radius = 1;
   int resolution = 56;  ///< edges along an edge of the icosahedron
 };
 StripShape sphere_strips(const SphereShape& shape = {});
 
-/// Around the z axis. The vertices are a lattice in conformal coordinates, so triangles are near
-/// equilateral everywhere and larger outside than inside.
+/// Around the z axis. The vertices are a lattice in conformal coordinates, so that triangles are
+/// near equilateral everywhere, but larger outside than inside.
 struct TorusShape {
   float major = 0.7f;
   float minor = 0.3f;
@@ -67,7 +68,7 @@ struct HemisphereShape {
 };
 StripShape hemisphere_strips(const HemisphereShape& shape = {});
 
-/// A strip of the given width with one half turn, its ends joined: one side, one border.
+/// A strip of the given width with a half turn, joined at its ends: one side, one border.
 struct MobiusShape {
   float radius = 0.75f;
   float width = 0.5f;
@@ -75,7 +76,7 @@ struct MobiusShape {
 };
 StripShape mobius_strips(const MobiusShape& shape = {});
 
-/// Half-planes that all end in the z axis, at equal angles: its edges have `count` triangles.
+/// Half-planes that share the z axis, at equal angles: edges there have `count` triangles.
 struct SheetsShape {
   int count = 3;
   float width = 1;  ///< from the common edge outwards
@@ -84,10 +85,10 @@ struct SheetsShape {
 };
 StripShape sheets_strips(const SheetsShape& shape = {});
 
-/// Unconnected spheres, tori and cylinders, in turn, on a circle.
+/// Separate spheres, tori and cylinders in turn, on a circle.
 struct PiecesShape {
   int count = 5;
-  int resolution = 20;  ///< as of a SphereShape; the others are sampled alike
+  int resolution = 20;  ///< as in SphereShape; the others have similar edge lengths
 };
 StripShape pieces_strips(const PiecesShape& shape = {});
 

@@ -22,11 +22,11 @@ struct Parameter {
   std::string_view name;
   double standard;
   double lower, upper;
-  bool whole;  ///< whether only whole numbers make sense
+  bool whole;  ///< integers only
   std::string_view help;
 };
 
-/// The value of every parameter of one shape.
+/// The values of all parameters of a shape.
 class Values {
  public:
   explicit Values(const std::vector<Parameter>& parameters) {
@@ -47,7 +47,7 @@ struct Shape {
   std::string_view name;
   std::string_view help;
   std::vector<Parameter> parameters;
-  /// Those that have a formula can be made in parts.
+  /// Shapes with a formula can be made in parts.
   std::variant<std::function<Mesh(const Values&, const Progress&)>,
                std::function<StripShape(const Values&)>>
       make;
@@ -206,7 +206,7 @@ Mesh checked_box(const BoxShape& shape, const Progress& progress) {
   if (2 * shape.fillet > std::min(room, shape.height)) {
     throw Error("shape 'box': fillet must be at most half the shortest side");
   }
-  // Flat rims of the hole and of the sides' fillets must not meet.
+  // The flat rims of the hole and of the sides' fillets must not meet.
   if (shape.hole > 0 && 2 * shape.hole + 4 * shape.fillet > room) {
     throw Error(
         "shape 'box': the hole does not fit; hole + 2 fillet must be at most half of "
@@ -381,7 +381,7 @@ std::string list(const std::vector<Named>& items) {
   return text;
 }
 
-/// "did you mean 'torus'? ", or nothing.
+/// "did you mean 'torus'? ", or "".
 template <class Named>
 std::string did_you_mean(std::string_view name, const std::vector<Named>& items) {
   std::vector<std::string> known;
@@ -415,7 +415,7 @@ double parse_value(const Shape& shape, const Parameter& parameter, std::string_v
   double value = 0;
   const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
   const bool number = error == std::errc() && end == text.data() + text.size();
-  // Written so that NaN is refused too.
+  // NaN fails this test.
   const bool fits = value >= parameter.lower && value <= parameter.upper &&
                     (!parameter.whole || value == std::floor(value));
   if (!number || !fits) {
@@ -426,7 +426,7 @@ double parse_value(const Shape& shape, const Parameter& parameter, std::string_v
   return value;
 }
 
-/// What stands before the next separator; `text` is left with what follows it.
+/// The text up to the next separator; `text` keeps the rest.
 std::string_view take_until(std::string_view& text, char separator) {
   const std::size_t at = text.find(separator);
   const std::string_view head = text.substr(0, at);
@@ -434,7 +434,7 @@ std::string_view take_until(std::string_view& text, char separator) {
   return head;
 }
 
-/// A bound on the memory that a harmless-looking spec can ask for.
+/// Bounds the memory that an innocent-looking spec can request.
 void check_size(const Shape& shape, const Values& values) {
   const auto proportion = [&](std::string_view across, std::string_view along) {
     const double squares = values.real(across) / values.real(along) * values.real("resolution") *
@@ -479,7 +479,7 @@ Mesh whole(const std::function<StripShape(const Values&)>& make, const Values& v
   return mesh_of(make(values), progress);
 }
 
-/// The resolution that memory holds: vertices grow with its square.
+/// Suggests the resolution that fits into memory: vertices grow with its square.
 [[noreturn]] void refuse_resolution(const AskedShape& asked, const TooLarge& error) {
   const double most = asked.values.real("resolution") * std::sqrt(error.share());
   throw TooLarge("shape '" + std::string(asked.shape.name) +

@@ -112,7 +112,7 @@ ShapePart part_of(const StripShape& shape, int part, int parts) {
 
 StripShape joined_shapes(std::vector<MovedShape> shapes) {
   struct Place {
-    std::size_t shape, first;  // of its blocks or strips
+    std::size_t shape, first;  // index of the shape, and of its first block or strip
   };
   struct Joined {
     std::vector<MovedShape> shapes;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <epoxy/gl.h>
-// GLFW would bring in OpenGL's own header.
+// GLFW would include OpenGL's own header.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -51,7 +51,7 @@ namespace {
 
 constexpr const char* kWithoutWindow = "; 'brindle render' draws sessions without a window";
 
-// What GLFW says of its last failure, less the full stop.
+// GLFW's last error message, without the full stop.
 std::string last_complaint() {
   const char* description = nullptr;
   glfwGetError(&description);
@@ -65,7 +65,7 @@ GLFWwindow* make_window(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  // A context that is lost says so instead of ending the program; not every driver can.
+  // Reports a lost context instead of ending the program, if the driver can.
   glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
   GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
@@ -75,8 +75,7 @@ GLFWwindow* make_window(const std::string& title, int width, int height) {
   return window;
 }
 
-// Keys have their numbers by where they are on an American keyboard; letters are where they are on
-// the user's.
+// Key codes are positions on a US keyboard; letters follow the user's layout.
 int letter_on(int key, int code) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, code);
@@ -156,7 +155,7 @@ void AppWindow::listen() {
   listen_to_keys();
 }
 
-// Dear ImGui looks at keys once a frame: a release waits until the press has been seen.
+// Dear ImGui reads keys once per frame: a release waits until the press was seen.
 void AppWindow::listen_to_keys() {
   GLFWwindow* window = desktop_->window;
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
@@ -184,7 +183,7 @@ void AppWindow::set_up_imgui() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // what is kept is kept in one place (window_settings)
+  io.IniFilename = nullptr;  // settings are in one place (window_settings)
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   ImGui_ImplGlfw_InitForOpenGL(desktop_->window, false);
   ImGui_ImplOpenGL3_Init("#version 150");
@@ -199,7 +198,7 @@ void AppWindow::follow_display_scale() {
   if (scale <= 0) {
     float vertical = 1;
     glfwGetWindowContentScale(desktop_->window, &scale, &vertical);
-    // Where units are larger than pixels, the desktop enlarges the text already.
+    // If units are larger than pixels, the desktop already enlarges text.
     scale = std::clamp(std::max(scale, vertical) / pixels_per_unit(), 0.5f, 4.0f);
   }
   if (scale == scale_) return;

@@ -1,4 +1,4 @@
-/// A window of the desktop with Dear ImGui in it.
+/// A desktop window with Dear ImGui.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 
 namespace brindle::tool {
 
-/// Of the whole window.
+/// The look of the whole window.
 struct WindowLook {
   bool dark = true;
-  float scale = 0;  ///< of text and widgets; 0: what the desktop says
+  float scale = 0;  ///< of text and widgets; 0: the desktop's
 };
 
-/// A key by GLFW's numbers; '?' wherever it is on the keyboard.
+/// A GLFW key code; '?' wherever it is on the keyboard.
 struct PressedKey {
   int key = 0;
   bool control = false;
@@ -27,29 +27,29 @@ struct PressedKey {
   bool alt = false;
 };
 
-/// One at a time. Belongs to the thread that makes it, which must be the program's first.
+/// One at a time. Belongs to the thread that creates it, which must be the main thread.
 class AppWindow {
  public:
-  /// `width` and `height` in the desktop's units. Throws Error, naming the remedy, if there is no
-  /// display or no OpenGL 3.2 on it.
+  /// `width` and `height` in desktop units. Throws Error with the remedy if there is no display or
+  /// no OpenGL 3.2.
   AppWindow(const std::string& title, int width, int height, const WindowLook& look);
   ~AppWindow();
   AppWindow(const AppWindow&) = delete;
   AppWindow& operator=(const AppWindow&) = delete;
 
-  /// Whether the user has asked to close it since `keep_open`.
+  /// Whether the user requested to close it since `keep_open`.
   bool closing() const;
   void keep_open();
   void ask_to_close();
 
-  /// Waits for input or this long, whichever comes first. True if there was any.
+  /// Waits for input, at most this long. Returns whether there was any.
   bool wait(double seconds);
 
   /// Starts a frame of Dear ImGui. The text and widgets that follow belong to it.
   void begin_frame();
 
-  /// Draws it, and copies the window's pixels, opaque, to `copy` if there is one. Throws Error if
-  /// OpenGL was lost.
+  /// Draws it, and copies the window's opaque pixels to `copy`, if not null. Throws Error if OpenGL
+  /// was lost.
   void end_frame(Image* copy = nullptr);
 
   void set_title(const std::string& title);
@@ -59,21 +59,20 @@ class AppWindow {
   /// Pixels of the framebuffer per unit of Dear ImGui.
   float pixels_per_unit() const;
 
-  /// How large text is beside that of a plain display.
+  /// Text size relative to a standard display.
   float scale() const { return scale_; }
 
-  /// Keys pressed since the last call, those held repeated. They are here even if they were
-  /// released before the next frame.
+  /// Keys pressed since the last call, with repeats, even if already released.
   std::vector<PressedKey> take_keys();
 
-  /// Where the mouse was since the last call while its left button was down, in units of Dear
-  /// ImGui, from where it was pressed: what is drawn must not depend on how often windows are.
+  /// Mouse positions since the last call with the left button down, in Dear ImGui units, from the
+  /// press on: strokes must not depend on the frame rate.
   std::vector<Eigen::Vector2f> take_trail();
 
   /// Files dropped since the last call.
   std::vector<std::filesystem::path> take_dropped();
 
-  /// Closes the innermost list or menu that is open, between frames' beginning and their widgets.
+  /// Closes the innermost open list or menu, after the frame's begin and before its widgets.
   /// Returns whether there was one.
   bool close_popup();
 

@@ -9,7 +9,7 @@
 
 namespace brindle::tool {
 
-/// Hears on the job's thread, and is asked on the window's.
+/// Called on the job's thread, read on the window's.
 class BackgroundJobs::Listener : public JobListener {
  public:
   void note(const std::string& text) override {

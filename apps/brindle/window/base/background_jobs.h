@@ -1,4 +1,4 @@
-/// Writing files without letting the window wait.
+/// Writes files in the background.
 #pragma once
 
 #include <filesystem>
@@ -13,23 +13,22 @@
 
 namespace brindle::tool {
 
-/// Jobs on threads of their own. Each leaves a message in the session: what it wrote, or why not.
+/// Jobs on threads of their own. Each adds a message to the session: what was written, or the
+/// error.
 class BackgroundJobs {
  public:
   explicit BackgroundJobs(LiveSession& live) : live_(live) {}
-  /// Waits for them: what was asked for is written.
+  /// Waits for all jobs.
   ~BackgroundJobs() = default;
 
-  /// `job` gives the message for when it is done; what it throws is the message if it fails. It
-  /// must not touch what the window's thread changes.
-  /// `then` is called by `update` once it is done without failing.
+  /// Starts `job`, which returns the final message or throws the error message. It must not touch
+  /// data that the window's thread changes. `update` calls `then` after success.
   void start(std::function<std::string()> job, std::function<void()> then = {});
 
-  /// The same of what writes one file: it says how far it is, and may be cancelled. The message has
-  /// its notes.
+  /// The same for one file, with progress and cancellation. The message includes its notes.
   void write(const std::filesystem::path& path, std::function<void(JobListener&)> job);
 
-  /// Leaves the messages of those that have ended. Returns whether there were any.
+  /// Adds the messages of completed jobs. Returns whether there were any.
   bool update();
 
   bool busy() const { return !running_.empty(); }
@@ -49,8 +48,8 @@ class BackgroundJobs {
   struct Job {
     std::future<std::string> message;
     std::function<void()> then;
-    std::filesystem::path path;          ///< that `write` was called for
-    std::shared_ptr<Listener> listener;  ///< null of those of `start`
+    std::filesystem::path path;          ///< passed to `write`
+    std::shared_ptr<Listener> listener;  ///< null for jobs of `start`
   };
 
   LiveSession& live_;

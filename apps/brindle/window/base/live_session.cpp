@@ -42,7 +42,7 @@ bool LiveSession::apply(const SessionCommand& command) {
   const bool done = session_.apply(command);
   if (log_.is_open()) {
     nlohmann::ordered_json json = command_to_json(command);
-    json.erase("phases");  // one number a vertex
+    json.erase("phases");  // one number per vertex
     log_.write("command",
                {{"done", done}, {"revision", session_.revision()}, {"what", std::move(json)}});
   }
@@ -124,7 +124,7 @@ bool LiveSession::take_frame() {
   return true;
 }
 
-// What is shown is what comes back when it is undone or saved.
+// Undo and saving restore the pattern that is shown.
 void LiveSession::keep_phases() {
   if (session_.dragging()) return;
   const commands::KeepPhases command{frame_->state->phases};
@@ -159,7 +159,7 @@ void LiveSession::request() {
   const auto now = Clock::now();
   if (asked_revision_ != session_.revision() || asked_size_ != size_) {
     last_change_ = now;
-    // A first picture is worth waiting for.
+    // The first picture is drawn at final quality.
     return send(frame_ ? PictureQuality::interactive : PictureQuality::final);
   }
   const bool shown = shown_revision_ == session_.revision();

@@ -1,4 +1,4 @@
-/// A session and the thread that solves and draws it: what is asked for, and when.
+/// A session with its worker thread, and the timing of requests.
 #pragma once
 
 #include <chrono>
@@ -14,51 +14,49 @@
 
 namespace brindle::tool {
 
-/// How a widget has changed a value.
+/// The kind of change by a widget.
 enum class ValueChange { none, dragged, typed };
 
-/// All that happens to the session goes through here. Nothing waits for the worker: changes are
-/// drawn at interactive quality at once, and with care when nothing has changed for a while.
+/// All changes of a window's session go through this class. Nothing blocks: changes are drawn at
+/// interactive quality at once, and at final quality after a pause.
 class LiveSession {
  public:
-  /// `commands` is a file for all that is done, for `brindle render --replay`; empty: none.
+  /// `commands`: a file that records all commands for `brindle render --replay`; empty: none.
   LiveSession(SessionDocument document, WindowLog& log, const std::filesystem::path& commands = {});
 
   const Session& session() const { return session_; }
   const SessionDocument& document() const { return session_.document(); }
 
-  /// The document with the size of the picture in the window: what is saved. That size is no step
-  /// to undo.
+  /// The document to save, with the size of the picture in the window. That size is no undo step.
   SessionDocument document_as_shown() const;
 
   /// As `Session::apply`.
   bool apply(const SessionCommand& command);
-  /// The same within a drag, which begins here if none has: all until `end_drag` is undone in one
-  /// step.
+  /// The same within a drag, started if necessary: everything until `end_drag` is one undo step.
   bool apply_dragged(const SessionCommand& command);
   void end_drag();
 
-  /// What a widget has changed: what is dragged within a drag, what is typed as a step of its own.
+  /// Applies a widget's change: dragged values within a drag, typed ones as a step.
   bool apply_value(ValueChange change, const SessionCommand& command);
 
-  /// The same of what moves while no button is pressed, such as the wheel: a drag that ends by
-  /// itself, once `end_drag_at_rest` finds that nothing has moved for a while.
+  /// The same for motion without a pressed button, such as the wheel: a drag that
+  /// `end_drag_at_rest` ends after a pause.
   bool apply_moving(const SessionCommand& command);
-  /// The drag goes on for a while, because what is done is not finished.
+  /// Extends the drag while an action is incomplete.
   void hold_drag() { last_moving_ = Clock::now(); }
-  /// To be called once a frame. `pressed`: a button is, so that nothing ends.
+  /// Call it once per frame. `pressed`: a button is down, which prevents the end.
   void end_drag_at_rest(bool pressed);
 
-  /// Whether there is something to lose: options, strokes or stored views that differ from those
-  /// that were there at first, opened or saved last.
+  /// Whether options, strokes or stored views differ from those at the start or last opened or
+  /// saved.
   bool has_unsaved_work() const { return !same_work(session_.document(), saved_); }
   void note_saved() { saved_ = session_.document(); }
-  /// What a document in place of this one would take away that is not saved (`lost_work`).
+  /// The unsaved work that would be lost with another document (`lost_work`).
   std::vector<std::string_view> lost_by(const SessionDocument& after) const {
     return lost_work(session_.document(), saved_, after);
   }
 
-  /// Hears of meshes that cannot be read, and says what else the message of it is to say.
+  /// Called with meshes that cannot be read; returns an addition to the message.
   using UnreadTaker = std::function<std::string(const std::string& mesh)>;
   void when_unread(UnreadTaker taker) { unread_taker_ = std::move(taker); }
 
@@ -70,23 +68,23 @@ class LiveSession {
 
   void set_picture_size(PictureSize size);
 
-  /// Takes what the worker has made, and asks it for what is to be made. Returns whether there is
-  /// anything new to show. To be called once a turn.
+  /// Takes results of the worker and sends new requests. Returns whether there is anything new to
+  /// show. Call it once per frame.
   bool update();
 
-  /// Asks for what is to be made, as `update` does. To be called once widgets have changed the
-  /// session, too: the worker then need not wait until the window is drawn.
+  /// Sends new requests, as `update` does. Call it again after widgets, so that the worker need not
+  /// wait for the window to be drawn.
   void request();
 
-  /// Whether `update` may have something to do soon without any input.
+  /// Whether `update` may soon have work without input.
   bool is_waiting() const;
 
   /// The newest frame; null before the first one.
   const std::shared_ptr<const SessionFrame>& frame() const { return frame_; }
-  /// Whether the frame is the document's own, drawn with care.
+  /// Whether the frame is the document's own, at final quality.
   bool at_rest() const;
   const SessionWorker& worker() const { return worker_; }
-  /// Gives up what the worker is at: the step that asked for it is taken back.
+  /// Cancels the worker's job and reverts the step that requested it.
   void cancel_work() { worker_.cancel(); }
 
   /// Why there is no first frame; empty while there may be one.
@@ -94,7 +92,7 @@ class LiveSession {
 
   using FrameTaker = std::function<void(const std::shared_ptr<const SessionFrame>&)>;
 
-  /// Calls `taker` with the final frame of the document, as soon as there is one.
+  /// Calls `taker` with the document's final frame, once it exists.
   void when_at_rest(FrameTaker taker);
 
  private:
@@ -114,8 +112,8 @@ class LiveSession {
   PictureSize size_;
   std::shared_ptr<const SessionFrame> frame_;
   std::uint64_t last_number_ = 0;     // of the worker's frames
-  std::uint64_t shown_revision_ = 0;  // that the frame shows
-  std::uint64_t asked_revision_ = 0;  // that was asked for last, in this size and quality
+  std::uint64_t shown_revision_ = 0;  // shown by the frame
+  std::uint64_t asked_revision_ = 0;  // last requested, at this size and quality
   PictureSize asked_size_{0, 0};
   PictureQuality asked_quality_ = PictureQuality::final;
   Clock::time_point last_change_;
@@ -124,7 +122,7 @@ class LiveSession {
   UnreadTaker unread_taker_;
   std::string first_failure_;
   SessionMessage last_message_{};
-  SessionWorker worker_;  // last: its thread ends before what it was given goes
+  SessionWorker worker_;  // declared last: its thread ends before its inputs are destroyed
 };
 
 }  // namespace brindle::tool

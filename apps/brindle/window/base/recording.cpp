@@ -47,7 +47,7 @@ void Recording::run(const std::stop_token& stop) {
       failure_ = std::current_exception();
       return;
     }
-    // Late frames are made up for.
+    // Late frames are repeated.
     const std::chrono::duration<double> next(static_cast<double>(number + 1) /
                                              format_.frames_per_second);
     lock.lock();

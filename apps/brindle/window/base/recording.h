@@ -1,4 +1,4 @@
-/// A video of what the window shows.
+/// Records the window's pictures as a video.
 #pragma once
 
 #include <condition_variable>
@@ -14,21 +14,20 @@
 
 namespace brindle::tool {
 
-/// Writes the newest picture thirty times a second, in a thread of its own, so that the video runs
-/// as fast as what was seen. Unless `finish` has returned there is no file.
+/// Writes the newest picture thirty times a second on its own thread, so that the video has the
+/// speed of the window. Without `finish` there is no file.
 class Recording {
  public:
-  /// The first picture's size is the video's. Throws what `VideoFile` throws.
+  /// The video has the first picture's size. Throws what `VideoFile` throws.
   Recording(const std::filesystem::path& path, std::shared_ptr<const SessionFrame> first);
   ~Recording();
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
-  /// What is shown from now on. False if its size is not that of the video, which then goes on with
-  /// the last picture.
+  /// Sets the picture to write from now on. False if its size differs, and the last picture stays.
   bool show(std::shared_ptr<const SessionFrame> frame);
 
-  /// Whether it has failed: then `finish` throws why.
+  /// Whether it failed; `finish` throws the reason.
   bool failed() const;
 
   double seconds() const;
@@ -48,7 +47,7 @@ class Recording {
   std::shared_ptr<const SessionFrame> frame_;
   std::size_t written_ = 0;
   std::exception_ptr failure_;
-  std::jthread thread_;  // last: ends before what it uses goes
+  std::jthread thread_;  // declared last: ends before its members are destroyed
 };
 
 }  // namespace brindle::tool

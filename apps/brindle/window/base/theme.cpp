@@ -9,7 +9,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr float kTextHeight = 15;  // units of a plain display
+constexpr float kTextHeight = 15;  // units of a standard display
 
 constexpr std::array kFontFiles = {
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
@@ -19,13 +19,13 @@ constexpr std::array kFontFiles = {
     "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
     "/usr/share/fonts/TTF/DejaVuSans.ttf"};
 
-// Names of files come in many languages.
+// File names may be in many scripts.
 constexpr std::array<ImWchar, 11> kGlyphs = {0x0020, 0x024f, 0x0370, 0x03ff, 0x0400, 0x04ff,
                                              0x2010, 0x2044, 0x2190, 0x21ff, 0};
 
 ImVec4 gray(float value, float alpha = 1) { return {value, value, value * 1.03f, alpha}; }
 
-// One accent, which marks what may be dragged, what is chosen and where the keyboard is.
+// One accent colour for draggable widgets, selections and keyboard focus.
 void color_accents(ImVec4* colors, const ImVec4& accent) {
   const auto with_alpha = [&](float alpha) { return ImVec4(accent.x, accent.y, accent.z, alpha); };
   colors[ImGuiCol_CheckMark] = accent;

@@ -12,8 +12,8 @@
 namespace brindle::tool {
 namespace {
 
-// `draw` shows a widget for a number and says whether it has changed it. While it is a field to
-// type into, what it makes of the text is kept beside the value.
+// `draw` shows a widget for a number and returns whether it changed. During text input, the edited
+// value is stored beside the actual one.
 template <class Draw>
 ValueChange typed_as_a_whole(const char* label, float& value, const Draw& draw) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
@@ -49,7 +49,7 @@ ValueChange value_slider(const char* label, float& value, float lowest, float hi
 
 ValueChange slider_beside_number(const char* label, float& value, float lowest, float highest,
                                  const char* format, ImGuiSliderFlags flags) {
-  // A field shows what is typed itself.
+  // Text fields show the typed text.
   if (ImGui::TempInputIsActive(ImGui::GetID(label))) {
     return value_slider(label, value, lowest, highest, format, flags);
   }

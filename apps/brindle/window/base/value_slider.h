@@ -1,4 +1,4 @@
-/// Sliders whose typed values count when they are whole.
+/// Sliders that apply typed values when complete.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace brindle::tool {
 
-/// As the sliders of Dear ImGui, which apply what is typed with every key: here it counts once
-/// Enter is pressed or the field is left, and not at all after Escape.
+/// Unlike Dear ImGui's sliders, which apply each typed character, these apply text on Enter or loss
+/// of focus, and discard it on Escape.
 ValueChange value_slider(const char* label, float& value, float lowest, float highest,
                          const char* format, ImGuiSliderFlags flags = 0);
 
-/// The same at the end of a line, in whose rest the number stands to the right of the slider: no
-/// knob hides it.
+/// The same at the end of a line, with the number to the right of the slider, where no knob hides
+/// it.
 ValueChange slider_beside_number(const char* label, float& value, float lowest, float highest,
                                  const char* format, ImGuiSliderFlags flags = 0);
 
-/// The same of a number without ends; `speed` is how much a unit of the mouse's way adds.
+/// The same without bounds; `speed` is the change per unit of mouse motion.
 ValueChange value_drag(const char* label, float& value, float speed, const char* format);
 
-/// A number as options take it: what was typed to its last digit, what was dragged to four, or
-/// rounded to a whole one.
+/// A number as option text: typed values with all digits, dragged ones with four, or rounded to
+/// integers.
 std::string text_of_value(float value, ValueChange change, bool whole);
 
 }  // namespace brindle::tool

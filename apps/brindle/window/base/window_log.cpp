@@ -38,7 +38,7 @@ void WindowLog::write(const std::string& event, nlohmann::ordered_json details) 
   const double milliseconds = std::round((log_seconds() - start_) * 1000);
   nlohmann::ordered_json line = {{"time", milliseconds / 1000}, {"event", event}};
   if (details.is_object()) line.update(details);
-  // Names of files may be in no encoding.
+  // File names may be invalid UTF-8.
   file_ << line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << std::endl;
 }
 

@@ -1,4 +1,4 @@
-/// What the window did, one line of JSON each, for bug reports and tests.
+/// A log of the window's events, one line of JSON each, for bug reports and tests.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace brindle::tool {
 
-/// A rectangle of Dear ImGui's units, from the window's upper left corner.
+/// A rectangle in Dear ImGui units, from the window's upper left corner.
 struct WidgetPlace {
   int x = 0;
   int y = 0;
@@ -20,8 +20,7 @@ struct WidgetPlace {
   bool operator==(const WidgetPlace&) const = default;
 };
 
-/// Writes every line at once, so that a log is whole up to the moment at which a program dies.
-/// Without a file it does nothing.
+/// Flushes every line, so that the log is complete after a crash. Does nothing without a file.
 class WindowLog {
  public:
   WindowLog() = default;
@@ -33,13 +32,13 @@ class WindowLog {
   /// {"time": seconds, "event": name, ...}
   void write(const std::string& event, nlohmann::ordered_json details = {});
 
-  /// Notes where the last widget of Dear ImGui is.
+  /// Logs the position of Dear ImGui's last widget.
   void note_widget(const std::string& name);
 
-  /// The same of something that is drawn there.
+  /// The same for a drawn item.
   void note_place(const std::string& name, const WidgetPlace& place);
 
-  /// Writes which widgets have appeared, moved or gone since the last frame, if any.
+  /// Logs widgets that appeared, moved or disappeared since the last frame.
   void end_frame();
 
  private:

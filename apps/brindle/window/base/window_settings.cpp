@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostRecent = 12;
 
-// What a key holds, or what it is without the file.
+// The value of a key, or its default.
 template <class Value>
 void take(const nlohmann::json& json, const char* key, Value& value) {
   const auto found = json.find(key);
@@ -21,7 +21,7 @@ void take(const nlohmann::json& json, const char* key, Value& value) {
   try {
     found->get_to(value);
   } catch (const nlohmann::json::exception&) {
-    // Settings are a convenience: a spoilt one is as if it were not there.
+    // Settings are optional: a damaged file is ignored.
   }
 }
 
@@ -59,7 +59,7 @@ WindowSettings read_settings(const std::filesystem::path& path) {
 
 void write_settings(const std::filesystem::path& path, const WindowSettings& settings) {
   if (path.empty()) return;
-  std::error_code ignored;  // what does not work out is said by `write_file`
+  std::error_code ignored;  // `write_file` reports the error
   std::filesystem::create_directories(path.parent_path(), ignored);
   const nlohmann::ordered_json json = {{"recent", settings.recent},
                                        {"dark", settings.dark},

@@ -1,4 +1,4 @@
-/// What the window remembers from one start to the next.
+/// Settings of the window, kept between starts.
 #pragma once
 
 #include <filesystem>
@@ -8,26 +8,26 @@
 namespace brindle::tool {
 
 struct WindowSettings {
-  std::vector<std::string> recent;  ///< meshes and sessions as they were opened, the newest first
+  std::vector<std::string> recent;  ///< opened meshes and sessions, newest first
   bool dark = true;
   bool show_options = true;
   bool show_figures = true;
-  std::string folder;  ///< where files were chosen last
+  std::string folder;  ///< last folder of the file browser
 };
 
-/// brindle/window.json in $XDG_CONFIG_HOME, or in ~/.config. Empty if there is no home.
+/// brindle/window.json in $XDG_CONFIG_HOME or ~/.config. Empty without a home folder.
 std::filesystem::path settings_path();
 
-/// Those of the file. Whatever is missing or cannot be read is as at the first start.
+/// Reads the settings. Missing or unreadable ones have their defaults.
 WindowSettings read_settings(const std::filesystem::path& path);
 
-/// Makes the folder if it is not there. Throws what `write_file` does.
+/// Creates the folder if necessary. Throws what `write_file` throws.
 void write_settings(const std::filesystem::path& path, const WindowSettings& settings);
 
-/// Puts an opened file first, once, as a whole path unless it is a shape.
+/// Moves an opened file to the front, as an absolute path unless it is a shape.
 void remember(WindowSettings& settings, const std::string& opened);
 
-/// Takes a file that cannot be read off the list. Returns whether it was there.
+/// Removes an unreadable file from the list. Returns whether it was there.
 bool forget(WindowSettings& settings, const std::string& unread);
 
 }  // namespace brindle::tool

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTitle = "Export picture";
 
-// Labels in a column to the left of what they are about.
+// Labels in a column to the left of their widgets.
 void label(const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
@@ -69,7 +69,7 @@ PictureChanges ExportDialog::changes() const {
           .dpi = size_.millimetres && !is_drawing_file(path()) ? dpi_ : 0};
 }
 
-// Asked anew only if something has changed: files are looked at.
+// Recomputed only after changes, because it accesses files.
 const std::string& ExportDialog::refusal() {
   const auto& frame = live_.frame();
   Asked asked{path(), changes(), live_.session().revision(), frame ? frame->nothing_left : ""};
@@ -82,7 +82,7 @@ const std::string& ExportDialog::refusal() {
     refusal_ = asked_.nothing_left;
   } catch (const std::exception& error) {
     refusal_ = error.what();
-    constexpr std::string_view kOutput = "--output: ";  // which is the file above
+    constexpr std::string_view kOutput = "--output: ";  // the file name is shown above
     if (refusal_.starts_with(kOutput)) refusal_.erase(0, kOutput.size());
   }
   return refusal_;
@@ -115,7 +115,7 @@ void ExportDialog::draw() {
   ImGui::EndPopup();
 }
 
-// Returns whether Enter was pressed behind the name.
+// Returns whether Enter was pressed in the name field.
 bool ExportDialog::draw_file() {
   label("file");
   const float button = 6 * ImGui::GetFontSize();
@@ -235,7 +235,7 @@ void ExportDialog::draw_result() {
   const std::string& why = refusal();
   std::error_code ignored;
   const bool replaces = why.empty() && confirmed_ == path() && fs::exists(path(), ignored);
-  // Room for two lines in any case, so that buttons stay where they are.
+  // Reserve two lines, so that buttons stay in place.
   const float top = ImGui::GetCursorPosY();
   label("");
   ImGui::PushTextWrapPos(0);
@@ -254,7 +254,7 @@ void ExportDialog::draw_result() {
       std::max(ImGui::GetCursorPosY(), top + 2 * ImGui::GetTextLineHeightWithSpacing()));
 }
 
-// Returns whether the dialogue is to close.
+// Returns whether the dialog should close.
 bool ExportDialog::draw_buttons(bool entered) {
   ImGui::Dummy({0, 0.2f * ImGui::GetFontSize()});
   label("");
@@ -278,7 +278,7 @@ bool ExportDialog::draw_buttons(bool entered) {
   return true;
 }
 
-// What is written is what is shown when all is drawn.
+// Writes the final picture, once it exists.
 void ExportDialog::start() {
   live_.end_drag();
   live_.when_at_rest([this, path = path(), changes = changes()](const auto&) {

@@ -1,4 +1,4 @@
-/// What a picture's file is to be: its format by its name, its size, its background.
+/// The export dialog: format by file name, size, background.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace brindle::tool {
 
-/// A dialogue of Dear ImGui. What can be written is decided by `planned_picture`, and it is written
-/// as `brindle render` does, in the background.
+/// A Dear ImGui dialog. `planned_picture` decides what can be written; files are written in the
+/// background as by `brindle render`.
 class ExportDialog {
  public:
   ExportDialog(LiveSession& live, BackgroundJobs& jobs, FileBrowser& browser, WindowLog& log)
       : live_(live), jobs_(jobs), browser_(browser), log_(log) {}
 
-  /// With a name to begin with. All else is as it was left.
+  /// With an initial name. Other settings are kept.
   void open(const std::string& name);
   bool is_open() const { return is_open_; }
 
-  /// While it is open; then the browser of files is drawn by it.
+  /// While it is open; draws the file browser, too.
   void draw();
 
  private:
@@ -45,20 +45,20 @@ class ExportDialog {
   WindowLog& log_;
   bool is_open_ = false;
   bool newly_opened_ = false;
-  bool takes_keys_ = false;          // the name is to be typed
+  bool takes_keys_ = false;          // keyboard focus for the name
   std::string name_;                 // or a path
-  std::filesystem::path confirmed_;  // that may be replaced
+  std::filesystem::path confirmed_;  // confirmed to be replaced
   PrintSize size_;
   double dpi_ = 300;
   bool keeps_proportions_ = true;
   bool transparent_ = false;
   bool scaled_widths_ = true;
-  // What `refusal_` is about.
+  // The inputs of `refusal_`.
   struct Asked {
     std::filesystem::path path;
     PictureChanges changes;
     std::uint64_t revision = 0;
-    std::string nothing_left = {};  ///< of the picture that is shown
+    std::string nothing_left = {};  ///< of the shown picture
 
     bool operator==(const Asked&) const = default;
   };

@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// The folder above a path, or where programs start if that is gone.
+// The folder of a path, or the current folder if that no longer exists.
 fs::path existing_folder(fs::path folder) {
   std::error_code error;
   while (!folder.empty() && !fs::is_directory(folder, error) && folder != folder.parent_path()) {
@@ -110,7 +110,7 @@ void FileBrowser::draw(WindowLog& log) {
   ImGui::EndPopup();
 }
 
-// Each folder on the way is a button.
+// A button per folder.
 void FileBrowser::draw_path(WindowLog& log) {
   fs::path part;
   fs::path chosen;
@@ -194,7 +194,7 @@ void FileBrowser::draw_buttons(WindowLog& log) {
   }
 }
 
-// `name` may be a path, of a folder too.
+// `name` may be a path, also of a folder.
 void FileBrowser::choose(const std::string& name) {
   fs::path path = folder_ / name;
   std::error_code ignored;
@@ -222,7 +222,7 @@ void FileBrowser::choose(const std::string& name) {
   finish(path);
 }
 
-// What is written goes by the name, so another name would lie.
+// The format follows from the name, so other extensions are rejected.
 std::string FileBrowser::refusal(const fs::path& path) const {
   const std::vector<std::string>& known = request_->extensions;
   std::string why;

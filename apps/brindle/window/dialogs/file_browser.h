@@ -1,4 +1,4 @@
-/// Choosing a file to read or to write.
+/// The file browser, for reading and writing.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@
 
 namespace brindle::tool {
 
-/// What a file is chosen for.
+/// The purpose of a file choice.
 struct FileRequest {
   std::string title;                         ///< "Open a mesh"
-  std::vector<std::string> extensions = {};  ///< in lower case with the dot; none: all files
+  std::vector<std::string> extensions = {};  ///< lower case with the dot; empty: all files
   bool save = false;                         ///< a file to write, whose name may be new
-  std::string name = {};                     ///< proposed
-  std::string verb = "Save";                 ///< of the button, of a file to write
-  /// Why nothing is written to a file of this name; empty if it is. Without, the extensions say.
+  std::string name = {};                     ///< initial name
+  std::string verb = "Save";                 ///< of the save button
+  /// The reason why a name is rejected, or empty. By default, `extensions` decide.
   std::function<std::string(const std::filesystem::path&)> refusal = {};
   std::function<void(const std::filesystem::path&)> done = {};
 };
 
-/// A dialogue of Dear ImGui. It remembers its folder. Files are named by double click, by Enter or
-/// by typing a path.
+/// A Dear ImGui dialog that remembers its folder. Files are chosen by double click, Enter or a
+/// typed path.
 class FileBrowser {
  public:
   explicit FileBrowser(std::filesystem::path folder);
@@ -34,7 +34,7 @@ class FileBrowser {
   bool is_open() const { return request_.has_value(); }
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Draws the dialogue while one is open, and calls `done` once the user has chosen.
+  /// Draws the dialog while it is open, and calls `done` after a choice.
   void draw(WindowLog& log);
 
  private:
@@ -58,9 +58,9 @@ class FileBrowser {
   std::vector<Item> items_;
   std::optional<FileRequest> request_;
   bool newly_asked_ = false;
-  bool takes_keys_ = false;  // the name is to be typed, again after a problem
+  bool takes_keys_ = false;  // keyboard focus for the name, again after an error
   bool show_all_ = false;
-  bool confirm_ = false;  // the file is there already
+  bool confirm_ = false;  // the file already exists
   std::string name_;
   std::string problem_;
 };

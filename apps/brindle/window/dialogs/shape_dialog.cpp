@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "shape:";
 
-// "major=0.7  radius of the ring (a number from 0.001 to 1000)"
+// Parses "major=0.7  radius of the ring (a number from 0.001 to 1000)".
 ShapeParameter parameter_in(const std::string& line) {
   ShapeParameter parameter;
   const std::size_t equals = line.find('=');
@@ -35,7 +35,7 @@ ShapeParameter parameter_in(const std::string& line) {
   return parameter;
 }
 
-// A slider over all that is allowed would be of no use: from 0.001 to 1000, for instance.
+// A slider over the full range, such as 0.001 to 1000, would be useless.
 SliderRange useful_range(const ShapeParameter& parameter) {
   const float standard = std::strtof(parameter.standard.c_str(), nullptr);
   float most = std::max(4 * std::abs(standard), parameter.whole ? 20.0f : 2.0f);

@@ -25,19 +25,19 @@ struct ShapeEntry {
   std::vector<ShapeParameter> parameters;
 };
 
-/// The catalogue as `shape_help` lists it.
+/// The catalogue, parsed from `shape_help`.
 std::vector<ShapeEntry> shape_entries(const std::string& help);
 
-/// "shape:torus,minor=0.2": only what is not as usual is named.
+/// "shape:torus,minor=0.2": only values other than the defaults.
 std::string shape_text(const ShapeEntry& shape, const std::map<std::string, std::string>& values);
 
 /// The parameters of "shape:torus,minor=0.2".
 std::map<std::string, std::string> shape_values(const std::string& text);
 
-/// A window of Dear ImGui with the parameters of the shape that the session has.
+/// A Dear ImGui window with the parameters of the session's shape.
 class ShapeDialog {
  public:
-  /// `open` is called with a shape that takes the place of what is there.
+  /// `open` is called with a shape to replace the present one.
   ShapeDialog(LiveSession& live, WindowLog& log, std::function<void(const std::string&)> open);
 
   const std::vector<ShapeEntry>& shapes() const { return shapes_; }

@@ -14,7 +14,7 @@ namespace brindle::tool {
 namespace {
 
 constexpr std::size_t kMostValues = 200;
-constexpr double kPause = 0.5;  // seconds without frames that end a motion
+constexpr double kPause = 0.5;  // seconds without frames after which motion ends
 
 void figure_row(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
@@ -28,12 +28,12 @@ std::string count_text(std::size_t count) {
   return text;
 }
 
-/// Of what stands below "length of u", without the "(u)" behind it.
+/// The rest of a name, without "(u)", for rows below "length of u".
 std::string name_beside(const std::string& name) {
   return name.starts_with("  ") ? name.substr(0, name.rfind(" (")) : name;
 }
 
-/// Counts to their last digit.
+/// Counts with all digits.
 std::string text_of_figure(double value) {
   if (std::isnan(value)) return "none";
   return formatted(value == std::round(value) ? "%.0f" : "%.5g", value);
@@ -112,7 +112,7 @@ void FigurePanel::draw_followed(const LiveFigures& figures) {
   }
 }
 
-// What the tool would print: what is probably not meant stands out.
+// Notes as the tool prints them; likely mistakes stand out.
 void FigurePanel::draw_notes(const std::vector<std::string>& notes) {
   ImGui::PushTextWrapPos(0);
   std::size_t number = 0;

@@ -1,4 +1,4 @@
-/// What there is to say of the pattern, in numbers and over time.
+/// Metrics of the pattern and their history.
 #pragma once
 
 #include <deque>
@@ -14,18 +14,18 @@ class FigurePanel {
  public:
   FigurePanel(const LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
-  /// Into the current window of Dear ImGui. `window_milliseconds`: what the window's own thread
-  /// takes to draw itself once.
+  /// Draws into the current Dear ImGui window. `window_milliseconds`: the time that the window's
+  /// own thread takes to draw.
   void draw(double window_milliseconds, bool dark);
 
-  /// Whether the last `draw` was asked for that.
+  /// Whether the user requested that in the last `draw`.
   bool asks_to_solve_anew() const { return asks_to_solve_anew_; }
 
   /// Frames of the session in the last second of work.
   double frames_per_second() const;
 
  private:
-  /// The last values of a figure, oldest first.
+  /// The last values of a metric, oldest first.
   struct History {
     const char* name;
     std::vector<float> values;
@@ -43,7 +43,7 @@ class FigurePanel {
   bool dark_ = true;
   bool asks_to_solve_anew_ = false;
   std::uint64_t noted_ = 0;
-  std::deque<double> arrivals_;  // seconds of Dear ImGui
+  std::deque<double> arrivals_;  // in seconds of Dear ImGui
   std::vector<History> histories_ = {{"branches", {}},
                                      {"energy", {}},
                                      {"angle error (degrees)", {}},

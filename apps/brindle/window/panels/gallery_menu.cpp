@@ -31,11 +31,11 @@ fs::path cache_folder() {
   return fs::temp_directory_path(ignored);
 }
 
-// The files of "step_007.vtp" that lie beside it, by their numbers.
+// The files numbered like "step_007.vtp" in its folder.
 struct Steps {
   fs::path folder;
   int number = 0;
-  int count = 0;  // less than two: it is no step
+  int count = 0;  // less than two: no series
 
   fs::path path(int step) const { return folder / formatted("step_%03d.vtp", step); }
 };
@@ -93,7 +93,7 @@ void GalleryMenu::draw_menu() {
   }
 }
 
-// Data take a while; the window goes on.
+// Data are made in the background.
 void GalleryMenu::show(const GalleryItem& item, const GalleryPicture& picture) {
   const fs::path folder = gallery_folder();
   std::error_code ignored;
@@ -147,7 +147,7 @@ void GalleryMenu::draw_panel() {
   ImGui::PopID();
 }
 
-// Of a series, one of its meshes.
+// Chooses a mesh of a series.
 void GalleryMenu::draw_steps() {
   const Steps steps = steps_beside(live_.document().mesh);
   if (steps.count < 2) return;

@@ -1,4 +1,4 @@
-/// The gallery's items in the window.
+/// The gallery in the window.
 #pragma once
 
 #include <filesystem>
@@ -13,20 +13,19 @@
 
 namespace brindle::tool {
 
-/// Where the window keeps the data of gallery items, so that saved sessions find them again:
-/// `brindle/gallery-VERSION` in $XDG_CACHE_HOME or ~/.cache, else among temporary files.
+/// The folder of gallery data, permanent so that saved sessions find them:
+/// `brindle/gallery-VERSION` in $XDG_CACHE_HOME or ~/.cache, else in the folder of temporary files.
 std::filesystem::path gallery_folder();
 
-/// Makes an item's data in a folder of its name below `folder` unless they are there; never a part
-/// of them. Returns that folder. Throws Error if it cannot be written.
+/// Makes an item's data in a folder of its name below `folder`, atomically, unless it exists.
+/// Returns that folder. Throws Error if it cannot be written.
 std::filesystem::path provide_gallery_data(const GalleryItem& item,
                                            const std::filesystem::path& folder);
 
-/// A menu of all pictures that a session can have, and the live controls of the one that is shown.
+/// A menu of all gallery pictures for sessions, and live controls of the shown one.
 class GalleryMenu {
  public:
-  /// Does `go`, by which `after` takes the place of what is there, unless a user wants to keep
-  /// that.
+  /// Calls `go` to replace the document by `after`, unless the user wants to keep the present one.
   using Opener = std::function<void(const SessionDocument& after, const std::string& by,
                                     std::function<void()> go)>;
 
@@ -34,13 +33,13 @@ class GalleryMenu {
               Opener open)
       : live_(live), jobs_(jobs), options_(options), log_(log), open_(std::move(open)) {}
 
-  /// Items, into the current menu of Dear ImGui.
+  /// Draws the items into the current Dear ImGui menu.
   void draw_menu();
 
-  /// Controls of the picture that is shown, into the current window; nothing if none is.
+  /// Draws controls of the shown picture into the current window, if there is one.
   void draw_panel();
 
-  /// Lets tiles flow on if they do. To be called once a turn; returns whether they flow.
+  /// Advances flowing tiles. Call it once per frame; returns whether tiles flow.
   bool update();
 
  private:
@@ -59,9 +58,9 @@ class GalleryMenu {
   Opener open_;
   const GalleryPicture* shown_ = nullptr;
   std::string title_;
-  std::string mesh_;  // of the picture that is shown
+  std::string mesh_;  // of the shown picture
   bool flows_ = false;
-  double flowed_at_ = 0;  // seconds of Dear ImGui
+  double flowed_at_ = 0;  // in seconds of Dear ImGui
 };
 
 }  // namespace brindle::tool

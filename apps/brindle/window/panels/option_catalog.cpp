@@ -14,7 +14,7 @@
 namespace brindle::tool {
 namespace {
 
-// A value to be written as it stands; what stands for something is in capitals or "array:NAME".
+// Whether the part is a literal value; placeholders are in capitals or "array:NAME".
 bool is_name(const std::string& part) {
   return !part.empty() && part.find_first_not_of("abcdefghijklmnopqrstuvwxyz_-") == part.npos;
 }
@@ -68,7 +68,7 @@ CatalogOption entry_of(const OptionInfo& info) {
   return entry;
 }
 
-/// Groups in the order in which they are reached for; others follow as the table has them.
+/// Groups in order of use; others follow in the order of the table.
 constexpr std::array<std::string_view, 9> kTitles = {
     "Stripes", "Field",   "Textures", "Look", "Colours by value", "Outlines and depth",
     "Making",  "Surface", "Solver"};
@@ -77,10 +77,10 @@ std::size_t rank_of(const OptionGroup& group) {
   return static_cast<std::size_t>(std::ranges::find(kTitles, group.title) - kTitles.begin());
 }
 
-/// What is shown by options of its own, as the table calls their group.
+/// The table's group of the options of curves or samples.
 std::string_view own_title(Shown shown) { return shown == Shown::curves ? "Curves" : "Samples"; }
 
-/// The group of a title, which is made if there is none.
+/// The group of a title, created if necessary.
 OptionGroup& group_of(std::string_view title, std::vector<OptionGroup>& groups) {
   const auto found = std::ranges::find(groups, title, &OptionGroup::title);
   if (found != groups.end()) return *found;
@@ -116,7 +116,7 @@ std::vector<OptionGroup> option_catalog(Shown shown) {
   };
   add(true);
   if (!groups.empty()) {
-    // What is called after the group comes first, then what it shares with others: colours.
+    // The group's own options come first, then shared ones: colours.
     std::vector<CatalogOption>& own = groups.front().options;
     std::stable_partition(own.begin(), own.end(), [&](const CatalogOption& option) {
       return find_session_option(option.name, shown)->group == own_title(shown);

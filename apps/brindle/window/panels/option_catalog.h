@@ -1,4 +1,4 @@
-/// The options of sessions, in the groups and with the widgets in which a window shows them.
+/// Options of sessions with the groups and widgets of the window.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace brindle::tool {
 
-/// `percent`: a length as a share of the diagonal, "0.4%", or in the mesh's units.
+/// `percent`: a length, relative to the diagonal ("0.4%") or in the mesh's units.
 enum class WidgetKind { flag, choice, number, numbers, percent, text };
 
 struct CatalogOption {
   std::string name;   ///< "stripes"
   std::string words;  ///< "number of stripes"
   std::string help;
-  std::string form;  ///< how values are written: "AZIMUTH,ELEVATION"
+  std::string form;  ///< syntax of values: "AZIMUTH,ELEVATION"
   WidgetKind kind = WidgetKind::text;
-  std::vector<std::string> names;     ///< values that are names: all of a choice, some of a text
+  std::vector<std::string> names;     ///< literal values: all of a choice, some of a text
   bool file = false;                  ///< the value may be a file
-  bool repeatable = false;            ///< a value a line
-  bool whole = false;                 ///< numbers have no fraction
-  SliderRange range;                  ///< of numbers and percents; what is typed may go beyond
-  std::string standard;               ///< what counts where it is not given; empty: nothing does
-  std::vector<std::string> excludes;  ///< options that are left out when this one is given
+  bool repeatable = false;            ///< one value per line
+  bool whole = false;                 ///< numbers are integers
+  SliderRange range;                  ///< of numbers and percents; typed values may exceed it
+  std::string standard;               ///< default value; empty: none
+  std::vector<std::string> excludes;  ///< options that are removed when this one is set
 };
 
 struct OptionGroup {
@@ -32,11 +32,10 @@ struct OptionGroup {
   std::vector<CatalogOption> options;
 };
 
-/// Whether every word of `search` is part of what the option is called, means or is for, in small
-/// or capital letters.
+/// Whether every word of `search` is in the option's label, name or help, ignoring case.
 bool is_meant(const CatalogOption& option, const std::string& search);
 
-/// All options of what is shown, each in one group: first those of curves or samples alone.
+/// All options of the shown picture, each in one group; those of curves or samples alone are first.
 std::vector<OptionGroup> option_catalog(Shown shown = Shown::stripes);
 
 }  // namespace brindle::tool

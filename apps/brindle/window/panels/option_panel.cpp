@@ -31,7 +31,7 @@ std::optional<float> number_in(const std::string& text) {
   return value;
 }
 
-/// "0.1,0.9": both; also of "0.4,2.5,inverse". Empty for anything else.
+/// Both numbers of "0.1,0.9", also of "0.4,2.5,inverse". Empty for other text.
 std::vector<float> numbers_in(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 2) return {};
@@ -66,7 +66,7 @@ void OptionPanel::note_session() {
   given_ = shown_options(live_.document());
 }
 
-// What sliders and lists of names follow from.
+// Updates the data for sliders and lists of names.
 void OptionPanel::note_surface() {
   if (!live_.frame() || live_.frame()->state == noted_) return;
   const bool another = !noted_ || noted_->job->surface != live_.frame()->state->job->surface;
@@ -84,7 +84,7 @@ void OptionPanel::draw() {
   note_session();
   draw_shown();
   draw_search();
-  // What is shown may have become another one.
+  // The change may have switched the shown picture.
   note_session();
   std::size_t shown = 0;
   for (const OptionGroup& group : catalog()) shown += draw_group(group);
@@ -171,7 +171,7 @@ std::vector<std::string> OptionPanel::values_of(const CatalogOption& option) con
   return found == given_.end() ? std::vector<std::string>() : found->second;
 }
 
-// A list, and below it what the chosen one looks like.
+// A list, and below it the style of the selected surface.
 void OptionPanel::draw_others(const CatalogOption& option, float column) {
   const OtherSurfaces::Set change = [this, option](std::vector<std::string> values,
                                                    ValueChange by) {
@@ -228,7 +228,7 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
     case WidgetKind::number: {
       const std::string text = text_of(option);
       const auto value = number_in(text);
-      // Where a slider cannot show it, such as array:NAME.
+      // A slider cannot show values such as array:NAME.
       if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
       const auto lowest = static_cast<float>(range_of(option).lowest);
       return draw_number(option, value.value_or(lowest), value.has_value());
@@ -242,13 +242,13 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
   }
 }
 
-// The value that is given, or the one that counts without.
+// The given value, or the default.
 std::string OptionPanel::text_of(const CatalogOption& option) const {
   const auto& options = given_;
   const auto found = options.find(option.name);
   if (found != options.end() && !found->second.empty()) return found->second.front();
   if (option.name == "frequency" && diagonal_ > 0 && noted_) {
-    // What --stripes comes to.
+    // The frequency of --stripes.
     const auto stripes = options.find("stripes");
     const auto count = stripes == options.end() ? 40 : number_in(stripes->second.front());
     if (count) return formatted("%.4g", static_cast<double>(*count) / diagonal_);
@@ -281,7 +281,7 @@ void OptionPanel::set(const CatalogOption& option, std::vector<std::string> valu
   if (change.clear.empty()) {
     command = commands::SetOption{option.name, change.set.at(option.name)};
   }
-  // All that one press of the mouse does is one step; whoever draws the frame ends it.
+  // All changes during one press of the mouse are one step, which the frame's owner ends.
   live_.apply_value(change_by, command);
 }
 
@@ -325,7 +325,7 @@ void OptionPanel::draw_number(const CatalogOption& option, float value, bool kno
   if (change != ValueChange::none && text != before) set(option, {text}, change);
 }
 
-// Two numbers, and what may be written behind them.
+// Two numbers, and an optional suffix.
 void OptionPanel::draw_numbers(const CatalogOption& option) {
   const std::string text = text_of(option);
   std::vector<float> ends = numbers_in(text);
@@ -344,7 +344,7 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   const ValueChange second = value_drag("##second", ends[1], speed, "%.4g");
   const ValueChange change = second == ValueChange::none ? first : second;
   if (!given) ImGui::PopStyleColor();
-  // What was not touched stays as it is written.
+  // Unchanged parts keep their text.
   const std::vector<std::string> parts = split(text, ',');
   std::string value =
       (first == ValueChange::none ? parts[0] : text_of_value(ends[0], first, false)) + "," +
@@ -353,7 +353,7 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   if (change != ValueChange::none && value != text) set(option, {value}, change);
 }
 
-// A share of the diagonal; lengths in the mesh's units are typed.
+// A percentage of the diagonal; lengths in the mesh's units are typed.
 void OptionPanel::draw_percent(const CatalogOption& option) {
   const std::string text = text_of(option);
   const auto share =
@@ -367,7 +367,7 @@ void OptionPanel::draw_percent(const CatalogOption& option) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
   ImGui::SetNextItemWidth(-FLT_MIN);
-  // A per cent sign is doubled for Dear ImGui.
+  // Dear ImGui needs a doubled per cent sign.
   const ValueChange change = slider_beside_number(
       "##percent", value, lowest, highest, share ? (before + "%").c_str() : before.c_str(),
       option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
@@ -376,7 +376,7 @@ void OptionPanel::draw_percent(const CatalogOption& option) {
   if (change != ValueChange::none && after != before) set(option, {after}, change);
 }
 
-// Value number `index` of an option: a field to type into, names and files to choose.
+// Value number `index` of an option: a text field, a list of names and a file browser.
 void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, float width) {
   const std::string id = option.name + " " + std::to_string(index);
   ImGui::PushID(id.c_str());
@@ -412,7 +412,7 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
   ImGui::PopID();
 }
 
-// An empty value is none.
+// An empty value is removed.
 void OptionPanel::set_one(const CatalogOption& option, std::size_t index,
                           const std::string& value) {
   const auto found = given_.find(option.name);
@@ -459,10 +459,10 @@ void OptionPanel::draw_texts(const CatalogOption& option) {
   for (std::size_t index = 0; index <= count; ++index) draw_text(option, index, -FLT_MIN);
 }
 
-// Swatches of the stripes, the surface and the background.
+// Swatches of the stripe, surface and background colours.
 namespace {
 
-/// "x=50%" and the like: what is before and behind the sign; nothing for anything else.
+/// Splits "x=50%" into axis and number; empty for other text.
 std::optional<std::pair<std::string, float>> percent_slice(const std::string& text) {
   const std::vector<std::string> parts = split(text, '=');
   if (parts.size() != 2 || !parts[1].ends_with('%')) return std::nullopt;
@@ -473,7 +473,7 @@ std::optional<std::pair<std::string, float>> percent_slice(const std::string& te
 
 }  // namespace
 
-// An axis, and how far along it. Planes that are given in another way are text.
+// An axis and a position along it. Other planes are text.
 void OptionPanel::draw_slice(const CatalogOption& option) {
   static constexpr std::array kAxes = {"x", "y", "z", "-x", "-y", "-z"};
   const std::string text = text_of(option);
@@ -498,7 +498,7 @@ void OptionPanel::draw_slice(const CatalogOption& option) {
   if (!slice) return;
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  // A per cent sign is doubled for Dear ImGui.
+  // Dear ImGui needs a doubled per cent sign.
   const ValueChange change = slider_beside_number("##place", slice->second, 0, 100,
                                                   (text.substr(text.find('=') + 1) + "%").c_str());
   const std::string value = slice->first + "=" + text_of_value(slice->second, change, false) + "%";

@@ -14,19 +14,19 @@
 
 namespace brindle::tool {
 
-/// Every change is a command of the session; what it refuses stays as it was, and a message says
-/// why. Dragging a slider is one step to undo.
+/// Every change is a session command; rejected ones change nothing and add a message. Dragging a
+/// slider is one undo step.
 class OptionPanel {
  public:
   OptionPanel(LiveSession& live, FileBrowser& browser, WindowLog& log);
 
-  /// All groups, into the current window of Dear ImGui.
+  /// Draws all groups into the current Dear ImGui window.
   void draw();
 
-  /// Whether a colour is being changed: all that happens to it meanwhile is one step.
+  /// Whether a colour is being edited; all its changes are one step.
   bool is_held() const { return is_held_; }
 
-  /// One option beside its name, or nothing if there is none of that name.
+  /// Draws one option beside its label; nothing for an unknown name.
   void draw_option(const std::string& name);
 
  private:
@@ -34,7 +34,7 @@ class OptionPanel {
   void note_surface();
   void draw_shown();
   void draw_search();
-  /// How many options of the group fit the search.
+  /// The number of options in the group that match the search.
   std::size_t draw_group(const OptionGroup& group);
   void draw_option(const CatalogOption& option);
   void draw_label(const CatalogOption& option, bool given);
@@ -66,14 +66,14 @@ class OptionPanel {
     return catalogs_[static_cast<std::size_t>(live_.document().shown)];
   }
 
-  std::array<std::vector<OptionGroup>, kAllShown.size()> catalogs_;  // of what can be shown
-  OptionValues given_;                                               // of what is shown
+  std::array<std::vector<OptionGroup>, kAllShown.size()> catalogs_;  // of all pictures
+  OptionValues given_;                                               // of the shown picture
   std::uint64_t noted_revision_ = 0;                                 // of the session
   bool is_held_ = false;
   OtherSurfaces others_;
-  std::string search_;  // what options are looked for by
-  std::string edited_;  // option and value that are being typed, such as "field 0"
-  std::string edit_;    // what has been typed
+  std::string search_;  // search text
+  std::string edited_;  // option and value being typed, such as "field 0"
+  std::string edit_;    // typed text
   std::shared_ptr<const LiveState> noted_;
   double diagonal_ = 0;              // of the surface's bounding box
   std::vector<std::string> arrays_;  // "array:NAME" of the surface

@@ -37,7 +37,7 @@ void label(const char* words, float column, const char* help) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
-/// A slider of what the first surface says unless it is given.
+/// A slider for a value that defaults to the first surface's.
 ValueChange own_slider(const char* id, std::optional<float>& value, float usual, float lowest,
                        float highest) {
   float shown = value.value_or(usual);
@@ -47,7 +47,7 @@ ValueChange own_slider(const char* id, std::optional<float>& value, float usual,
   return change;
 }
 
-/// What a surface may look like.
+/// The kind of a surface's look.
 struct Looks {
   const char* words;
   bool striped = false, tiled = false;
@@ -178,7 +178,7 @@ void OtherSurfaces::draw_tile(OtherSurfaceChoice& choice, const Changed& changed
   ImGui::EndCombo();
 }
 
-// A field to type into, and names to choose. What is typed counts once it is whole.
+// A text field and a list of names. Typed text is applied when complete.
 void OtherSurfaces::draw_value(OtherSurfaceChoice& choice, const Changed& changed) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight());
   std::string text = edit_.value_or(choice.color_by);
@@ -219,7 +219,7 @@ void OtherSurfaces::draw_value_names(const OtherSurfaceChoice& choice, const Cha
 
 void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& changed) {
   const bool by_value = choice.colors_pattern();
-  // What values colour has no other colour.
+  // Surfaces coloured by values have no other colour.
   const bool has_own = !by_value || choice.between == BetweenStrokes::surface;
   if (has_own) {
     Color surface = choice.color.value_or(kOtherColor);
@@ -281,7 +281,7 @@ void OtherSurfaces::draw_place(OtherSurfaceChoice& choice, const Changed& change
   }
 }
 
-// What has an effect with other options alone is there with these.
+// Options that need others are shown with these.
 void OtherSurfaces::draw_boxes(OtherSurfaceChoice& choice, const Changed& changed) {
   const OptionValues given = shown_options(live_.document());
   const auto box = [&](const char* words, bool shown, bool on, auto&& turn) {

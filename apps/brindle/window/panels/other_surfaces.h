@@ -1,4 +1,4 @@
-/// Other surfaces of the picture, and what each looks like.
+/// Other surfaces of the picture and their styles.
 #pragma once
 
 #include <functional>
@@ -12,23 +12,23 @@
 
 namespace brindle::tool {
 
-/// A list of them, and widgets for the one that is chosen: the values of --with.
+/// A list of surfaces, and widgets for the selected one: the values of --with.
 class OtherSurfaces {
  public:
   OtherSurfaces(LiveSession& live, FileBrowser& browser, WindowLog& log)
       : live_(live), browser_(browser), log_(log) {}
 
-  /// The list, at the end of a line. `given` are the values; `set` takes others, none to leave the
-  /// option out.
+  /// Draws the list at the end of a line. `given` are the values; `set` replaces them, and an empty
+  /// list removes the option.
   using Set = std::function<void(std::vector<std::string>, ValueChange)>;
   void draw_list(const std::vector<std::string>& given, const Set& set);
 
-  /// What the chosen one looks like, line by line, with widgets from this place on. Nothing if
-  /// there is none. `diagonal`: of the first surface.
+  /// Draws the style of the selected surface, one row per part, with widgets from `column` on.
+  /// Nothing without a selection. `diagonal`: of the first surface.
   void draw_style(const std::vector<std::string>& given, const Set& set, float column,
                   double diagonal);
 
-  /// Whether a colour is being changed.
+  /// Whether a colour is being edited.
   bool is_held() const { return is_held_; }
 
  private:
@@ -48,7 +48,7 @@ class OtherSurfaces {
   FileBrowser& browser_;
   WindowLog& log_;
   std::size_t chosen_ = 0;
-  std::optional<std::string> edit_;  ///< a value that is being typed
+  std::optional<std::string> edit_;  ///< a value being typed
   bool is_held_ = false;
 };
 

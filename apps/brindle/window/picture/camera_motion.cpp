@@ -18,7 +18,7 @@ constexpr float kDegree = std::numbers::pi_v<float> / 180;
 CameraView turned(const CameraView& view, const Eigen::Vector2f& motion) {
   CameraView result = view;
   if (view.rotation) {
-    // About the axis across the motion, by the viewer's eyes.
+    // About the axis across the motion, in view coordinates.
     const Vec3 axis(motion.y(), motion.x(), 0);
     const float angle = axis.norm() * kDegreesPerHeight * kDegree;
     if (angle == 0) return result;
@@ -67,7 +67,7 @@ Vec3 place_under(const Camera& camera, PictureSize size, const Eigen::Vector2d& 
                  const Vec3& near) {
   const Eigen::Vector4f seen = camera.view_from_world * (near - camera.origin).homogeneous().eval();
   const Eigen::Matrix4f& clip = camera.clip_from_view;
-  // Clip space's x and y of the pixel, times w.
+  // The pixel's x and y in clip space, times w.
   const float w = clip.row(3).dot(seen);
   const float x = w * static_cast<float>(2 * pixel.x() / size.width - 1);
   const float y = w * static_cast<float>(1 - 2 * pixel.y() / size.height);
@@ -89,7 +89,7 @@ CameraView freed(const CameraView& view) {
 
 CameraView upright(const CameraView& view) {
   if (!view.rotation) return view;
-  // Where the viewer is, seen from the surface.
+  // Direction to the viewer from the surface.
   const Vec3 side = view.rotation->normalized().conjugate() * Vec3::UnitZ();
   CameraView result = view;
   result.rotation.reset();

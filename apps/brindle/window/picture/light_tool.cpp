@@ -37,7 +37,7 @@ void LightTool::drag(const PicturePlace& place, const ImVec2& motion) {
                                      static_cast<double>(light.elevation_deg))}});
 }
 
-// Filled where the light is in front of what is seen, a ring where it is behind.
+// A disc if the light is in front of the scene, a ring if it is behind.
 void LightTool::draw_over(ImDrawList& list, const ImVec2& corner) const {
   constexpr float kRadians = std::numbers::pi_v<float> / 180;
   const LightDirection light = light_of(live_.document());

@@ -1,4 +1,4 @@
-/// Moving the light of the picture by the mouse.
+/// Moves the light of the picture with the mouse.
 #pragma once
 
 #include <imgui.h>
@@ -8,20 +8,20 @@
 
 namespace brindle::tool {
 
-/// Where the document's pictures are lit from.
+/// The light direction of the document's pictures.
 LightDirection light_of(const SessionDocument& document);
 
-/// While the left button is down, the light follows the mouse as if it were pulled over a ball: by
-/// the option --light-from, in one step of undo.
+/// While the left button is down, the light follows the mouse as if on a ball, by the option
+/// --light-from, in one undo step.
 class LightTool {
  public:
   LightTool(LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
-  /// To be called while the button is down and the tool is chosen: what the mouse has moved by, in
-  /// units of Dear ImGui.
+  /// Call it while the button is down and the tool is selected, with the mouse motion in Dear ImGui
+  /// units.
   void drag(const PicturePlace& place, const ImVec2& motion);
 
-  /// A ball in the upper right corner of the picture, with the light on it.
+  /// Draws a ball with the light in the upper right corner of the picture.
   void draw_over(ImDrawList& list, const ImVec2& corner) const;
 
  private:

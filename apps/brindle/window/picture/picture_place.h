@@ -1,4 +1,4 @@
-/// Where the picture is in the window.
+/// The position of the picture in the window.
 #pragma once
 
 #include <imgui.h>
@@ -8,7 +8,7 @@
 
 namespace brindle::tool {
 
-/// Between units of Dear ImGui and pixels of the picture that is shown.
+/// Converts between Dear ImGui units and pixels of the shown picture.
 struct PicturePlace {
   ImVec2 corner;  ///< upper left, units
   float pixels_per_unit = 1;
@@ -18,7 +18,7 @@ struct PicturePlace {
   Eigen::Vector2d pixel(const ImVec2& at) const {
     return {(at.x - corner.x) * pixels_per_unit, (at.y - corner.y) * pixels_per_unit};
   }
-  /// What the log says of something round there.
+  /// The log's rectangle of a round item.
   static WidgetPlace around(const ImVec2& middle, float radius) {
     const auto side = static_cast<int>(2 * radius);
     return {static_cast<int>(middle.x - radius), static_cast<int>(middle.y - radius), side, side};

@@ -10,7 +10,7 @@ namespace brindle::tool {
 
 PictureView::~PictureView() { glDeleteTextures(1, &texture_); }
 
-// Only when there is a new one; the texture gets other room when the size changes.
+// Only for new pictures; reallocates the texture if the size changes.
 void PictureView::upload() {
   if (uploaded_ == live_.frame()) return;
   uploaded_ = live_.frame();
@@ -49,7 +49,7 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   log_.note_widget("picture");
   if (!live_.frame()) return;
   upload();
-  // A picture of another size is shown as it is, in the middle, until the right one is there.
+  // A picture of another size is centred until the right one is ready.
   const auto left = std::floor((room.x - static_cast<float>(width_) / pixels_per_unit) / 2);
   const auto top = std::floor((room.y - static_cast<float>(height_) / pixels_per_unit) / 2);
   const PicturePlace place{.corner = {corner.x + left, corner.y + top},
@@ -74,8 +74,8 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   if (hovered) follow_wheel();
 }
 
-// Looking for the triangle takes a while on large surfaces: only once the mouse rests, and once for
-// a place and a picture.
+// Finding the triangle is slow on large surfaces: only once the mouse rests, and once per position
+// and picture.
 void PictureView::note_mouse(const PicturePlace& place, bool hovered) {
   const bool final = uploaded_->quality == PictureQuality::final;
   const ImVec2& moved = ImGui::GetIO().MouseDelta;
@@ -129,7 +129,7 @@ float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str(
 
 }  // namespace
 
-// In the upper left corner, over the picture, which has none of it.
+// In the upper left corner, over a picture without its own legend.
 void PictureView::show_legend(const ImVec2& corner) const {
   if (legend_.empty()) return;
   const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.5f * line;
@@ -174,7 +174,7 @@ void PictureView::show_legend(const ImVec2& corner) const {
   }
 }
 
-// Where one looks for what is not there.
+// In the middle of the picture.
 void PictureView::show_why_empty(const ImVec2& corner, const ImVec2& room) const {
   const std::string& why = uploaded_->nothing_left;
   if (why.empty()) return;
@@ -196,7 +196,7 @@ void PictureView::show(const PicturePlace& place) {
   const auto id = std::uintptr_t{texture_};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (shown_options(live_.document()).contains("transparent")) {
-    // What lies behind a transparent picture.
+    // The background of transparent pictures.
     list.AddRectFilled(place.corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
   }
   list.AddImage(reinterpret_cast<ImTextureID>(id), place.corner, end);

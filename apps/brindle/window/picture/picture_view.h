@@ -1,4 +1,4 @@
-/// The picture in the window, and what the mouse does on it.
+/// The picture in the window, and its mouse interaction.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@
 namespace brindle::tool {
 
 /// Shows the session's newest frame. The mouse turns, moves and zooms it, draws strokes or moves
-/// places.
+/// positions.
 class PictureView {
  public:
   PictureView(LiveSession& live, StrokeTool& tool, PlaceHandles& places, WindowLog& log)
@@ -25,12 +25,11 @@ class PictureView {
   PictureView(const PictureView&) = delete;
   PictureView& operator=(const PictureView&) = delete;
 
-  /// Fills the rest of Dear ImGui's current window, and asks for pictures of that size. `trail`:
-  /// where the mouse has been since the last call with its left button down.
+  /// Fills the rest of the current Dear ImGui window, and requests pictures of that size. `trail`:
+  /// mouse positions since the last call with the left button down.
   void draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>& trail);
 
-  /// The point in the middle of the picture as far away as the surface's own; nothing before the
-  /// first frame.
+  /// The point in the middle of the picture at the surface's depth; empty before the first frame.
   std::optional<Vec3> middle() const;
 
  private:
@@ -57,9 +56,9 @@ class PictureView {
   int width_ = 0;  // of the texture
   int height_ = 0;
   bool drawing_ = false;                              // with the tool
-  std::vector<PickedValue> under_mouse_;              // of the surface
-  Eigen::Vector2d picked_pixel_ = {-1, -1};           // that they are of
-  std::shared_ptr<const SessionFrame> picked_frame_;  // the same
+  std::vector<PickedValue> under_mouse_;              // at the picked point
+  Eigen::Vector2d picked_pixel_ = {-1, -1};           // its pixel
+  std::shared_ptr<const SessionFrame> picked_frame_;  // its frame
 };
 
 }  // namespace brindle::tool

@@ -39,7 +39,7 @@ SessionCommand PlaceHandles::moved(const NamedPlace& from, const Eigen::Vector3d
   return commands::SetOptions{with_place_at(to, from, shown_options(live_.document())), {}};
 }
 
-// As far from the viewer as it is.
+// At constant depth.
 void PlaceHandles::drag(const PicturePlace& place, const Eigen::Vector2d& pixel) {
   const std::vector<NamedPlace> places = named_places(shown_options(live_.document()));
   if (chosen_ >= places.size()) return;

@@ -1,4 +1,4 @@
-/// Places that options name, on the picture.
+/// Handles for positions in options.
 #pragma once
 
 #include <optional>
@@ -9,21 +9,21 @@
 
 namespace brindle::tool {
 
-/// A handle for every place that a value is a distance from or another surface is moved to. It is
-/// dragged parallel to the screen, or follows the mouse over the surface.
+/// A handle for each origin of distances or position of another surface. It is dragged parallel to
+/// the screen, or follows the mouse on the surface.
 class PlaceHandles {
  public:
   PlaceHandles(LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
-  /// Whether the document names any.
+  /// Whether the document has none.
   bool empty() const { return named_places(shown_options(live_.document())).empty(); }
 
-  /// Whether the place that was dragged last, or else the first, is where the mouse is.
+  /// Whether the last dragged position, or else the first, follows the mouse.
   bool follows() const { return follows_; }
   void set_follows(bool follows) { follows_ = follows; }
 
-  /// Looks at the mouse on Dear ImGui's last item, the picture. Returns whether a press of the
-  /// mouse belongs to a handle.
+  /// Handles the mouse on Dear ImGui's last item, the picture. Returns whether a press belongs to a
+  /// handle.
   bool follow_mouse(const PicturePlace& place);
 
   void draw_over(ImDrawList& list, const PicturePlace& place);
@@ -41,7 +41,7 @@ class PlaceHandles {
   WindowLog& log_;
   bool follows_ = false;
   bool dragging_ = false;
-  std::size_t chosen_ = 0;  // of `named_places`
+  std::size_t chosen_ = 0;  // index into `named_places`
 };
 
 }  // namespace brindle::tool

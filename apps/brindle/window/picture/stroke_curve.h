@@ -1,4 +1,4 @@
-/// Strokes as they are drawn with a mouse.
+/// Curves of strokes drawn with the mouse.
 #pragma once
 
 #include <span>
@@ -10,15 +10,14 @@ namespace brindle::tool {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// The Catmull-Rom spline through these points, `parts` pieces between two of them: it runs through
-/// each of them, and parallel to the line between its neighbours. Ends are as if the first and the
-/// last point were there twice.
+/// The Catmull-Rom spline through these points, with `parts` segments between two of them. Its
+/// tangents are parallel to the line between the neighbouring points; the ends count twice.
 Points catmull_rom(std::span<const Eigen::Vector3d> controls, int parts);
 
-/// At most `most` of the points, the first and the last among them, evenly along the list.
+/// At most `most` of the points, evenly along the list, including the first and the last.
 Points thinned(std::span<const Eigen::Vector3d> points, std::size_t most);
 
-/// The distance of a point from a line through others, in the plane.
+/// The distance of a point from a polyline in the plane.
 double distance_to_line(const Eigen::Vector2d& point, std::span<const Eigen::Vector2d> line);
 
 }  // namespace brindle::tool

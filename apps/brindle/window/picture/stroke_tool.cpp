@@ -43,12 +43,12 @@ constexpr std::array<ToolName, kToolCount> kTools = {
 constexpr ImU32 kStrokeColor = IM_COL32(255, 176, 32, 255);
 constexpr ImU32 kChosenColor = IM_COL32(255, 235, 120, 255);
 constexpr ImU32 kRim = IM_COL32(20, 20, 24, 200);
-// Lines turn with who walks round the first, and against who walks round the second.
+// Positive: lines turn in the sense of the walk around it; negative: against it.
 constexpr ImU32 kPositiveColor = IM_COL32(245, 120, 40, 255);
 constexpr ImU32 kNegativeColor = IM_COL32(60, 140, 250, 255);
 constexpr double kNearSingularity = 14;  // units of Dear ImGui
 constexpr double kSteeringReach = 0.25;  // of the tool's radius
-constexpr double kSteeringStrength = 4;  // times the tool's
+constexpr double kSteeringStrength = 4;  // relative to the tool's
 
 void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 color, float width) {
   const int count = static_cast<int>(points.size());
@@ -56,7 +56,7 @@ void draw_line(ImDrawList& list, const std::vector<ImVec2>& points, ImU32 color,
   list.AddPolyline(points.data(), count, color, 0, width);
 }
 
-/// The next widget of the bar, so wide, stands beside the last one if there is room, else below.
+/// Places the bar's next widget of this width beside the last one, or in a new row.
 void go_on(float width, float gap = ImGui::GetStyle().ItemSpacing.x) {
   const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   if (ImGui::GetItemRectMax().x + gap + width < end) ImGui::SameLine(0, gap);
@@ -76,7 +76,7 @@ float width_of_box(const char* label) {
 
 void StrokeTool::choose(Tool tool) {
   finish_spline();
-  // Also if the button is still down.
+  // Even with the button down.
   drawn_.reset();
   steering_.reset();
   status_.clear();
@@ -121,7 +121,7 @@ void StrokeTool::draw_bar() {
   ImGui::EndGroup();
 }
 
-// How stripes run where strokes are drawn.
+// Whether stripes run along or across strokes.
 void StrokeTool::draw_along() {
   bool along = shown_options(live_.document()).contains("along");
   go_on(width_of_box(kAlong));
@@ -138,7 +138,7 @@ void StrokeTool::draw_along() {
   }
 }
 
-// Of what holds singularities, which is not shown.
+// Releases the hidden strokes that fix singularities.
 void StrokeTool::draw_let_go() {
   if (live_.document().steering.empty()) return;
   go_on(ImGui::CalcTextSize(kLetGo).x + 2 * ImGui::GetStyle().FramePadding.x);
@@ -178,7 +178,7 @@ void StrokeTool::draw_sliders() {
   if (change != ValueChange::none) change_strokes(change, radius, strength);
 }
 
-// Of the chosen stroke, or of those to come.
+// Of the selected stroke, or of future ones.
 void StrokeTool::change_strokes(ValueChange change, float radius, float strength) {
   if (!(radius > 0 && strength > 0)) {
     return live_.add_message(MessageKind::error,
@@ -287,7 +287,7 @@ void StrokeTool::release() {
   refused_ = false;
 }
 
-// The points of the stroke that is being drawn, which is added first.
+// Adds the stroke that is being drawn, if new, and sets its points.
 void StrokeTool::set_points(Points points) {
   const FieldStroke stroke{std::move(points), radius_ / 100.0 * diagonal_, strength_};
   if (drawn_ && *drawn_ < live_.document().strokes.size()) {
@@ -326,7 +326,7 @@ bool StrokeTool::finish_spline() {
   return true;
 }
 
-// Points moved by pixels and laid onto what is seen there; those beside the surface stay aloft.
+// Points moved by pixels and projected onto the visible surface; others keep their depth.
 Points StrokeTool::on_surface(const PicturePlace& place, const Points& points,
                               const Eigen::Vector2d& shift) const {
   Points result;
@@ -358,7 +358,7 @@ void StrokeTool::erase_at(const PicturePlace& place, const Eigen::Vector2d& pixe
   }
 }
 
-// The nearest one on the side that is seen.
+// The nearest one on the visible side.
 const FieldSingularity* StrokeTool::singularity_at(const PicturePlace& place,
                                                    const Eigen::Vector2d& pixel) const {
   const FieldSingularity* nearest = nullptr;
@@ -376,7 +376,7 @@ const FieldSingularity* StrokeTool::singularity_at(const PicturePlace& place,
   return nearest;
 }
 
-// Strokes are along the field, waves are turned from it.
+// Strokes are along the field; waves are turned from it.
 DirectionField StrokeTool::field_directions(const LiveState& state) const {
   const WaveOptions& waves = state.parsed->arguments().waves;
   const float turn_deg = waves.rotate_deg + (waves.along ? 90.0f : 0.0f);
@@ -421,7 +421,7 @@ void StrokeTool::steer(const PicturePlace& place, const Eigen::Vector2d& pixel) 
     return;
   }
   steering_->why_not.clear();
-  // Those that were there when the drag began: what it meets is gone in the meantime.
+  // Those at the start of the drag: a singularity that it meets is gone meanwhile.
   std::size_t to = hit->triangle;
   steering_->meets = false;
   const StripePattern& before = steering_->state->job->result.stripes();
@@ -466,8 +466,8 @@ void StrokeTool::drop_singularity() {
                      live_.session().revision()};
 }
 
-// The field answers as a whole: once it has, one that is near is led on from there, and what became
-// of it is said.
+// The field is solved globally. Once solved, a nearby singularity is moved on from there, and the
+// outcome is reported.
 void StrokeTool::note_arrival(const SessionFrame& frame) {
   if (!dropped_) return;
   if (live_.session().revision() != dropped_->revision) return dropped_.reset();
@@ -528,7 +528,7 @@ void StrokeTool::draw_strokes(ImDrawList& list, const PicturePlace& place) {
   }
 }
 
-// Those on the side that is seen; what lies in front of them is not looked for.
+// Those on the visible side; occlusion is not tested.
 void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place) {
   const Camera& camera = place.frame->camera;
   const Vec3 viewpoint = viewpoint_of(camera);
@@ -546,7 +546,7 @@ void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place)
   }
 }
 
-// How far the stroke would reach where the mouse is.
+// The stroke's radius at the mouse.
 void StrokeTool::draw_cursor(ImDrawList& list, const PicturePlace& place) {
   if (tool_ != Tool::comb && tool_ != Tool::spline) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -1,4 +1,4 @@
-/// Drawing strokes that the field follows, on the picture.
+/// Draws strokes that guide the field.
 #pragma once
 
 #include <optional>
@@ -16,62 +16,59 @@ namespace brindle::tool {
 enum class Tool { look, light, comb, spline, move, erase, steer };
 inline constexpr int kToolCount = 7;
 
-/// What the mouse does on the picture besides looking around. Every stroke is drawn, moved or
-/// erased by commands of the session, so that the field follows while the mouse moves and all is
-/// undone as one step.
+/// The tools for the picture besides the camera. Strokes are drawn, moved and erased by session
+/// commands, so that the field follows the mouse and everything is one undo step.
 class StrokeTool {
  public:
   StrokeTool(LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
   Tool tool() const { return tool_; }
-  /// Whether the tool is one for strokes, and not for looking.
+  /// Whether the tool draws strokes, instead of moving the camera or the light.
   bool draws() const { return tool_ != Tool::look && tool_ != Tool::light; }
   void choose(Tool tool);
 
-  /// Tools, radius and strength, as a row of widgets.
+  /// Draws tools, radius and strength as a row of widgets.
   void draw_bar();
 
-  /// The height of the bar with the tool that has most on it, so that pictures keep their size.
+  /// The height of the bar with the largest tool, so that pictures keep their size.
   float bar_height() const;
 
-  /// The left button was pressed on the picture, the mouse moved with it along these pixels, it was
-  /// let go.
+  /// Events of the left button on the picture: press, motion along these pixels, release.
   void press(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void drag(const PicturePlace& place, const std::vector<Eigen::Vector2d>& pixels);
   void release();
 
-  /// Ends the spline that is being drawn. False if there is none.
+  /// Completes the spline that is being drawn. False if there is none.
   bool finish_spline();
 
-  /// Erases the stroke that is chosen. False if there is none.
+  /// Erases the selected stroke. False if there is none.
   bool erase_chosen();
 
-  /// What became of the singularity that was dragged last, or why it stays; for the status line.
-  /// Nothing once that is undone.
+  /// The outcome of the last drag of a singularity, for the status line. Empty once undone.
   std::string status() const {
     return live_.document().steering == said_of_ ? status_ : std::string();
   }
 
-  /// Strokes, singularities and the mouse's radius, over the picture.
+  /// Draws strokes, singularities and the tool's radius over the picture.
   void draw_over(ImDrawList& list, const PicturePlace& place, bool hovered);
 
  private:
-  /// A singularity that is dragged, with what there was before.
+  /// A singularity being dragged, with the state before.
   struct Steering {
     FieldSingularity singularity;
     std::shared_ptr<const LiveState> state;
     DirectionField directions;  ///< of the field itself
     std::vector<FieldStroke> held;
-    std::optional<std::size_t> to = {};  ///< the triangle where it was led last
-    bool meets = false;                  ///< one of the other sign there
-    std::string why_not = {};            ///< it is not where the mouse is
+    std::optional<std::size_t> to = {};  ///< last target triangle
+    bool meets = false;                  ///< a singularity of the opposite sign is there
+    std::string why_not = {};            ///< the reason why it does not follow the mouse
   };
-  /// One that was let go: what becomes of it is seen once the field is there.
+  /// A released singularity, until the field is solved.
   struct Dropped {
     DroppedSingularity what;
     double reach;
     std::uint64_t revision;  ///< of the session
-    bool is_led_on = false;  ///< once more, from where it got to
+    bool is_led_on = false;  ///< a second time, from where it arrived
   };
   struct Moving {
     Points points;
@@ -116,17 +113,17 @@ class StrokeTool {
   float strength_ = 1;
   bool show_singularities_ = false;
 
-  Points comb_;                        // of the stroke that is being drawn
-  Points controls_;                    // of the spline that is being drawn
-  std::optional<std::size_t> drawn_;   // the stroke that they are
-  std::optional<std::size_t> chosen_;  // the stroke that is moved
+  Points comb_;                        // of the stroke being drawn
+  Points controls_;                    // of the spline being drawn
+  std::optional<std::size_t> drawn_;   // its index
+  std::optional<std::size_t> chosen_;  // the selected stroke
   std::optional<Moving> moving_;
   std::optional<Steering> steering_;
   std::optional<Dropped> dropped_;
   std::string status_;
-  std::vector<FieldStroke> said_of_;  // what holds singularities where `status_` is so
+  std::vector<FieldStroke> said_of_;  // the steering strokes that `status_` is about
   Eigen::Vector2d last_pixel_{0, 0};
-  bool refused_ = false;  // until the button is let go
+  bool refused_ = false;  // until the button is released
   std::shared_ptr<const StripeJob> noted_;
   std::vector<FieldSingularity> singularities_;
   double diagonal_ = 0;

@@ -9,7 +9,7 @@
 namespace brindle {
 namespace {
 
-/// A reflecting coupling of one of a rank's edges.
+/// A reflecting coupling of an edge.
 struct EdgeReflection {
   Index edge;
   Complex b;
@@ -28,7 +28,7 @@ void take(std::span<const std::byte>& bytes, std::span<T> values) {
   bytes = bytes.subspan(values.size_bytes());
 }
 
-/// Where a row of the layout has a neighbour.
+/// The entry of a neighbour in a row of the layout.
 Index entry_of(const SlicedLayout& layout, Index row_slot, Index neighbor_slot) {
   std::size_t entry = layout.first_entry(row_slot);
   const std::size_t end = entry + std::size_t{layout.width(row_slot)} * kLanes;
@@ -83,8 +83,7 @@ void GatheredLevels::add_entries(std::span<const Index> degrees, std::span<const
   }
 }
 
-/// Direct couplings edge by edge, whether there are anchors, these node by node, then reflecting
-/// couplings.
+/// Direct couplings per edge, a flag for anchors, anchors per node, then reflecting couplings.
 void GatheredLevels::pack(const Level& level) {
   const SlicedLayout& layout = level.layout();
   const SlicedCouplings& couplings = level.couplings;
@@ -114,7 +113,7 @@ void GatheredLevels::pack(const Level& level) {
   append(packed_, std::span<const EdgeReflection>(reflections));
 }
 
-/// What a rank has packed; reflecting couplings are only collected.
+/// Unpacks a rank's data; reflecting couplings are only collected.
 void GatheredLevels::load(std::span<const std::byte> packed, int rank,
                           std::vector<ReflectingCoupling>& reflecting) {
   const SlicedLayout& layout = hierarchy_.levels[0].layout();

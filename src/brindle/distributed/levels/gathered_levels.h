@@ -1,4 +1,4 @@
-/// A level that has become small, and all coarser ones, on rank 0 alone.
+/// Coarse levels that rank 0 holds alone.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,22 @@
 
 namespace brindle {
 
-/// Nodes are those of rank 0, then those of rank 1, and so on. All functions must be called by all
-/// ranks.
+/// Nodes are ordered by rank. All functions are collective.
 class GatheredLevels {
  public:
-  /// Gathers the connectivity and the couplings of a level, and builds the coarser ones. Throws
-  /// Cancelled on all ranks if the `progress` of one asks for it.
+  /// Gathers connectivity and couplings of a level, and builds the coarser ones. Throws Cancelled
+  /// on all ranks if one rank's `progress` does.
   GatheredLevels(Communicator& ranks, const RankGraph& graph, const Level& level,
                  const Progress& progress);
 
-  /// Gathers the couplings again, and renews what follows from them.
+  /// Gathers the couplings again, and recomputes what depends on them.
   void renew(Communicator& ranks, const Level& level);
 
-  /// Rank 0 descends from the coarsest level on; the level has its own nodes' phases afterwards.
+  /// Rank 0 descends from the coarsest level; afterwards the level has the phases of its own nodes.
   void descend(Communicator& ranks, SweepPlan plan, Level& level);
 
-  /// Gathers couplings in which the level's phases are the gauges of finer ones (`run_cycles`), and
-  /// does the same.
+  /// Gathers couplings, with the level's phases as gauges of the finer ones (`run_cycles`), and
+  /// descends.
   void correct(Communicator& ranks, SweepPlan plan, Level& level);
 
  private:
@@ -42,13 +41,13 @@ class GatheredLevels {
   void gather_couplings(Communicator& ranks, const Level& level);
   void scatter(Level& level);
 
-  std::shared_ptr<const Adjacency> adjacency_;  ///< of this rank's nodes
+  std::shared_ptr<const Adjacency> adjacency_;  ///< of own nodes
   PartsOnFirst nodes_, edges_;
   std::vector<std::byte> packed_;
   std::vector<Complex> own_z_;
-  // On rank 0 alone.
+  // On rank 0 only.
   Hierarchy hierarchy_;
-  std::vector<Index> entry_of_;  ///< of every edge in the first level's layout
+  std::vector<Index> entry_of_;  ///< of each edge in the first level's layout
   std::vector<Complex> z_;
 };
 

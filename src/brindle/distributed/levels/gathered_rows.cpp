@@ -7,7 +7,7 @@
 namespace brindle {
 namespace {
 
-/// The strengths of a graph's edges in the order of the rows.
+/// The strengths of a graph's edges, in row order.
 std::vector<float> strengths_by_entry(const StrengthGraph& graph, const RowLevel& level) {
   std::vector<float> result;
   for (Index node = 0; node < graph.size(); ++node) {
@@ -29,7 +29,7 @@ GatheredRows::GatheredRows(Communicator& ranks, const StrengthGraph& graph, cons
   gather_graph(ranks, graph, halo, level);
 }
 
-/// Nodes are numbered rank by rank. Those of the coarsest level have their numbers as places.
+/// Nodes are numbered rank by rank. Nodes of the coarsest level are their own places.
 void GatheredRows::gather_graph(Communicator& ranks, const StrengthGraph& graph,
                                 const NodeHalo& halo, const RowLevel& level) {
   std::vector<Index> number(level.size_with_others());
@@ -75,7 +75,7 @@ std::span<float> GatheredRows::on_root(std::span<float> (BoundedMultigrid::*part
   return multigrid_ ? (*multigrid_.*part)() : std::span<float>();
 }
 
-/// All ranks' numbers of nodes where they belong on rank 0.
+/// Permutes all ranks' node values to rank 0's order.
 void GatheredRows::take_nodes(std::span<const float> own, std::span<float> by_place) {
   nodes_.gather(own, all_);
   for (std::size_t node = 0; node < all_.size(); ++node) {

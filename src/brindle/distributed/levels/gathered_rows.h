@@ -1,4 +1,4 @@
-/// Rows that have become few, and all coarser ones, on rank 0 alone.
+/// Coarse rows that rank 0 holds alone.
 #pragma once
 
 #include <memory>
@@ -15,16 +15,16 @@
 
 namespace brindle {
 
-/// All functions must be called by all ranks, with what they have of their own nodes.
+/// All functions are collective, with values of own nodes.
 class GatheredRows {
  public:
-  /// Of the coarsest graph that all ranks hold, whose rows are those of `level`.
+  /// From the coarsest distributed graph, whose rows are those of `level`.
   GatheredRows(Communicator& ranks, const StrengthGraph& graph, const NodeHalo& halo,
                const RowLevel& level);
 
   void set(const RowMatrix& matrix);
 
-  /// As the functions of the same names of MultigridPeers, for own nodes.
+  /// As the functions of the same names in MultigridPeers, for own nodes.
   void solve(std::span<const float> right, int visits, std::span<float> x);
   void start(const RowProblem& problem, std::span<float> x);
 
@@ -37,11 +37,11 @@ class GatheredRows {
   void scatter(std::span<float> own);
 
   PartsOnFirst nodes_, entries_;
-  // On rank 0 alone.
+  // On rank 0 only.
   std::shared_ptr<const RowLevels> levels_;
   std::unique_ptr<BoundedMultigrid> multigrid_;
-  std::vector<Index> entry_of_;  ///< the ranks' entries, as they have them -> entry here
-  std::vector<float> all_;       ///< what has come from all ranks, or goes to them
+  std::vector<Index> entry_of_;  ///< maps the ranks' entries to entries here
+  std::vector<float> all_;       ///< received from, or to be sent to, all ranks
 };
 
 }  // namespace brindle

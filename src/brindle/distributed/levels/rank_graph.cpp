@@ -10,7 +10,7 @@
 namespace brindle {
 namespace {
 
-/// Colours the nodes at borders of ranks.
+/// Colours border nodes.
 class BorderColorer {
  public:
   BorderColorer(Communicator& ranks, const RankGraph& graph, GreedyColorer& colorer)
@@ -44,7 +44,7 @@ class BorderColorer {
     }
   }
 
-  /// Whether a neighbour on another rank has the same colour and goes first.
+  /// Whether a neighbour on another rank has the same colour and takes precedence.
   bool loses(Index node) const {
     for (const Index other : graph_.adjacency->of(node)) {
       if (other < graph_.own || colorer_.color_of(other) != colorer_.color_of(node)) continue;
@@ -66,7 +66,7 @@ class BorderColorer {
   std::vector<Index> number_;
 };
 
-/// The groups of these nodes, ascending, each once; nodes in none are passed over.
+/// The distinct groups of these nodes, ascending, without kNone.
 std::vector<Index> distinct_groups(std::span<const Index> group_of_node) {
   std::vector<Index> result(group_of_node.begin(), group_of_node.end());
   std::ranges::sort(result);

@@ -1,4 +1,4 @@
-/// What a rank knows of a graph that all ranks hold together.
+/// A rank's part of a distributed graph.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,8 @@
 
 namespace brindle {
 
-/// Nodes 0 .. own - 1 are the rank's own and have all their neighbours; ghosts, the neighbours that
-/// other ranks own, come after them by owner, and their rows are empty. A node of one rank is a
-/// neighbour of another's exactly if that is one of its.
+/// Nodes 0 .. own - 1 belong to the rank and have all their neighbours. Ghosts, the neighbours that
+/// other ranks own, follow by owner, with empty rows. Adjacency is symmetric across ranks.
 struct RankGraph {
   std::shared_ptr<const Adjacency> adjacency;
   Index own = 0;
@@ -24,29 +23,29 @@ struct RankGraph {
   Index ghost_count() const { return node_count() - own; }
 };
 
-/// The numbers that nodes have on their owners.
+/// The nodes' numbers on their owners.
 std::vector<Index> numbers_on_owners(Communicator& ranks, const RankGraph& graph);
 
 /// The ranks that own the nodes.
 std::vector<int> owners(const Communicator& ranks, const RankGraph& graph);
 
-/// Which own nodes are ghosts of other ranks.
+/// Whether own nodes are ghosts of other ranks.
 std::vector<std::uint8_t> border_nodes(const RankGraph& graph);
 
-/// The halo of a graph whose nodes are groups of another's nodes, within a rank each. `group` has
-/// that of every node, or kNone; own nodes have numbers below `own_groups`, and ghosts get theirs
-/// here: their owners' groups follow the own ones, by owner.
+/// The halo of a graph of groups of nodes, each within a rank. `group` has the group of every node,
+/// or kNone; own nodes have groups below `own_groups`. Sets the groups of ghosts, which follow by
+/// owner.
 NodeHalo halo_of_groups(Communicator& ranks, const NodeHalo& halo, Index own_groups,
                         std::span<Index> group);
 
-/// A colouring of the whole graph: ghosts have the colours that they have on their owners, and
-/// `color_count` is that of all ranks. That of one rank is `greedy_coloring`. Nodes at borders come
-/// first, in rounds: all ranks colour at the same time, and of two neighbours on different ranks
-/// that chose the same colour one chooses again (Bozdag et al. 2008).
+/// A colouring of the whole graph: ghosts have their owners' colours, and `color_count` is global.
+/// On one rank it is `greedy_coloring`. Border nodes come first, in rounds: all ranks colour
+/// simultaneously, and of two neighbours with the same colour on different ranks, one chooses again
+/// (Bozdag et al. 2008).
 Coloring rank_coloring(Communicator& ranks, const RankGraph& graph);
 
-/// Three colours for each one, so that slices hold one sort of node: those of no interest to other
-/// ranks keep theirs, c; border nodes get color_count + c, and ghosts 2 color_count + c.
+/// Splits each colour into three, so that slices contain one kind of node: inner nodes keep colour
+/// c, border nodes get color_count + c, and ghosts 2 color_count + c.
 Coloring with_sorts(const RankGraph& graph, const Coloring& coloring);
 
 }  // namespace brindle

@@ -10,11 +10,11 @@
 namespace brindle {
 namespace {
 
-/// Coarsening that leaves more nodes than this share of them is given up, and the level gathered:
-/// the parts are too torn for more.
+/// If coarsening leaves more than this share of nodes, the level is gathered instead: its parts are
+/// too fragmented.
 constexpr double kPoorShare = 0.6;
 
-/// As `finest_level` orders nodes; ghosts come last.
+/// As `finest_level` orders nodes, with ghosts last.
 std::vector<Index> own_first(const RankGraph& graph) {
   std::vector<Index> order = breadth_first_order(*graph.adjacency);
   std::erase_if(order, [&](Index node) { return node >= graph.own; });
@@ -28,7 +28,7 @@ std::vector<Index> finest_blocks(const RankGraph& graph) {
   return ends;
 }
 
-/// Slots that own nodes stand in.
+/// The number of slots of own nodes.
 Index own_slots(const SlicedLayout& layout, Index color_count) {
   Index slices = 0;
   for (Index color = 0; color < 2 * color_count; ++color) {
@@ -37,9 +37,9 @@ Index own_slots(const SlicedLayout& layout, Index color_count) {
   return slices * kLanes;
 }
 
-/// Aggregates, and the graph of which they are the nodes.
+/// Aggregates, and their graph.
 struct RankAggregates {
-  Aggregates aggregates;  ///< of own nodes, then those of ghosts, as their owners have them
+  Aggregates aggregates;  ///< of own nodes, then of ghosts, from their owners
   RankGraph coarse;
 };
 
@@ -54,7 +54,7 @@ bool has_coupling(const Level& level, Index slot) {
   return false;
 }
 
-/// Appends aggregates of ghosts, which `of_ghost` numbers from the own ones on, for each ghost.
+/// Appends aggregates of ghosts; `of_ghost` has their numbers, after the own ones.
 void append_ghosts(const RankGraph& graph, const SlicedLayout& layout,
                    std::span<const Index> of_ghost, Index count, Aggregates& aggregates) {
   const Index own = aggregates.count();
@@ -72,8 +72,8 @@ void append_ghosts(const RankGraph& graph, const SlicedLayout& layout,
   aggregates.block_begin.back() = aggregates.count();
 }
 
-/// The own aggregates of a level: `grow_aggregates`, and, where there are other ranks, one more for
-/// every node all of whose neighbours are ghosts. Couplings of ghosts are not looked at.
+/// The own aggregates of a level: `grow_aggregates` and, with several ranks, one per node whose
+/// neighbours are all ghosts. Ignores couplings of ghosts.
 Aggregates own_aggregates(const Communicator& ranks, const RankGraph& graph, const Level& level) {
   Aggregates aggregates = grow_aggregates(level.layout(), level.couplings);
   if (ranks.size() == 1) return aggregates;
@@ -88,8 +88,8 @@ Aggregates own_aggregates(const Communicator& ranks, const RankGraph& graph, con
   return aggregates;
 }
 
-/// Completes own aggregates by those of the ghosts. Couplings between ranks then are summed like
-/// all others.
+/// Completes own aggregates by the ghosts', so that couplings between ranks are summed like all
+/// others.
 RankAggregates with_ghosts(Communicator& ranks, const RankGraph& graph, const Level& level,
                            Aggregates own) {
   const SlicedLayout& layout = level.layout();
@@ -134,7 +134,7 @@ void RankHierarchy::add_level(RankGraph graph, Level level, const Coloring& colo
   hierarchy_.levels.push_back(std::move(level));
 }
 
-/// Whether a level, none of which is the finest, is for rank 0.
+/// Whether a level below the finest is small enough for rank 0.
 bool RankHierarchy::is_small(std::size_t level) const {
   if (ranks_.size() == 1 || level == 0) return false;
   const auto nodes = static_cast<double>(parts_[level].nodes_of_all);
@@ -157,7 +157,7 @@ void RankHierarchy::coarsen(const Progress& progress) {
   }
 }
 
-/// Returns whether there is anything coarser.
+/// Returns whether there is a coarser level.
 bool RankHierarchy::add_coarser() {
   const std::size_t last = hierarchy_.levels.size() - 1;
   Aggregates own = own_aggregates(ranks_, parts_[last].graph, hierarchy_.levels[last]);
@@ -195,8 +195,8 @@ void RankHierarchy::set_blocks(Part& part, const Level& fine, const Level& coars
   }
 }
 
-/// The gauges of the finer level, and the sums of this one; ghosts' gauges are on their way while
-/// sums are made that need none.
+/// Computes the gauges of the finer level and the sums of this one; sums that need no ghosts'
+/// gauges overlap with their exchange.
 void RankHierarchy::renew_sums_to(std::size_t coarse) {
   Level& fine = hierarchy_.levels[coarse - 1];
   Part& part = parts_[coarse - 1];
@@ -213,8 +213,8 @@ void RankHierarchy::renew() {
   if (gathered_) gathered_->renew(ranks_, hierarchy_.levels.back());
 }
 
-/// Calls `update(color)` for the slots of one colour after the other, first for those at the
-/// border: what they have become is on its way while the others' turn is.
+/// Calls `update(color)` for one colour after the other, border nodes first, so that their exchange
+/// overlaps with the rest.
 template <class Update>
 void RankHierarchy::for_each_color(std::size_t level, std::span<Complex> z, const Update& update) {
   Part& part = parts_[level];
@@ -237,7 +237,7 @@ void RankHierarchy::sweep_level(std::size_t level, SweepPlan plan) {
   }
 }
 
-/// Below what is gathered, whose phases the last level has.
+/// Below the gathered levels, whose phases the last level has.
 void RankHierarchy::descend_from(Complex start, SweepPlan plan) {
   auto& levels = hierarchy_.levels;
   if (gathered_) {
@@ -259,7 +259,7 @@ void RankHierarchy::descend(SweepPlan plan) {
   descend_from(kPeak, plan);
 }
 
-/// As `correct` of phases/multilevel.h. Ghosts have the phases and gauges of their owners already.
+/// As `correct` of phases/multilevel.h. Ghosts already have their owners' phases and gauges.
 void RankHierarchy::correct(SweepPlan plan) {
   hierarchy_.corrected = true;
   for (std::size_t l = 0; l + 1 < hierarchy_.levels.size(); ++l) {

@@ -1,4 +1,4 @@
-/// The multilevel solver over ranks: each has its part of the finer levels, rank 0 the coarser ones
+/// The distributed multilevel solver: finer levels are distributed, coarser ones are on rank 0
 /// (docs/distributed.md).
 #pragma once
 
@@ -14,23 +14,21 @@
 
 namespace brindle {
 
-/// With one rank, all that this does is what a Hierarchy and the functions of phases/multilevel.h
-/// do, bit by bit. All functions but `finest` must be called by all ranks, and `ranks` must live as
-/// long.
+/// One rank gives the bits of a Hierarchy with the functions of phases/multilevel.h. All functions
+/// but `finest` are collective; `ranks` must outlive this object.
 class RankHierarchy {
  public:
-  /// The finest level alone. Coarser ones that have fewer nodes than `gather_below` on all ranks
-  /// together are gathered on rank 0.
+  /// Creates the finest level. Coarser levels with fewer than `gather_below` nodes in total are
+  /// gathered on rank 0.
   RankHierarchy(Communicator& ranks, RankGraph graph, std::size_t gather_below);
 
-  /// Its couplings are for the caller to set, for own slots; `z` has ghosts' phases, too. `coarsen`
-  /// moves it.
+  /// The caller sets the couplings of own slots; `z` includes ghosts. `coarsen` moves the level.
   Level& finest() { return hierarchy_.levels[0]; }
   const Level& finest() const { return hierarchy_.levels[0]; }
   bool is_coarsened() const { return is_coarsened_; }
 
-  /// As the functions of the same names in phases/hierarchy.h and phases/multilevel.h. `progress`
-  /// cancels all ranks if it does one.
+  /// As the functions of the same names in phases/hierarchy.h and phases/multilevel.h. If
+  /// `progress` throws on one rank, all ranks throw.
   void coarsen(const Progress& progress = {});
   void renew();
   void descend(SweepPlan plan);
@@ -39,28 +37,28 @@ class RankHierarchy {
   /// One iteration of the paper's relaxation over all colours of the finest level.
   void relax(Momentum& momentum);
 
-  /// Of the finest level's phases, over all ranks.
+  /// The energy of the finest level's phases, over all ranks.
   double energy() const;
 
-  /// Those of the finest level on all ranks.
+  /// The slots of the finest level, over all ranks.
   Index slots_of_all() const { return parts_[0].slots_of_all; }
 
-  /// Bytes that the sweeps of a descent have to bring to this rank: 8 for each ghost, sweep and
-  /// distributed level.
+  /// Bytes that the sweeps of a descent bring to this rank: 8 per ghost, sweep and distributed
+  /// level.
   std::size_t halo_bytes(int sweeps) const;
 
-  /// How many levels the ranks have parts of; those that are gathered do not count.
+  /// The number of distributed levels, without gathered ones.
   std::size_t distributed_levels() const { return parts_.size() - (gathered_ ? 1 : 0); }
 
  private:
-  /// What a level has beside a Level.
+  /// The distributed data of a level.
   struct Part {
     RankGraph graph;
     Index color_count = 0;
     SlotHalo halo;
-    Index slots_of_all = 0;            ///< of own nodes, on all ranks
-    std::vector<Index> inner, border;  ///< blocks of the coarser level whose sums need no gauges
-                                       ///< of ghosts, and those that do
+    Index slots_of_all = 0;  ///< of own nodes, over all ranks
+    std::vector<Index> inner,
+        border;  ///< blocks of the coarser level whose sums do not need, or need, gauges of ghosts
     std::size_t nodes_of_all = 0;
   };
 
@@ -78,7 +76,7 @@ class RankHierarchy {
   Communicator& ranks_;
   std::size_t gather_below_ = 0;
   Hierarchy hierarchy_;
-  std::vector<Part> parts_;                 ///< beside the levels
+  std::vector<Part> parts_;                 ///< parallel to the levels
   std::optional<GatheredLevels> gathered_;  ///< the last level and all coarser ones
   bool is_coarsened_ = false;
 };

@@ -8,8 +8,7 @@
 namespace brindle {
 namespace {
 
-/// A level that leaves more nodes than this share of them is not worth another one like it: the
-/// parts are too torn.
+/// Coarsening stops if a level leaves more than this share of nodes: its parts are too fragmented.
 constexpr double kPoorMerge = 0.6;
 
 constexpr std::size_t kSummedAtOnce = 5;
@@ -109,7 +108,7 @@ double RankRows::least(double value) { return -ranks_.greatest(-value); }
 
 void RankRows::set_coarsest(const RowMatrix& matrix) { gathered_->set(matrix); }
 
-/// Ranks have what rank 0 says of their own nodes; ghosts' are still to come.
+/// Ranks receive own nodes' values from rank 0; ghosts' are exchanged afterwards.
 void RankRows::take_others(std::span<float> coarsest) {
   start(parts_.size() - 1, coarsest);
   finish();

@@ -1,4 +1,4 @@
-/// The rows of a matrix over ranks: each has those of its own nodes (docs/distributed.md).
+/// A distributed matrix: each rank has the rows of its own nodes (docs/distributed.md).
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,11 @@
 
 namespace brindle {
 
-/// Levels are merged within ranks until one has fewer nodes than `gather_below`, or hardly fewer
-/// than the finer one: that one is the coarsest, which rank 0 solves. Others' nodes are a rank's
-/// ghosts.
+/// Levels are merged within ranks until one has fewer than `gather_below` nodes, or hardly fewer
+/// than the finer one: rank 0 solves this coarsest level. Nodes of other ranks are ghosts.
 class RankRows : public MultigridPeers {
  public:
-  /// Both must live as long.
+  /// Both must outlive this object.
   RankRows(Communicator& ranks, const RankGraph& graph, std::size_t gather_below);
 
   RowLevels make_levels(const Adjacency& adjacency, std::span<const float> strengths) override;
@@ -33,15 +32,15 @@ class RankRows : public MultigridPeers {
   void solve_coarsest(std::span<const float> right, int visits, std::span<float> x) override;
   void start_coarsest(const RowProblem& problem, std::span<float> x) override;
 
-  /// Bytes that halos have brought to this rank so far: 4 for each ghost and exchange.
+  /// Bytes of halos received so far: 4 per ghost and exchange.
   std::uint64_t halo_bytes() const { return halo_bytes_; }
 
  private:
   struct Neighbor {
     int rank;
     std::vector<Index> sent;  ///< places
-    std::vector<float> out;   ///< beside `sent`
-    Index first, count;       ///< places of its nodes here
+    std::vector<float> out;   ///< parallel to `sent`
+    Index first, count;       ///< places of the other rank's nodes
   };
   struct Part {
     std::vector<Neighbor> neighbors;

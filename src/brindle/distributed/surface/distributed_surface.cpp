@@ -19,7 +19,7 @@
 namespace brindle {
 namespace {
 
-/// Some ranks have no triangles, and no numbers of them.
+/// Ranks without triangles have no numbers of them.
 bool have_triangle_ids(Communicator& ranks, const SurfacePiece& piece) {
   const bool any = ranks.any(!piece.triangle_ids.empty());
   if (ranks.any(any && piece.triangle_ids.size() != piece.mesh.triangle_count())) {
@@ -38,9 +38,9 @@ void check_origins(Communicator& ranks, const Eigen::Vector3d& origin) {
   }
 }
 
-/// A triangle as ranks tell others of it.
+/// A triangle that is sent to other ranks.
 struct GhostTriangle {
-  std::uint64_t number;  ///< in the whole
+  std::uint64_t number;  ///< global
   std::array<std::uint64_t, 3> id;
   std::array<int, 3> owner;
   std::array<std::array<float, 3>, 3> position;
@@ -50,12 +50,12 @@ struct GhostTriangle {
 struct ForeignVertex {
   int owner;
   std::uint64_t id;
-  Index known_as;  ///< number among the piece's vertices and those that others told of
+  Index known_as;  ///< index among the vertices of the partition and received ones
 
   auto key() const { return std::tuple(owner, id); }
 };
 
-/// Makes a RankSurface of a piece.
+/// Builds a RankSurface from a partition.
 class SurfaceMaker {
  public:
   SurfaceMaker(SurfacePiece piece, RankSurface& made)
@@ -88,7 +88,7 @@ class SurfaceMaker {
       if (!piece_.triangle_ids.empty()) own_numbers.push_back(piece_.triangle_ids[t]);
       made_.triangle_of_piece.push_back(t);
     }
-    // Vertices that ghosts alone use are not this rank's: those of its own are.
+    // Vertices of ghost triangles alone are not this rank's.
     in_ghost_.assign(piece_.mesh.vertex_count(), 0);
     if (own.size() < made_.piece_triangles) mark_ghost_vertices();
     piece_.mesh.triangles = std::move(own);
@@ -102,7 +102,7 @@ class SurfaceMaker {
     }
   }
 
-  /// What no triangle uses at all is as good as used.
+  /// Vertices without any triangle count as used.
   std::vector<std::uint8_t> used_vertices() const {
     std::vector<std::uint8_t> used(in_ghost_.size());
     for (std::size_t v = 0; v < used.size(); ++v) used[v] = in_ghost_[v] ? 0 : 1;
@@ -112,7 +112,7 @@ class SurfaceMaker {
     return used;
   }
 
-  /// Tells owners of the triangles around their vertices, and appends those that are heard of.
+  /// Sends triangles to the owners of their vertices, and appends the received ones.
   void hear_of_triangles() {
     std::vector<std::vector<GhostTriangle>> outgoing(static_cast<std::size_t>(ranks_.size()));
     for (std::size_t t = 0; t < own_triangles_; ++t) tell(t, outgoing);
@@ -186,7 +186,7 @@ class SurfaceMaker {
 
   bool is_own(Index v) const { return owner_[v] == ranks_.rank(); }
 
-  /// Asks owners for their vertices, which are numbered from `first` on here.
+  /// Requests vertices from their owners; they are numbered from `first` on.
   NodeHalo halo_of(const std::vector<ForeignVertex>& vertices, Index first) {
     const auto size = static_cast<std::size_t>(ranks_.size());
     std::vector<std::vector<std::uint64_t>> asked(size);
@@ -216,7 +216,7 @@ class SurfaceMaker {
     return numbers;
   }
 
-  /// Takes all over in the new numbers.
+  /// Applies the new numbers to all data.
   void renumber() {
     const std::size_t count = made_.graph.own + ghosts_.size() + rest_.size();
     made_.mesh.origin = piece_.mesh.origin;
@@ -232,7 +232,7 @@ class SurfaceMaker {
         new_number_.begin(), new_number_.begin() + static_cast<std::ptrdiff_t>(in_ghost_.size()));
   }
 
-  /// The triangles around vertices in the order of the whole, which sums are made in.
+  /// Sorts the triangles around vertices by global number, the order of summation.
   void sort_around(VertexTriangles& around) const {
     const auto number = [&](Index t) { return piece_.triangle_ids[t]; };
     for (std::size_t v = 0; v < around.size(); ++v) {
@@ -241,7 +241,7 @@ class SurfaceMaker {
     }
   }
 
-  /// Neighbourhood and normals of own vertices, whose triangles are all here.
+  /// Computes neighbourhood and normals of own vertices, all of whose triangles are known.
   void derive() {
     const Index nodes = made_.graph.own + static_cast<Index>(ghosts_.size());
     VertexTriangles around = vertex_triangles(made_.mesh);
@@ -272,7 +272,7 @@ class SurfaceMaker {
 
   double diagonal_of_all() {
     if (ranks_.size() == 1) return static_cast<double>(bounding_box(made_.mesh).diagonal());
-    std::array<float, 6> corners;  // lower, and upper turned round
+    std::array<float, 6> corners;  // lower corner and negated upper corner
     corners.fill(std::numeric_limits<float>::max());
     const bool no_triangles = made_.triangles == 0;
     const auto include = [&](const Vec3& p) {
@@ -296,11 +296,11 @@ class SurfaceMaker {
         Vec3(-corners[3] - corners[0], -corners[4] - corners[1], -corners[5] - corners[2]).norm());
   }
 
-  SurfacePiece piece_;  ///< what others tell of is appended
+  SurfacePiece piece_;  ///< with received triangles appended
   RankSurface& made_;
   Communicator& ranks_;
   std::size_t own_triangles_ = 0;
-  std::vector<std::uint8_t> in_ghost_;  ///< by vertex of the piece: a ghost triangle uses it
+  std::vector<std::uint8_t> in_ghost_;  ///< by vertex of the partition: used by a ghost triangle
   std::vector<int> owner_;
   std::vector<Index> new_number_;
   std::vector<ForeignVertex> ghosts_, rest_;

@@ -1,4 +1,4 @@
-/// The whole surface on rank 0, for what no part of it tells.
+/// The whole surface on rank 0, for computations that are not distributed.
 #pragma once
 
 #include <array>
@@ -13,15 +13,14 @@
 
 namespace brindle {
 
-/// A triangle as its rank's piece has it.
+/// A triangle by its rank and its number in that rank's partition.
 struct TriangleOfPiece {
   int rank;
   Index triangle;
 };
 
-/// Vertices are in the order of their numbers in the whole, triangles, too, where they have any:
-/// so it has the bits that one process has. Rank 0 needs room for all of it. All functions but
-/// accessors must be called by all ranks.
+/// Vertices and numbered triangles are in global order, so that results have the bits of one
+/// process. Rank 0 needs memory for the whole surface. All functions but accessors are collective.
 class GatheredSurface {
  public:
   /// The surface must outlive this.
@@ -30,14 +29,14 @@ class GatheredSurface {
   const RankSurface& piece() const { return piece_; }
   bool is_first() const { return piece_.ranks->rank() == 0; }
 
-  /// On rank 0; elsewhere empty.
+  /// On rank 0; empty elsewhere.
   const Surface& surface() const { return surface_; }
-  /// The numbers of its vertices in the whole, ascending.
+  /// The global numbers of its vertices, ascending.
   std::span<const std::uint64_t> ids() const { return ids_; }
-  /// The vertex that a rank has as its own vertex.
+  /// The vertex of a rank's own vertex.
   Index vertex_of(int rank, Index own) const { return vertex_of_row_[vertices_.first(rank) + own]; }
 
-  /// On rank 0 the rows that owners have of the vertices of their pieces; nothing elsewhere.
+  /// On rank 0, the owners' rows of vertices of partitions; empty elsewhere.
   template <class T>
   std::vector<T> of_vertices(std::span<const T> of_piece) const {
     std::vector<T> own(piece_.graph.own);
@@ -54,7 +53,7 @@ class GatheredSurface {
     return of_vertices(std::span<const T>(of_piece));
   }
 
-  /// The same of rows of own vertices.
+  /// The same for rows of own vertices.
   template <class T>
   void of_own(std::span<const T> own, std::vector<T>& whole) const {
     std::vector<T> rows;
@@ -63,7 +62,7 @@ class GatheredSurface {
     for (std::size_t i = 0; i < rows.size(); ++i) whole[vertex_of_row_[i]] = rows[i];
   }
 
-  /// The same of rows of triangles of pieces.
+  /// The same for rows of the partitions' triangles.
   template <class T>
   std::vector<T> of_triangles(std::span<const T> of_piece) const {
     std::vector<T> own, rows, whole;
@@ -73,10 +72,10 @@ class GatheredSurface {
     return whole;
   }
 
-  /// On rank 0: where its triangles are in pieces.
+  /// On rank 0: its triangles by rank and number in the partition.
   std::vector<TriangleOfPiece> triangles_of_pieces() const;
 
-  /// Rank 0's rows at the vertices of the piece.
+  /// Rank 0's rows at the partition's vertices.
   template <class T>
   std::vector<T> to_piece(std::span<const T> whole) const {
     std::vector<T> by_vertex(piece_.vertex_count());
@@ -98,9 +97,9 @@ class GatheredSurface {
   }
 
  private:
-  /// The numbers of a triangle, and of its corners.
+  /// The number of a triangle and of its corners.
   struct SentTriangle {
-    std::uint64_t number;  ///< 0 where triangles have none
+    std::uint64_t number;  ///< 0 for unnumbered triangles
     std::array<std::uint64_t, 3> ids;
   };
   void put_together(const std::vector<std::uint64_t>& ids, const std::vector<Vec3>& positions,
@@ -108,7 +107,7 @@ class GatheredSurface {
 
   const RankSurface& piece_;
   PartsOnFirst vertices_, triangles_;
-  // On rank 0 alone. Rows are those of all ranks, rank by rank.
+  // On rank 0 only. Rows of all ranks, rank by rank.
   Surface surface_;
   std::vector<std::uint64_t> ids_;
   std::vector<Index> vertex_of_row_;

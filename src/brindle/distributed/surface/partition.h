@@ -1,4 +1,4 @@
-/// Cuts a surface into pieces for ranks.
+/// Partitions surfaces for ranks.
 #pragma once
 
 #include <array>
@@ -11,15 +11,15 @@
 
 namespace brindle {
 
-/// The place of a point on a Hilbert curve through the cube of 2^16 cells an edge; `cell` in that
-/// cube (Skilling 2004). Points that are close on the curve are close in space.
+/// The position of a cell of the cube of 2^16 cells per edge on a Hilbert curve (Skilling 2004).
+/// Neighbours on the curve are neighbours in space.
 std::uint64_t hilbert_place(std::array<std::uint32_t, 3> cell);
 
-/// For every triangle one of `parts` ranks: equal numbers of triangles along a Hilbert curve.
+/// The rank of every triangle: `parts` equal numbers of triangles along a Hilbert curve.
 std::vector<int> partition_by_curve(const Mesh& mesh, int parts);
 
-/// A rank's triangles and their vertices, numbered as in `mesh` and in its order. Vertices that no
-/// triangle uses are those of rank 0.
+/// A rank's triangles and vertices, with the numbers and in the order of `mesh`. Rank 0 gets
+/// vertices without triangles.
 SurfacePiece piece_of(const Mesh& mesh, std::span<const int> rank_of_triangle, int rank);
 
 }  // namespace brindle

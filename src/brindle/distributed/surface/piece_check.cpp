@@ -14,7 +14,7 @@
 namespace brindle {
 namespace {
 
-/// The numbers of a triangle's corners, in ascending order.
+/// The global numbers of a triangle's corners, ascending.
 using CornerIds = std::array<std::uint64_t, 3>;
 
 std::size_t rank_that_knows(const CornerIds& ids, std::size_t ranks) {
@@ -26,7 +26,7 @@ std::size_t rank_that_knows(const CornerIds& ids, std::size_t ranks) {
   return static_cast<std::size_t>(mixed % ranks);
 }
 
-/// For every triangle of every list whether one before it is the same.
+/// Marks triangles that equal an earlier one in any list.
 std::vector<std::vector<std::uint8_t>> are_repeated(
     const std::vector<std::vector<CornerIds>>& lists) {
   struct Mention {

@@ -1,12 +1,12 @@
-/// What is refused of a piece of a surface.
+/// Validates partitions.
 #pragma once
 
 #include "brindle/distributed_surface.h"
 
 namespace brindle {
 
-/// Throws Error for a piece whose lists do not fit together, as `make_surface` refuses meshes, and
-/// for two vertices of one number. Says nothing of other ranks.
+/// Throws Error for inconsistent lists, as `make_surface` does for meshes, and for repeated vertex
+/// numbers. Checks one rank only.
 void check_piece(const SurfacePiece& piece);
 
 }  // namespace brindle

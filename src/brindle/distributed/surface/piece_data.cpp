@@ -17,12 +17,12 @@ namespace brindle {
 namespace {
 
 struct SentCell {
-  std::uint64_t number;  ///< of the triangle in the whole; 0 where triangles have none
+  std::uint64_t number;  ///< global; 0 for unnumbered triangles
   std::array<std::uint64_t, 3> ids;
   std::array<std::array<float, 3>, 3> positions;
 };
 
-/// Moves rows of triangles to vertices, of which owners hear of all triangles.
+/// Transfers rows of triangles to vertices; owners receive all triangles of theirs.
 class CellMeans {
  public:
   CellMeans(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells)
@@ -41,7 +41,7 @@ class CellMeans {
     hear();
     const DataArray own = own_means(name);
     DataArray all = everywhere(own, own.view());
-    // Collective, whether this rank has other axes than numbers or not.
+    // Collective, even if this rank has no axes.
     if (may_be_axes(own)) set_axes(all, everywhere(own, own.axes()).bytes);
     return all;
   }
@@ -96,7 +96,7 @@ class CellMeans {
     numbers_.push_back(cell.number);
   }
 
-  /// Right where all triangles are known: at own vertices.
+  /// Valid at own vertices, all of whose triangles are known.
   DataArray own_means(const std::string& name) const {
     std::vector<Index> order(around_.triangles.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -114,7 +114,7 @@ class CellMeans {
     return make_data_array(own.name, own.components, numbers);
   }
 
-  /// Owners' numbers for the vertices of others.
+  /// Replaces the numbers at foreign vertices by their owners'.
   void ask(std::vector<double>& numbers) const {
     std::vector<std::vector<std::uint64_t>> asked(static_cast<std::size_t>(ranks_.size()));
     std::vector<std::vector<Index>> vertices(asked.size());
@@ -144,7 +144,7 @@ class CellMeans {
   std::size_t columns_;
   std::vector<int> owner_;
   std::unordered_map<std::uint64_t, Index> vertex_of_;
-  Mesh around_;  ///< of the piece, then what others tell of
+  Mesh around_;  ///< of the partition, then received ones
   std::vector<std::uint64_t> numbers_;
   std::vector<double> rows_;
 };

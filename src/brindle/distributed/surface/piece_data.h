@@ -1,4 +1,4 @@
-/// Arrays that belong to a surface in pieces.
+/// Arrays of distributed surfaces.
 #pragma once
 
 #include "brindle/communicator.h"
@@ -7,10 +7,10 @@
 
 namespace brindle {
 
-/// Collective. What `cells_to_points` makes of the whole's triangles, at the vertices of the piece:
-/// the means are over the triangles of all ranks, and their bits are those of the whole where
-/// triangles have numbers. All ranks have arrays of as many components. The piece has no ghosts.
-/// Throws Error on all ranks unless there is a row per triangle.
+/// Collective. The result of `cells_to_points` on the whole surface, at the partition's vertices:
+/// means over the triangles of all ranks, with the bits of the whole if triangles are numbered. All
+/// ranks have the same number of components. The partition has no ghosts. Throws Error on all ranks
+/// unless there is a row per triangle.
 DataArray cells_to_points(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells);
 
 }  // namespace brindle

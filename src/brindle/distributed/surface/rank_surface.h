@@ -1,4 +1,4 @@
-/// What a rank knows of a surface that all ranks hold together.
+/// A rank's part of a distributed surface.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 
 namespace brindle {
 
-/// Vertices here are numbered: first the rank's own, as in its piece, then ghosts, the neighbours
-/// of these that other ranks own, then the rest of the piece's vertices, which other ranks own and
-/// this one needs only in the end. Own and ghosts are the nodes of `graph`. One rank's vertices are
-/// those of its piece.
+/// Vertex order: the rank's own vertices, as in its partition; ghosts, their neighbours that other
+/// ranks own; then the partition's other vertices, which other ranks own and which only results
+/// need. Own vertices and ghosts are the nodes of `graph`. A single rank keeps the order of its
+/// partition.
 struct RankSurface {
-  /// Messages change nothing that a user sees.
+  /// a pointer, so that const functions can communicate
   std::unique_ptr<Communicator> ranks;
   Mesh mesh;                   ///< own triangles
-  std::vector<Triangle> ring;  ///< those of other ranks around own vertices
+  std::vector<Triangle> ring;  ///< triangles of other ranks around own vertices
   std::vector<Vec3> normals;   ///< by vertex
   RankGraph graph;
   NodeHalo rest;                                ///< owners of the rest of the vertices
-  std::vector<Index> vertex_of_piece;           ///< for every vertex of the piece
-  std::vector<std::uint64_t> piece_ids;         ///< their numbers in the whole
-  std::vector<Index> triangle_of_piece;         ///< number in the piece of every own triangle
-  std::vector<std::uint64_t> triangle_numbers;  ///< of own triangles in the whole, or none
-  std::size_t piece_triangles = 0;              ///< of the piece, ghosts included
-  std::vector<Vec3> piece_normals;              ///< by vertex of the piece
+  std::vector<Index> vertex_of_piece;           ///< for every vertex of the partition
+  std::vector<std::uint64_t> piece_ids;         ///< global numbers
+  std::vector<Index> triangle_of_piece;         ///< number in the partition of every own triangle
+  std::vector<std::uint64_t> triangle_numbers;  ///< global numbers of own triangles, or empty
+  std::size_t piece_triangles = 0;              ///< of the partition, including ghosts
+  std::vector<Vec3> piece_normals;              ///< by vertex of the partition
   std::vector<std::uint8_t> piece_is_own;
-  std::size_t vertices = 0, triangles = 0, edges = 0;  ///< of all ranks
+  std::size_t vertices = 0, triangles = 0, edges = 0;  ///< over all ranks
   double diagonal = 0;
 
   std::size_t vertex_count() const { return mesh.vertex_count(); }
@@ -42,7 +42,7 @@ struct RankSurface {
     exchange(*ranks, rest, by_vertex);
   }
 
-  /// Values in the order of the piece.
+  /// Values in the order of the partition.
   template <class T>
   std::vector<T> to_piece(std::span<const T> by_vertex) const {
     std::vector<T> result;
@@ -52,11 +52,11 @@ struct RankSurface {
   }
 };
 
-/// The numbers of vertices in the whole; 0 for those that are not of the piece.
+/// The global numbers of vertices; 0 for those outside the partition.
 std::vector<std::uint64_t> known_ids(const RankSurface& surface);
 
-/// All triangles around own vertices, in the order of own triangles and then the ring's; one rank
-/// has those of its piece.
+/// All triangles around own vertices: own triangles, then the ring's. A single rank has those of
+/// its partition.
 Mesh triangles_around_own(const RankSurface& surface);
 
 }  // namespace brindle

@@ -12,12 +12,12 @@ namespace {
 
 struct Mention {
   std::uint64_t id;
-  std::uint64_t unused;  // 0 where a triangle uses it: those go first
+  std::uint64_t unused;  // 0 if a triangle uses it: used vertices take precedence
 };
 
 using Place = std::array<float, 3>;
 
-/// Zero is the same place with either sign.
+/// Positive and negative zero are the same position.
 Place place_of(const Vec3& p) { return {p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f}; }
 
 struct PlacedRow {
@@ -34,7 +34,7 @@ std::size_t place_hash(const Place& place) {
   return static_cast<std::size_t>(mixed);
 }
 
-/// For every row asked for the lowest number at its place, list by list.
+/// For every row, the lowest number at its position, list by list.
 std::vector<std::vector<std::uint64_t>> lowest_numbers(
     const std::vector<std::vector<PlacedRow>>& asked) {
   std::vector<std::pair<Place, std::uint64_t>> known;

@@ -1,4 +1,4 @@
-/// Vertices that several ranks have, told by their numbers or by where they stand.
+/// Vertices shared by ranks, identified by number or position.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,25 @@
 
 namespace brindle {
 
-// All of these must be called by all ranks.
+// All of these are collective.
 
-/// For every number the lowest rank that has it with `used` set, or, if none does, the lowest that
-/// has it at all.
+/// The owner of every number: the lowest rank that has it with `used` set or, without any, the
+/// lowest that has it.
 std::vector<int> find_owners(Communicator& ranks, std::span<const std::uint64_t> ids,
                              std::span<const std::uint8_t> used);
 
-/// Numbers for rows that have none: rows are counted rank by rank, and each has the number of the
-/// first row of all ranks at exactly its place. Places that are not finite are each their own.
+/// Numbers for rows without: the index, over all ranks, of the first row at exactly the same
+/// position. Rows with positions that are not finite are distinct.
 std::vector<std::uint64_t> numbers_by_place(Communicator& ranks, std::span<const Vec3> positions);
 
-/// Two rows of one number that are farther from each other than they may be.
+/// Two rows of one number that are too far apart.
 struct TornVertex {
   std::uint64_t id;
   std::uint32_t label, other_label;
 };
 
-/// The torn vertex of the lowest number that some rank knows of, on all ranks; nothing if rows of
-/// one number are never farther apart than `distance`. `labels` says of every row what a message
-/// would call it by. Rows that are not finite do not count.
+/// The torn vertex with the lowest number on any rank, on all ranks; empty if rows of one number
+/// are within `distance`. `labels` names rows in messages. Ignores rows that are not finite.
 std::optional<TornVertex> find_torn_vertex(Communicator& ranks, std::span<const std::uint64_t> ids,
                                            std::span<const Vec3> positions,
                                            std::span<const std::uint32_t> labels, float distance);

@@ -11,7 +11,7 @@
 namespace brindle {
 namespace {
 
-/// The numbers of an edge's ends in the whole, the lower one first.
+/// The global numbers of an edge's ends, the lower one first.
 using EdgeIds = std::pair<std::uint64_t, std::uint64_t>;
 
 /// As EdgeIds, for messages.
@@ -21,11 +21,11 @@ struct SentEdge {
   EdgeIds ids() const { return {low, high}; }
 };
 
-/// The edges of a piece in ascending order of their ends.
+/// The edges of a partition, sorted by their ends.
 struct PieceEdges {
   std::vector<SentEdge> edges;
-  std::vector<Index> of_corner;                ///< of corner 3 t + c the edge to the next corner
-  std::vector<std::array<Index, 2>> vertices;  ///< of the piece, beside `edges`
+  std::vector<Index> of_corner;                ///< of corner 3 t + c, the edge to the next corner
+  std::vector<std::array<Index, 2>> vertices;  ///< in the partition, parallel to `edges`
 };
 
 PieceEdges edges_of(const SurfacePiece& piece) {
@@ -56,8 +56,8 @@ PieceEdges edges_of(const SurfacePiece& piece) {
   return result;
 }
 
-/// The numbers from 0 on that edges have among those of all ranks, in ascending order of their
-/// ends, whose numbers are below `end`.
+/// The global edge numbers from 0 on, in ascending order of their ends, whose numbers are below
+/// `end`.
 std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const SentEdge> edges,
                                             std::uint64_t end) {
   const auto size = static_cast<std::size_t>(ranks.size());
@@ -76,7 +76,7 @@ std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const
   for (int r = 0; r < ranks.rank(); ++r) first += counts[static_cast<std::size_t>(r)];
   std::vector<std::vector<std::uint64_t>> answers(size);
   for (std::size_t r = 0; r < size; ++r) {
-    // Lists are sorted, too.
+    // The lists are sorted, too.
     auto place = known.begin();
     for (const SentEdge& edge : wanted[r]) {
       place = std::lower_bound(place, known.end(), edge.ids());
@@ -90,14 +90,14 @@ std::vector<std::uint64_t> numbers_in_whole(Communicator& ranks, std::span<const
   return numbers;
 }
 
-/// Whose rows vertices and triangles of a finer piece have.
+/// Source rows of the finer partition's vertices and triangles.
 DataArrays finer_arrays(const DataArrays& arrays, const SurfacePiece& coarse,
                         const PieceEdges& edges) {
   if (arrays == DataArrays{}) return {};
   std::vector<RowBlend> points;
   for (Index v = 0; v < coarse.mesh.vertex_count(); ++v) points.push_back({{v, v, v}, {1, 0, 0}});
   for (auto [a, b] : edges.vertices) {
-    // Of equal shares the first row counts for whole numbers: that of the lower number.
+    // For integers, ties go to the vertex with the lower number.
     if (coarse.vertex_ids[b] < coarse.vertex_ids[a]) std::swap(a, b);
     points.push_back({{a, b, b}, {0.5, 0.5, 0}});
   }
@@ -117,7 +117,7 @@ SurfacePiece subdivided_once(Communicator& ranks, SurfacePiece piece, DataArrays
     piece.vertex_ids.push_back(end + number);
   }
   for (const auto& [a, b] : edges.vertices) {
-    // As `subdivide` has it, to the bit.
+    // The same bits as `subdivide`.
     const Vec3 middle = 0.5f * piece.mesh.positions[a] + 0.5f * piece.mesh.positions[b];
     piece.mesh.positions.push_back(middle);
   }

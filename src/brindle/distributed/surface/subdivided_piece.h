@@ -1,4 +1,4 @@
-/// Subdivision of a surface that no rank has whole.
+/// Subdivision of distributed surfaces.
 #pragma once
 
 #include "brindle/communicator.h"
@@ -7,13 +7,12 @@
 
 namespace brindle {
 
-/// What `subdivide` makes of the whole, piece by piece: every rank has the triangles of its own. If
-/// vertices are numbered from 0 on without gaps, midpoints have the numbers that they have there;
-/// they follow the greatest number in any case. Throws Error on all ranks, as `subdivide` does.
+/// The result of `subdivide` on the whole surface: every rank has the triangles of its own ones.
+/// Midpoints get the whole's numbers if vertices are numbered from 0 without gaps; otherwise,
+/// numbers after the largest. Throws Error on all ranks, as `subdivide` does.
 SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, int times);
 
-/// The same with arrays of the piece, which become what `subdivide` of mesh_data.h makes of those
-/// of the whole.
+/// The same with the partition's arrays, as `subdivide` of mesh_data.h.
 SurfacePiece subdivided_piece(Communicator& ranks, SurfacePiece piece, DataArrays& arrays,
                               int times);
 

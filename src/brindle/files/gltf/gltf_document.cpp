@@ -32,8 +32,8 @@ std::uint32_t read_word(InputFile& file) {
   return word;
 }
 
-/// The depth of a JSON text. The parser's callback would find it, too, but takes quadratic time in
-/// a list's length.
+/// The nesting depth of a JSON text. The parser's callback finds it too, but takes quadratic time
+/// in a list's length.
 int depth_of(std::string_view json) {
   int depth = 0, deepest = 0;
   bool in_text = false;
@@ -94,7 +94,7 @@ GltfDocument read_glb(InputFile& file) {
   return document;
 }
 
-/// Reads the parts of a document, and checks what one says of another.
+/// Reads the parts of a document and checks their references.
 class GltfParts {
  public:
   GltfParts(const InputFile& file, GltfDocument& document, bool binary)
@@ -132,11 +132,11 @@ class GltfParts {
     if (!text.starts_with("2.")) fail_version(file_, text);
   }
 
-  /// Refuses extensions that may change the geometry in a way that brindle does not know.
+  /// Rejects extensions that may change the geometry in an unknown way.
   void check_extensions() const {
     constexpr std::array<std::string_view, 4> kRead = {
         "KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
-        // Refused, with their remedies, where a mesh uses them.
+        // Rejected later, with a remedy, if a mesh uses them.
         "KHR_draco_mesh_compression", "EXT_meshopt_compression"};
     constexpr std::array<std::string_view, 8> kOfLooks = {
         "KHR_materials_", "EXT_materials_", "KHR_texture_", "EXT_texture_",
@@ -179,7 +179,7 @@ class GltfParts {
     return found->get<std::uint64_t>();
   }
 
-  /// The number of a part of the list `of`, which is there.
+  /// The index of an existing part of the list `of`.
   std::uint64_t number_of(const char* of, const Json& object, const char* name) const {
     const std::uint64_t index = number(object, name);
     if (index >= list(of).size()) {
@@ -235,7 +235,7 @@ class GltfParts {
     }
     const auto normalized = json.find("normalized");
     accessor.is_normalized = normalized != json.end() && *normalized == true;
-    // Without a view, as with compressed data, there is nothing to check here.
+    // Compressed data have no view, so there is nothing to check here.
     if (json.contains("bufferView")) place(json, accessor);
     if (json.contains("sparse")) accessor.sparse = read_sparse(json["sparse"], accessor);
     return accessor;
@@ -281,7 +281,7 @@ class GltfParts {
     }
   }
 
-  /// Reads where the numbers are.
+  /// Reads the position of the numbers in their view.
   void place(const Json& json, GltfAccessor& accessor) const {
     accessor.view = number_of("bufferViews", json, "bufferView");
     GltfView& view = document_.views[*accessor.view];
@@ -311,7 +311,7 @@ class GltfParts {
     if (const auto position = primitive.attributes.find("POSITION");
         position != primitive.attributes.end()) {
       const GltfAccessor& accessor = document_.accessors[position->second];
-      // Whole numbers of 8 and 16 bits, too: KHR_mesh_quantization.
+      // 8-bit and 16-bit integers too: KHR_mesh_quantization.
       if (accessor.components != 3 || accessor.type == NumberType::uint32) {
         fail("positions must be vectors of three floats, or of whole numbers of 8 or 16 bits");
       }
@@ -330,8 +330,7 @@ class GltfParts {
     return primitive;
   }
 
-  /// Nodes must form trees: as many are reached from nodes without a parent as there are, each by
-  /// one way.
+  /// Nodes must form trees: each is reachable from the nodes without a parent, by exactly one path.
   void read_nodes() {
     const Json& nodes = list("nodes");
     std::vector<char> has_parent(nodes.size(), 0);
@@ -442,7 +441,8 @@ class GltfParts {
 
 constexpr std::string_view kDataUri = "data:";
 
-/// The file that a URI without data names in the folder of the .gltf; nothing if it leaves it.
+/// The file in the folder of the .gltf that a URI without data names; empty if the path leaves the
+/// folder.
 std::optional<fs::path> file_in_folder(const fs::path& gltf, const std::string& uri) {
   const std::string name = percent_decoded(uri);
   if (name.find('\0') != std::string::npos || name.find("://") != std::string::npos) {
@@ -510,7 +510,7 @@ const std::string& GltfBuffers::content_of(const nlohmann::json& buffer) {
   }
   const auto [entry, is_new] = contents_.try_emplace("");
   if (is_new) {
-    // A GLB's own buffer may lack its padding, which buffers count.
+    // A GLB's own buffer may lack the padding that its length includes.
     entry->second = document_.data + std::string(3, '\0');
     size_ += entry->second.size();
   }

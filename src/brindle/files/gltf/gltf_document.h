@@ -1,4 +1,4 @@
-/// What a glTF 2.0 file says, read once and checked. Only builds with nlohmann-json have it.
+/// The content of a glTF 2.0 file, read and checked once. Only in builds with nlohmann-json.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace brindle {
 
-/// Words of a GLB file: "glTF", "JSON" and "BIN".
+/// Magic numbers of a GLB file: "glTF", "JSON" and "BIN".
 inline constexpr std::uint32_t kGltfMagic = 0x46546c67;
 inline constexpr std::uint32_t kGltfJsonChunk = 0x4e4f534a;
 inline constexpr std::uint32_t kGltfDataChunk = 0x004e4942;
@@ -29,7 +29,7 @@ struct GltfView {
   bool is_compressed = false;  ///< by meshopt
 };
 
-/// Elements of an array that are not those of its view.
+/// Elements of an array that replace those of its view.
 struct GltfSparse {
   std::uint64_t count = 0;
   NumberType index_type = NumberType::uint32;
@@ -42,9 +42,9 @@ struct GltfAccessor {
   NumberType type = NumberType::float32;
   int components = 1;
   bool is_matrix = false;
-  bool is_normalized = false;         ///< whole numbers are shares of their largest
+  bool is_normalized = false;         ///< integers are divided by their maximum
   std::uint64_t count = 0;            ///< elements, 1 or more
-  std::optional<std::uint64_t> view;  ///< without one all numbers are 0, or compressed
+  std::optional<std::uint64_t> view;  ///< empty: all numbers are 0, or compressed
   std::uint64_t offset = 0;           ///< in the view
   std::optional<GltfSparse> sparse;
 
@@ -53,26 +53,26 @@ struct GltfAccessor {
 
 struct GltfPrimitive {
   std::uint64_t mode = 4;
-  std::map<std::string, std::uint64_t> attributes;  ///< accessors of equally many elements
-  std::optional<std::uint64_t> indices;             ///< an accessor of unsigned whole numbers
+  std::map<std::string, std::uint64_t> attributes;  ///< accessors of equal length
+  std::optional<std::uint64_t> indices;             ///< an accessor of unsigned integers
   bool is_compressed = false;                       ///< by Draco
-  bool has_targets = false;                         ///< of morphing
+  bool has_targets = false;                         ///< of morph targets
 };
 
 struct GltfSkin {
   std::vector<std::uint64_t> joints;                   ///< nodes
-  std::optional<std::uint64_t> inverse_bind_matrices;  ///< an accessor with one for each joint
+  std::optional<std::uint64_t> inverse_bind_matrices;  ///< an accessor with one per joint
 };
 
 struct GltfNode {
-  const nlohmann::json* json = nullptr;  ///< for its transform, which is not checked
+  const nlohmann::json* json = nullptr;  ///< for its transform, which is not checked here
   std::optional<std::uint64_t> mesh, skin;
   std::vector<std::uint64_t> children;
-  /// Accessors of EXT_mesh_gpu_instancing, of equally many elements.
+  /// Accessors of EXT_mesh_gpu_instancing, of equal length.
   std::map<std::string, std::uint64_t> instances;
 };
 
-/// Numbers of views, accessors, meshes, nodes, skins and buffers exist, and nodes form trees.
+/// Indices of views, accessors, meshes, nodes, skins and buffers are valid, and nodes form trees.
 struct GltfDocument {
   nlohmann::json json;
   std::string data;  ///< a GLB's own buffer
@@ -86,25 +86,25 @@ struct GltfDocument {
   std::vector<std::uint64_t> roots;
 };
 
-/// Throws Error, naming the file and the remedy, if the file is of another version, requires an
-/// extension that brindle does not know, is truncated, or its nodes or accessors are not what the
-/// format demands: cycles of nodes, parts that do not exist, data beyond the end of a buffer.
+/// Throws Error with the file and the remedy for another version, unknown required extensions,
+/// truncated files and documents that break the format: cycles of nodes, parts that do not exist,
+/// data beyond the end of a buffer.
 GltfDocument read_gltf_document(const std::filesystem::path& path, const Progress& progress);
 
-/// The buffers of a document, read when they are first used. All functions throw Error naming the
-/// file and the remedy.
+/// The buffers of a document, read on first use. All functions throw Error with the file and the
+/// remedy.
 class GltfBuffers {
  public:
-  /// Both must live on.
+  /// Both must outlive this object.
   GltfBuffers(const std::filesystem::path& path, const GltfDocument& document)
       : path_(path), document_(document) {}
 
-  /// A buffer's bytes, at least as many as it promises; valid as long as this lives. Throws if
-  /// there are fewer, or the buffer's file lies outside the folder of the .gltf: a mesh of unknown
-  /// origin must not read other files of the machine.
+  /// A buffer's bytes, at least as many as declared; valid during the lifetime of this object.
+  /// Throws if there are fewer, or if the file is outside the folder of the .gltf: an untrusted
+  /// mesh must not read other files.
   const std::string& buffer(std::uint64_t index);
 
-  /// How many bytes have been read.
+  /// Bytes read so far.
   std::uint64_t size() const { return size_; }
 
  private:
@@ -114,7 +114,7 @@ class GltfBuffers {
 
   const std::filesystem::path& path_;
   const GltfDocument& document_;
-  std::map<std::string, std::string> contents_;  ///< by URI, which buffers may share
+  std::map<std::string, std::string> contents_;  ///< by URI; buffers may share one
   std::uint64_t size_ = 0;
 };
 

@@ -34,7 +34,7 @@ using Eigen::Vector3d;
 
 enum PrimitiveMode { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 
-constexpr std::uint64_t kBytesOfPrimitive = 64;  ///< even of one without triangles
+constexpr std::uint64_t kBytesOfPrimitive = 64;  ///< also without triangles
 
 /// Joins the meshes of a document.
 class GltfReader {
@@ -66,7 +66,7 @@ class GltfReader {
     throw Error(shown(path_.string()) + ": " + what);
   }
 
-  /// A node's list of `count` numbers; nothing if it has none of that name.
+  /// A node's list of `count` numbers; empty if it has none of that name.
   std::optional<std::vector<double>> numbers(const Json& node, const char* name,
                                              std::size_t count) const {
     const auto found = node.find(name);
@@ -130,7 +130,7 @@ class GltfReader {
     if (has_targets && has_weights(weighted)) ++morphed_;
   }
 
-  /// Where the node's mesh stands relative to the node.
+  /// Instances of the node's mesh, relative to the node.
   std::vector<Affine3d> instances_of(const GltfNode& node) {
     if (node.instances.empty()) return {Affine3d::Identity()};
     const std::uint64_t count = document_.accessors[node.instances.begin()->second].count;
@@ -154,7 +154,7 @@ class GltfReader {
     return instances;
   }
 
-  /// For every joint of the node's skin what it does to vertices; none without a skin.
+  /// The transforms of the joints of the node's skin; empty without a skin.
   std::vector<Affine3d> joints_of(const GltfNode& node) {
     std::vector<Affine3d> joints;
     if (!node.skin) return joints;
@@ -174,7 +174,7 @@ class GltfReader {
     return joints;
   }
 
-  /// The transform of a node and of all above it.
+  /// The transform of a node relative to the scene.
   const Affine3d& in_scene(std::uint64_t number) {
     if (in_scene_.empty()) {
       in_scene_.resize(document_.nodes.size());
@@ -189,7 +189,7 @@ class GltfReader {
     for (const std::uint64_t child : node.children) place_in_scene(child, in_scene_[number]);
   }
 
-  /// Where a node's mesh is put: vertices that are bound to joints follow these alone.
+  /// Transforms of a node's mesh: skinned vertices follow joints alone.
   struct Place {
     Affine3d transform;
     const std::vector<Affine3d>& joints;
@@ -211,7 +211,7 @@ class GltfReader {
     const GltfAccessor& positions = document_.accessors[position->second];
     if (!positions.has_data() ||
         (primitive.indices && !document_.accessors[*primitive.indices].has_data())) {
-      ++without_data_;  // all zeros, as the format says: no triangle has an area
+      ++without_data_;  // zeros by definition: no triangle has an area
       return;
     }
     const std::vector<Affine3d> ways = ways_of(primitive, positions.count, place);
@@ -222,7 +222,7 @@ class GltfReader {
                   ways.front().linear().determinant() < 0);
   }
 
-  /// How each vertex gets to its place, or one way for all.
+  /// The transform of each vertex, or one for all.
   std::vector<Affine3d> ways_of(const GltfPrimitive& primitive, std::uint64_t vertices,
                                 const Place& place) {
     if (!place.is_skinned(primitive)) return {place.transform};
@@ -247,13 +247,13 @@ class GltfReader {
     }
     std::vector<Affine3d> ways(vertices, Affine3d::Identity());
     for (std::size_t v = 0; v < vertices; ++v) {
-      const double all = sums[v](3, 3);  // the weights' sum, which rounding may have changed
+      const double all = sums[v](3, 3);  // sum of weights, up to rounding
       if (all > 0) ways[v].matrix() = sums[v] / all;
     }
     return ways;
   }
 
-  /// Throws if a small file asks for so much memory in all.
+  /// Throws if a small file requests so much memory in total.
   void spend(std::uint64_t bytes) {
     spent_ += bytes;
     if (spent_ <= bounds_.bytes + bounds_.repeats * buffers_.size()) return;
@@ -262,20 +262,20 @@ class GltfReader {
          " times its size; export it with fewer copies");
   }
 
-  /// The same for memory that an accessor's data fill; reads them, which raises the limit.
+  /// The same for memory that an accessor's data fill; reading them raises the limit.
   void spend(const GltfAccessor& accessor, std::uint64_t bytes) {
     if (accessor.view) data_of(*accessor.view);
     if (accessor.sparse) data_of(accessor.sparse->value_view);
     spend(bytes);
   }
 
-  /// Attributes that become arrays: neither positions nor what skeletons move them by.
+  /// Whether an attribute becomes an array: neither positions nor skinning data.
   static bool is_array(std::string_view semantic) {
     return semantic != "POSITION" && !semantic.starts_with("JOINTS_") &&
            !semantic.starts_with("WEIGHTS_");
   }
 
-  /// Primitives share their vertices if they have all these in common.
+  /// Primitives with equal attributes share their vertices.
   using Attributes = std::map<std::string, std::uint64_t>;
 
   static Attributes shared_attributes(Attributes attributes, bool skinned) {
@@ -285,7 +285,7 @@ class GltfReader {
     return attributes;
   }
 
-  /// The number of the first of a primitive's vertices.
+  /// The index of a primitive's first vertex.
   Index add_vertices(const GltfPrimitive& primitive, const GltfAccessor& positions,
                      const Place& place, const std::vector<Affine3d>& ways) {
     const auto [entry, is_new] = first_vertex_.try_emplace(
@@ -301,7 +301,7 @@ class GltfReader {
     with_number_type(positions.type, [&]<class Number>(Number) {
       for_each_element(positions, 3 * sizeof(Number), [&](const char* bytes) {
         Vector3d position = vector_at<Number>(bytes) / one;
-        if (one > 1) position = position.cwiseMax(-1);  // the lowest number is a step beyond it
+        if (one > 1) position = position.cwiseMax(-1);  // the least integer is a step below -1
         builder_.add_vertex(way_of(ways, vertex++) * position);
       });
     });
@@ -321,7 +321,7 @@ class GltfReader {
             static_cast<double>(numbers[2])};
   }
 
-  /// The number of an accessor that means 1: whole numbers may be shares of their largest.
+  /// The stored number that means 1: normalized integers are divided by their maximum.
   static double unit_of(const GltfAccessor& accessor) {
     return accessor.is_normalized ? largest_of(accessor.type) : 1;
   }
@@ -343,8 +343,8 @@ class GltfReader {
     for (const auto& [semantic, number] : primitive.attributes) {
       if (!is_array(semantic)) continue;
       const GltfAccessor& accessor = document_.accessors[number];
-      // Columns of smaller numbers are padded; nobody stores data like that. Without a view there
-      // are only zeros.
+      // Columns of narrow integer matrices are padded; such arrays are left out, as are those
+      // without data, which are zeros.
       const bool padded = accessor.is_matrix && accessor.type != NumberType::float32;
       if (padded || !accessor.has_data()) continue;
       DataArray array{array_name(semantic), accessor.type, accessor.components, {}};
@@ -357,7 +357,7 @@ class GltfReader {
       if (semantic.starts_with("TEXCOORD_"))
         array = with_v_up(array, unit_of_coordinates(accessor));
       const bool direction = semantic == "NORMAL" || semantic == "TANGENT";
-      // Whole numbers of a direction are always shares of their largest.
+      // Integer directions are always normalized.
       if (direction) array = as_floats(array, largest_of(array.type));
       if (semantic == "NORMAL") {
         turn(array, ways, [](const Affine3d& way) -> Eigen::Matrix3d {
@@ -372,7 +372,7 @@ class GltfReader {
     return arrays;
   }
 
-  /// "normal", "uv", "uv_1", or "speed" for "_SPEED": the format suggests capitals.
+  /// "normal", "uv", "uv_1", or "speed" for "_SPEED": the format suggests upper case.
   static std::string array_name(const std::string& semantic) {
     const auto numbered = [&](const std::string& prefix, const std::string& name) {
       const std::string number = semantic.substr(prefix.size());
@@ -386,8 +386,8 @@ class GltfReader {
     return small ? name : small_letters(name);
   }
 
-  /// Whole numbers of texture coordinates are shares of their largest, unless the file uses the
-  /// extension that allows others.
+  /// Integer texture coordinates are normalized, unless the file uses the extension that allows
+  /// others.
   double unit_of_coordinates(const GltfAccessor& accessor) const {
     const auto used = document_.json.find("extensionsUsed");
     const bool any = used != document_.json.end() && used->is_array() &&
@@ -395,7 +395,7 @@ class GltfReader {
     return any ? unit_of(accessor) : largest_of(accessor.type);
   }
 
-  /// Numbers that are `one` as 1, and none below -1: the lowest whole number is a step beyond it.
+  /// Divides by `one` and clamps at -1: the least integer is a step below.
   static DataArray as_floats(const DataArray& array, double one) {
     if (array.type == NumberType::float32) return array;
     std::vector<float> numbers;
@@ -405,7 +405,7 @@ class GltfReader {
     return make_data_array(array.name, array.components, numbers);
   }
 
-  /// Texture coordinates as floats whose V runs up; in glTF it runs down.
+  /// Float texture coordinates with V up; glTF has V down.
   static DataArray with_v_up(const DataArray& array, double one) {
     std::vector<float> numbers;
     for_each_number(array.view(), [&](std::size_t, std::size_t column, auto number) {
@@ -415,7 +415,7 @@ class GltfReader {
     return make_data_array(array.name, array.components, numbers);
   }
 
-  /// Turns the vectors of an array by a matrix of their vertices' ways.
+  /// Transforms the vectors of an array by a matrix per vertex.
   template <class MatrixOf>
   static void turn(DataArray& array, const std::vector<Affine3d>& ways, const MatrixOf& matrix_of) {
     const bool vectors = array.type == NumberType::float32 && array.components >= 3;
@@ -432,11 +432,11 @@ class GltfReader {
     }
   }
 
-  /// The vertices of a primitive in the order in which it names them, counted from its first.
+  /// The vertex of each corner of a primitive, counted from its first vertex.
   std::vector<Index> corners_of(const GltfPrimitive& primitive, Index vertices) {
     std::vector<Index> corners;
     if (!primitive.indices) {
-      spend(vertices * sizeof(Triangle));  // the positions' data have been read
+      spend(vertices * sizeof(Triangle));  // the positions are read by now
       for (Index v = 0; v < vertices; ++v) corners.push_back(v);
       return corners;
     }
@@ -461,14 +461,14 @@ class GltfReader {
     for (std::size_t c = 0; c + 2 < corners.size(); c += step) {
       Triangle triangle = {corners[c], corners[c + 1], corners[c + 2]};
       if (mode == kTriangleFan) triangle[0] = corners[0];
-      // A mirroring transform turns triangles inside out, and so does every second one of a strip.
+      // Mirroring reverses triangles, and so does every second triangle of a strip.
       const bool odd = mode == kTriangleStrip && c % 2 == 1;
       if (odd != mirrored) std::swap(triangle[1], triangle[2]);
       builder_.add_polygon(triangle);
     }
   }
 
-  /// All numbers of an accessor, as `unit_of` means them.
+  /// All numbers of an accessor, scaled by `unit_of`.
   std::vector<double> numbers_of(const GltfAccessor& accessor) {
     const auto columns = static_cast<std::size_t>(accessor.components);
     if (!accessor.has_data()) fail("is a damaged glTF file, export it again: data are missing");
@@ -488,7 +488,7 @@ class GltfReader {
     return numbers;
   }
 
-  /// Calls `use` with the first byte of every element, which is `size` bytes long.
+  /// Calls `use` with the first byte of every element of `size` bytes.
   template <class Use>
   void for_each_element(const GltfAccessor& accessor, std::size_t size, const Use& use) {
     if (accessor.sparse) {
@@ -507,7 +507,7 @@ class GltfReader {
     for (std::uint64_t i = 0; i < accessor.count; ++i) use(begin + i * stride);
   }
 
-  /// The elements of a sparse accessor, one after the other.
+  /// The elements of a sparse accessor, in one sequence.
   std::string all_elements(const GltfAccessor& accessor, std::size_t size) {
     std::string elements;
     elements.reserve(accessor.count * size);
@@ -551,7 +551,7 @@ class GltfReader {
   std::uint64_t spent_ = 0;                   ///< bytes of memory
   std::size_t without_data_ = 0;
   std::size_t morphed_ = 0;         ///< meshes with weights of morph targets
-  std::vector<Affine3d> in_scene_;  ///< of nodes; filled where it is needed
+  std::vector<Affine3d> in_scene_;  ///< of nodes; filled on demand
 };
 
 }  // namespace

@@ -22,9 +22,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// One array of a file's buffer.
+/// An array in a file's buffer.
 struct Block {
-  std::string name;  ///< of the attribute; empty for indices and for pictures
+  std::string name;  ///< of the attribute; empty for indices and images
   const void* data;
   std::uint64_t size;  ///< bytes
   std::uint64_t count;
@@ -48,7 +48,7 @@ std::vector<Block> blocks_of(const Mesh& mesh, std::span<const DataArray> arrays
   return blocks;
 }
 
-/// Texture coordinates whose V runs down, as in glTF.
+/// Texture coordinates with V down, as in glTF.
 std::vector<DataArray> with_v_down(std::span<const DataArray> arrays) {
   std::vector<DataArray> turned(arrays.begin(), arrays.end());
   for (DataArray& array : turned) {
@@ -61,7 +61,7 @@ std::vector<DataArray> with_v_down(std::span<const DataArray> arrays) {
   return turned;
 }
 
-/// Adds a material that shows the picture, whose bytes follow the blocks, and gives it to the mesh.
+/// Adds a material with the image, whose bytes follow the blocks, and assigns it to the mesh.
 void add_picture(Json& json, std::uint64_t offset, std::uint64_t size) {
   constexpr int kRepeat = 10497, kLinear = 9729, kLinearMipmapLinear = 9987;
   json["images"] = {{{"bufferView", json["bufferViews"].size()}, {"mimeType", "image/png"}}};

@@ -26,9 +26,9 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// The place after the closing mark of a quoted cell that begins at `begin`; npos unless the
-/// separator or the row's end follows it. `vain` are marks that closed nothing before and are not
-/// followed again: many unclosed marks would take quadratic time.
+/// The position after the closing quotation mark of a cell that begins at `begin`; npos unless the
+/// separator or the row's end follows. `vain` marks did not close a cell before and are skipped:
+/// many unclosed marks would take quadratic time.
 std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separator,
                           std::set<std::size_t>& vain) {
   std::vector<std::size_t> followed;
@@ -47,7 +47,7 @@ std::size_t end_of_quoted(std::string_view row, std::size_t begin, char separato
   return std::string_view::npos;
 }
 
-/// Where the cell that begins at `begin` ends: at the next separator outside quotation marks.
+/// The end of the cell that begins at `begin`: the next separator outside quotation marks.
 std::size_t end_of_cell(std::string_view row, std::size_t begin, char separator,
                         std::set<std::size_t>& vain) {
   const std::size_t first = row.find_first_not_of(" \r", begin);
@@ -63,14 +63,14 @@ std::string_view unquoted(std::string_view cell) {
   return quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
-/// Whether a row has a separator outside of cells in quotation marks, whatever these are parted by.
+/// Whether a row has a separator outside quoted cells, whatever separates these.
 bool has_separator(std::string_view row, char separator) {
   constexpr std::string_view kSeparators = ";,\t";
   const auto ends_at = [&](std::size_t place) {
     return place == std::string_view::npos ||
            kSeparators.find(row[place]) != std::string_view::npos;
   };
-  bool begins = true, closes = true;  // after one unclosed mark, no later one is closed
+  bool begins = true, closes = true;  // after one unclosed mark, no later one closes
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (row[i] == separator) return true;
     if (row[i] == '"' && begins && closes) {
@@ -86,8 +86,7 @@ bool has_separator(std::string_view row, char separator) {
   return false;
 }
 
-/// Cuts a row at its separators: the first of semicolon, comma and tab that parts cells, or else
-/// spaces.
+/// Splits a row at the first of semicolon, comma and tab that separates cells, or else at spaces.
 void cut(std::string_view row, std::vector<std::string_view>& cells) {
   for (const char separator : {';', ',', '\t'}) {
     if (!has_separator(row, separator)) continue;
@@ -117,13 +116,13 @@ bool parse(const std::vector<std::string_view>& cells, std::vector<double>& valu
   return true;
 }
 
-/// Whether a cell of a row stands between quotation marks, which are not part of it.
+/// Whether a cell is quoted; the marks are not part of it.
 bool is_quoted(std::string_view row, std::string_view cell) {
   const auto begin = static_cast<std::size_t>(cell.data() - row.data()), end = begin + cell.size();
   return begin > 0 && end < row.size() && row[begin - 1] == '"' && row[end] == '"';
 }
 
-/// Whether every cell begins as a word does, or stands between quotation marks.
+/// Whether every cell starts like a word or is quoted.
 bool is_header(std::string_view row, const std::vector<std::string_view>& cells) {
   return std::none_of(cells.begin(), cells.end(), [&](std::string_view cell) {
     const bool is_number = cell.find_first_of("0123456789+-.") == 0 || parse_number(cell);
@@ -131,7 +130,7 @@ bool is_header(std::string_view row, const std::vector<std::string_view>& cells)
   });
 }
 
-/// Whether cells are names: words, and numbers between quotation marks beside them.
+/// Whether cells are names: words, among which numbers are quoted.
 bool are_names(std::string_view row, const std::vector<std::string_view>& cells) {
   bool has_words = false;
   for (const std::string_view cell : cells) {
@@ -144,7 +143,7 @@ bool are_names(std::string_view row, const std::vector<std::string_view>& cells)
   return has_words;
 }
 
-/// Whether the row would be one of numbers if it had points for its commas.
+/// Whether the row would be numeric with decimal points for its commas.
 bool has_decimal_commas(std::string_view row) {
   if (row.find(',') == std::string_view::npos) return false;
   std::string pointed(row);
@@ -155,7 +154,7 @@ bool has_decimal_commas(std::string_view row) {
   return parse(cells, ignored);
 }
 
-/// A name without the second of two quotation marks that stand for one.
+/// A name with doubled quotation marks reduced to one.
 std::string name_in(std::string_view cell) {
   std::string name;
   for (std::size_t i = 0; i < cell.size(); ++i) {

@@ -43,7 +43,7 @@ void append_row(FieldFile& field, std::span<const double> row, const std::string
   if (row.size() > 4) field.frequencies_v.push_back(static_cast<float>(row[4]));
 }
 
-/// Calls `use` for every row of a field whose columns have names: x, y, z and frequencies.
+/// Calls `use` for each row of a field with named columns: x, y, z and frequencies.
 void read_named_field(const std::filesystem::path& path, CsvFile& file, const CsvRowUse& use) {
   const CsvTable table = file.read_table();
   const std::vector<std::string> of_numbers = table.names();
@@ -58,7 +58,7 @@ void read_named_field(const std::filesystem::path& path, CsvFile& file, const Cs
   table.for_each_row(columns, use);
 }
 
-/// Whether a file's columns are found by their names and not by their places.
+/// Whether columns are identified by name instead of position.
 bool has_named_columns(const std::vector<std::string>& names) {
   if (!has_column(names, "x") || !has_column(names, "y") || !has_column(names, "z")) return false;
   const bool first =
@@ -82,7 +82,7 @@ std::vector<float> means(std::span<const float> rows, std::size_t vertex_count,
   return result;
 }
 
-/// Of axes that all weigh 1; zero if there are none.
+/// Of axes with weight 1; zero if there are none.
 Vec3 mean_of(std::span<const WeightedAxis> axes) {
   if (const auto turned = mean_of_turned(axes)) return turned->cast<float>();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -90,7 +90,7 @@ Vec3 mean_of(std::span<const WeightedAxis> axes) {
   return sum.cast<float>();
 }
 
-/// The field of a mesh's vertices from the rows of its file's vertices.
+/// The field of a mesh's vertices from the rows of its file.
 FieldFile of_vertices(const FieldFile& rows, std::size_t vertex_count,
                       std::span<const Index> vertex_of_row) {
   std::vector<std::vector<WeightedAxis>> gathered(vertex_count);
@@ -133,7 +133,7 @@ float checked_calm(const std::filesystem::path& path, std::size_t line, double v
 
 struct CalmRows {
   std::vector<float> calm;
-  std::size_t last_line = 0;  ///< where the last row stands in the file
+  std::size_t last_line = 0;  ///< line of the last row
 };
 
 CalmRows read_calm_rows(const std::filesystem::path& path) {

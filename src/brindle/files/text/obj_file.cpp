@@ -52,14 +52,14 @@ class ObjReader {
         in_order = in_order && has_normals_of_their_own(rest);
       }
     }
-    // Normals are assigned to points only where both have the same numbers.
+    // Normals belong to points only if both have the same numbers.
     if (!in_order || normals.size() != mesh_.vertex_count()) normals.clear();
     LoadedPoints loaded = make_placed_point_cloud(mesh_.positions(), std::move(normals));
     loaded.left_out = left_out();
     return loaded;
   }
 
-  /// Looks from the end of the file on, where faces mostly are, until it finds one.
+  /// Searches blocks from the end, where faces usually are, until one has a face.
   FileElements elements() {
     FileElements found;
     std::string block;
@@ -67,7 +67,7 @@ class ObjReader {
       const std::uint64_t begin = end - std::min(end, size);
       block.resize(static_cast<std::size_t>(end - begin));
       file_.read_at(begin, std::as_writable_bytes(std::span(block)));
-      // The first line of a block may have begun before it.
+      // The first line of a block may start before it.
       const std::size_t whole = begin == 0 ? 0 : block.find('\n') + 1;
       if (begin > 0 && whole == 0) {
         size *= 2;
@@ -82,7 +82,7 @@ class ObjReader {
   }
 
  private:
-  /// A corner that did not exist yet when its line was read.
+  /// A corner that refers to a later vertex.
   struct ForwardReference {
     std::int64_t number;
     std::size_t line;
@@ -103,7 +103,7 @@ class ObjReader {
     }
   }
 
-  /// A line that ends in a backslash goes on in the next.
+  /// A backslash at the end of a line continues it.
   std::optional<std::string_view> next_whole_line() {
     auto line = file_.next_line();
     if (!line || line->empty() || line->back() != '\\') return line;
@@ -116,7 +116,7 @@ class ObjReader {
     return joined_;
   }
 
-  /// Whether the face's corners that name a normal name the one with their vertex's number.
+  /// Whether all normal indices of the face equal its vertex indices.
   static bool has_normals_of_their_own(std::string_view rest) {
     for (auto word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
       const std::size_t first = word.find('/'), last = word.rfind('/');
@@ -128,7 +128,7 @@ class ObjReader {
 
   void add_vertex(std::string_view rest) {
     mesh_.add_vertex(three_numbers("vertex", rest));
-    // Red, green and blue, for which the format has no word; a fourth number alone is a weight.
+    // Red, green and blue, which the format does not define; a single fourth number is a weight.
     const bool has_fourth = parse_number(take_word(rest)).has_value();
     has_colors_ = has_colors_ || (has_fourth && parse_number(take_word(rest)).has_value());
   }
@@ -143,7 +143,7 @@ class ObjReader {
     return text;
   }
 
-  /// Takes them off the line.
+  /// Removes them from the line.
   Eigen::Vector3d three_numbers(const char* what, std::string_view& rest) {
     Eigen::Vector3d numbers;
     for (double& number : numbers) {
@@ -170,7 +170,7 @@ class ObjReader {
     mesh_.add_polygon(corners_);
   }
 
-  /// The vertex that "7", "7/1", "7//3", "7/1/3" or a negative number, counted back, stands for.
+  /// The vertex of "7", "7/1", "7//3", "7/1/3" or of a negative number, which counts back.
   Index corner(std::string_view word) {
     const auto number = parse_integer(word.substr(0, word.find('/')));
     const auto count = static_cast<std::int64_t>(mesh_.vertex_count());
@@ -192,8 +192,7 @@ class ObjReader {
            ", counted from 1; the file is damaged or truncated, export it again";
   }
 
-  /// The first corner beyond the last vertex is the furthest one up to its line, and so is among
-  /// those that were noted.
+  /// The largest forward reference is noted, so checking the noted ones is enough.
   void check_forward_references() const {
     for (const auto& [number, line] : forward_) {
       if (number > static_cast<std::int64_t>(mesh_.vertex_count())) {
@@ -221,7 +220,7 @@ const DataArray* first_of(std::span<const DataArray> arrays, bool (*is)(const Da
   return found == arrays.end() ? nullptr : &*found;
 }
 
-/// One line a row; none if there is no array.
+/// One line per row; none without an array.
 void write_rows(TextOutput& text, std::string_view keyword, const DataArray* array) {
   if (array == nullptr) return;
   const std::size_t columns = array->view().columns();

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::string_view kRemedy = "; the file is damaged or truncated, export it again";
 
-/// Whether a vertex or face ends with its line. The format is a stream of words, but many files
-/// have undeclared colours and more behind their vertices, and faces end with their line anyway.
+/// Whether vertices and faces end with their line. The format is a stream of words, but many files
+/// have undeclared colours after their vertices, and most end faces with the line.
 struct OffLayout {
   bool vertices_by_line = true;
   bool faces_by_line = true;
@@ -40,7 +40,7 @@ class OffReader {
  private:
   // ----------------------------------------------------------------------------------------------
 
-  /// Whether there is a word left; `line_` begins with it then.
+  /// Whether a word is left; `line_` then begins with it.
   bool has_word() {
     constexpr std::string_view kBlanks = " \t\r\v\f";
     while (line_.find_first_not_of(kBlanks) == std::string_view::npos) {
@@ -61,8 +61,8 @@ class OffReader {
                      std::to_string(faces_) + " faces: it is truncated; export it again");
   }
 
-  /// Reads the keyword, such as STCNOFF, whose letters before OFF name the numbers of a vertex
-  /// besides its coordinates. The number of vertices may follow without a space.
+  /// Reads the keyword, such as STCNOFF: letters before OFF declare further numbers per vertex. The
+  /// number of vertices may follow without a space.
   void read_keyword() {
     const std::string_view word = next_word();
     const std::size_t off = word.find("OFF");
@@ -77,7 +77,7 @@ class OffReader {
     if (before.find('T') != before.npos) numbers_ += 2;
     std::string_view after = line_;
     binary_ = word.size() == off + 3 && take_word(after) == "BINARY";
-    // The rest of the keyword goes on as the first of the counts.
+    // The rest of the keyword is the first count.
     if (word.size() > off + 3) {
       const char* const rest = word.data() + off + 3;
       line_ = {rest, static_cast<std::size_t>(line_.data() + line_.size() - rest)};
@@ -90,15 +90,15 @@ class OffReader {
     vertices_ = read_count();
     const std::size_t line = file_.line();
     faces_ = read_count();
-    // The number of edges, which is not used, may be missing from the line of the others.
+    // The unused number of edges may be missing from the line.
     if (file_.line() != line) {
       next_word();
     } else if (line_.find_first_not_of(" \t\r\v\f") != std::string_view::npos) {
       take_word(line_);
     }
-    // A vertex takes five characters at least, a face three.
+    // A vertex takes at least five characters, a face three.
     check_sizes(file_.remaining() + line_.size(), 5, 3);
-    // What follows in the line of the counts belongs to no line of its own.
+    // Words after the counts in the same line have no line of their own.
     if (has_word_in_line()) layout_ = {false, false};
     for (std::uint64_t v = 0; v < vertices_; ++v) read_vertex();
     for (std::uint64_t f = 0; f < faces_; ++f) read_face();
@@ -177,7 +177,7 @@ class OffReader {
 
   // ----------------------------------------------------------------------------------------------
 
-  /// Numbers of 32 bits, their highest byte first.
+  /// 32-bit numbers, big endian.
   template <class Number>
   Number take_binary() {
     std::array<std::byte, sizeof(Number)> bytes{};
@@ -209,7 +209,7 @@ class OffReader {
     for (std::uint32_t i = 0; i < colors; ++i) take_binary<float>();
   }
 
-  /// How many numbers follow.
+  /// The length of a list.
   std::uint32_t take_length() {
     const auto length = take_binary<std::uint32_t>();
     if (length > file_.remaining() / 4) fail_short();
@@ -219,9 +219,9 @@ class OffReader {
   InputFile file_;
   OffLayout layout_;
   MeshBuilder mesh_;
-  std::string_view line_;  ///< what is left of the line
+  std::string_view line_;  ///< the rest of the line
   bool binary_ = false;
-  int numbers_ = 3;  ///< of a vertex
+  int numbers_ = 3;  ///< per vertex
   std::uint64_t vertices_ = 0, faces_ = 0;
   std::vector<Index> corners_;
 };
@@ -230,7 +230,7 @@ class OffReader {
 
 RawMesh read_off(const std::filesystem::path& path, const Progress& progress) {
   std::optional<Error> first;
-  // A file that makes no sense line by line may do so word by word.
+  // A file that is not valid line by line may be valid word by word.
   for (const OffLayout layout : {OffLayout{}, OffLayout{false, true}, OffLayout{false, false}}) {
     try {
       return OffReader(path, progress).read(layout);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 using Names = std::array<std::string_view, 3>;
 
-/// Names of the columns of positions and of normals.
+/// Names of position and normal columns.
 constexpr std::array<Names, 3> kPositions = {
     {{"Points:0", "Points:1", "Points:2"}, {"Points_0", "Points_1", "Points_2"}, {"x", "y", "z"}}};
 constexpr std::array<Names, 5> kNormals = {{{"Normals:0", "Normals:1", "Normals:2"},
@@ -30,7 +30,7 @@ constexpr std::array<Names, 5> kNormals = {{{"Normals:0", "Normals:1", "Normals:
                                             kNormalNames[1],
                                             kNormalNames[2]}};
 
-/// The first of these threes that are all there; or none.
+/// The first of these triples that is complete, or null.
 const Names* names_among(std::span<const Names> known, std::span<const std::string> names) {
   for (const Names& three : known) {
     if (ranges::all_of(three, [&](auto name) { return has_column(names, name); })) return &three;
@@ -38,7 +38,7 @@ const Names* names_among(std::span<const Names> known, std::span<const std::stri
   return nullptr;
 }
 
-/// Whether names find the columns: not if the columns are just those of files without names.
+/// Whether columns are found by name: not if they are just the positional ones.
 bool has_named_points(const std::vector<std::string>& names) {
   const Names* positions = names_among(kPositions, names);
   if (positions == nullptr) return false;
@@ -60,7 +60,7 @@ struct PointRows {
   }
 };
 
-/// Points of a file whose first row names their columns; the others are arrays.
+/// Points of a file with named columns; other columns become arrays.
 LoadedPoints read_named_points(const fs::path& path, CsvFile& file) {
   CsvTable table = file.read_table();
   const std::vector<std::string> names = table.names();

@@ -74,7 +74,7 @@ std::string_view take_word_of_lines(std::string_view& text) {
 std::vector<std::byte> take_numbers(std::string_view& text, NumberType type, std::uint64_t count,
                                     const std::function<void(const std::string&)>& fail) {
   const auto fail_short = [&] { fail("has fewer than " + std::to_string(count) + " numbers"); };
-  // A number takes a letter and what parts it from the next.
+  // A number takes at least a character and a separator.
   if (count > (text.size() + 1) / 2) fail_short();
   std::vector<std::byte> bytes(size_in_bytes(count, size_of(type), "an array"));
   with_number_type(type, [&]<class Number>(Number) {

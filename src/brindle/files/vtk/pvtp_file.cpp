@@ -16,7 +16,7 @@ std::vector<PieceArray> announced_arrays(const pugi::xml_node& element) {
   std::vector<PieceArray> arrays;
   for (const char* kind : {"PDataArray", "DataArray"}) {
     for (const pugi::xml_node& array : element.children(kind)) {
-      // Words are no arrays here.
+      // String arrays are not supported.
       if (std::string_view(array.attribute("type").value()) == "String") continue;
       arrays.push_back(
           {array.attribute("Name").value(), array.attribute("NumberOfComponents").as_int(1)});

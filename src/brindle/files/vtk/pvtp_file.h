@@ -1,4 +1,4 @@
-/// Surfaces in pieces as VTK has them: a .pvtp that names a .vtp for each piece.
+/// VTK's partitioned surfaces: a .pvtp that lists one .vtp per piece.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace brindle {
 
-/// An array that every piece has.
+/// An array that all pieces have.
 struct PieceArray {
   std::string name;
   int components = 1;
@@ -22,11 +22,11 @@ struct PieceList {
   std::string global_ids;  ///< name of the array of global ids per point, or empty
 };
 
-/// Reads the .pvtp alone. Throws Error, naming the file and the remedy, if it cannot be read, is no
-/// XML, holds something else than a surface in pieces, or names no piece.
+/// Reads the .pvtp alone. Throws Error with the file and the remedy if it cannot be read, is no
+/// XML, is no partitioned PolyData or lists no piece.
 PieceList read_pvtp(const std::filesystem::path& path);
 
-/// Throws Error, naming the piece and the array, unless `arrays` are all that the list announces.
+/// Throws Error with the piece and the array unless `arrays` are those of the list.
 void check_piece_arrays(const std::filesystem::path& piece, const PieceList& list,
                         const DataArrays& arrays);
 

@@ -24,7 +24,7 @@
 namespace brindle {
 namespace {
 
-/// A file's name as seen from the folder of `path`.
+/// A file's name relative to the folder of `path`.
 std::string name_beside(const std::filesystem::path& path, const std::filesystem::path& file) {
   const auto relative = file.lexically_relative(path.parent_path());
   return (relative.empty() ? file : relative).generic_string();
@@ -51,7 +51,7 @@ void check_times(const std::filesystem::path& pvd, const std::vector<TimedFile>&
   }
 }
 
-/// In the order of their times.
+/// Sorted by time.
 std::vector<TimedFile> in_order(const std::filesystem::path& path, std::vector<TimedFile> files) {
   ranges::stable_sort(files, {}, &TimedFile::time);
   check_times(path, files);

@@ -19,13 +19,13 @@
 namespace brindle {
 namespace {
 
-/// The type of numbers that a name of the format means.
+/// The number type of a name in the format.
 struct LegacyType {
   std::string_view name;
   NumberType stored;
 };
 
-/// `vtkIdType` has 32 bits in binary files and becomes a number of 64 (`take_ids`).
+/// `vtkIdType` has 32 bits in binary files and is widened to 64 (`take_ids`).
 constexpr std::array<LegacyType, 16> kLegacyTypes = {{{"float", NumberType::float32},
                                                       {"double", NumberType::float64},
                                                       {"char", NumberType::int8},
@@ -84,7 +84,7 @@ class VtkLegacyReader {
 
   std::string next_keyword() { return small_letters(take_word_of_lines(rest_)); }
 
-  /// Takes the next word if it is this one, in whatever letters.
+  /// Takes the next word if it equals this one, ignoring case.
   bool take_if(std::string_view keyword) {
     std::string_view after = rest_;
     if (small_letters(take_word_of_lines(after)) != keyword) return false;
@@ -198,7 +198,7 @@ class VtkLegacyReader {
     }
   }
 
-  /// Each cell is its number of points, then these, in one row.
+  /// Each cell is its number of points, then the points, in one row.
   void cut_cells(VtkCells& cells, const DataArray& row, std::uint64_t count) {
     std::vector<std::int32_t> numbers(row.rows());
     if (!numbers.empty()) std::memcpy(numbers.data(), row.bytes.data(), row.bytes.size());
@@ -296,7 +296,7 @@ class VtkLegacyReader {
              static_cast<std::uint64_t>(std::max<std::int64_t>(1, components.value_or(1))));
   }
 
-  /// Levels of colours, from 0 to 1 in text and to 255 in binary files.
+  /// Colour levels: 0 to 1 in text files, 0 to 255 in binary ones.
   void read_colors() {
     const std::string name = take_name();
     const std::uint64_t components = take_count();
@@ -337,7 +337,7 @@ class VtkLegacyReader {
 
   // ----------------------------------------------------------------------------------------------
 
-  /// Reads an array whose numbers begin in the next line, or behind the next word.
+  /// Reads an array whose numbers begin in the next line or after the next word.
   void add(const std::string& name, std::string_view type, std::uint64_t rows,
            std::uint64_t components) {
     if (binary_) take_line();
@@ -354,7 +354,7 @@ class VtkLegacyReader {
     }
   }
 
-  /// Drops data that belong to neither points nor cells.
+  /// Drops data of neither points nor cells.
   void keep(DataArray array, std::uint64_t rows) {
     if (data_ == nullptr) return;
     if (rows == rows_) {
@@ -434,7 +434,7 @@ class VtkLegacyReader {
     }
   }
 
-  /// The two highest bits of a string's first byte say how many bytes its length takes.
+  /// The two highest bits of a string's first byte give the size of its length.
   void skip_binary_string() {
     const auto at = [&](std::size_t i) { return static_cast<unsigned char>(rest_[i]); };
     constexpr std::array<std::size_t, 4> kLengthBytes = {8, 4, 2, 1};
@@ -450,10 +450,10 @@ class VtkLegacyReader {
   std::string text_;
   std::string_view rest_;
   bool binary_ = false;
-  bool offsets_apart_ = false;  ///< offsets and points of cells are two arrays, from version 5 on
+  bool offsets_apart_ = false;  ///< cells are two arrays, offsets and points, from version 5 on
   VtkPiece piece_ = {{}, std::vector<VtkCells>(kSlots), {}, {}};
   std::uint64_t points_ = 0, cells_ = 0;
-  std::vector<DataArray>* data_ = nullptr;  ///< what the next arrays belong to
+  std::vector<DataArray>* data_ = nullptr;  ///< owner of the next arrays
   std::uint64_t rows_ = 0;
   std::string left_out_;
 };

@@ -33,7 +33,7 @@ bool is_among(std::uint8_t type, std::initializer_list<std::uint8_t> types) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-/// The kinds of VTK's types (vtkCellType.h).
+/// The kinds of cells by VTK type (vtkCellType.h).
 CellKind kind_of(std::uint8_t type) {
   if (type == 0) return CellKind::nothing;
   if (is_among(type, {1, kVtkPolyVertex})) return CellKind::point;
@@ -49,14 +49,15 @@ CellKind kind_of(std::uint8_t type) {
   return volume ? CellKind::volume : CellKind::unknown;
 }
 
-/// Corners of a quadratic or biquadratic cell; a quadratic polygon has half as many as points.
+/// Corners of a quadratic or biquadratic cell; a quadratic polygon has half as many corners as
+/// points.
 std::size_t sides_of(std::uint8_t type, std::size_t points) {
   if (is_among(type, {22, 34})) return 3;
   return is_among(type, {23, 28}) ? 4 : points / 2;
 }
 
-/// A whole number as another type; its largest number for values that it cannot hold and for
-/// floating-point numbers.
+/// An integer converted to another type; the maximum for values out of range and for floating-point
+/// numbers.
 template <class Number, class Stored>
 Number as(Stored value) {
   if constexpr (std::is_integral_v<Stored>) {
@@ -194,7 +195,7 @@ void VtkSurface::add_cell(std::uint8_t stored_type, std::span<const Index> point
     case CellKind::curved:
       add_curved(points, sides_of(type, points.size()));
       break;
-    case CellKind::half_curved:  // of its four sides two have a point amid them
+    case CellKind::half_curved:  // two of its four sides have a mid-edge point
       check_size(points, 6);
       builder_.add_polygon(
           std::array{points[0], points[4], points[1], points[2], points[5], points[3]}, cell_);
@@ -250,7 +251,7 @@ std::string VtkSurface::left_out() const {
 }
 
 std::string VtkSurface::take_boundary() {
-  // Without the faces of some cells those of their neighbours would seem to be on the boundary.
+  // Without the faces of unread cells, those of their neighbours would seem to be on the boundary.
   if (surfaces_ > 0 || unread_volumes_ > 0 || volumes_.count() == 0) return "";
   std::size_t faces = 0;
   volumes_.for_each_boundary_face(builder_.positions(),
@@ -294,7 +295,7 @@ RawMesh VtkSurface::take(std::vector<Eigen::Vector3d>* exact) {
   raw.taken += boundary;
   raw.normals = std::move(normals_);
   raw.elements = {has_faces, lines_ > 0};
-  // Surface cells without a triangle are explained by the mesh's repair instead.
+  // The mesh repair explains surface cells without triangles.
   if (surfaces_ == 0) raw.why_empty = why_empty();
   return raw;
 }

@@ -1,4 +1,4 @@
-/// Surfaces made of VTK's cells.
+/// Surfaces from VTK cells.
 #pragma once
 
 #include <cstddef>
@@ -15,50 +15,50 @@
 
 namespace brindle {
 
-/// VTK's numbers of some types of cells.
+/// VTK's codes of some cell types.
 inline constexpr std::uint8_t kVtkPolyVertex = 2, kVtkPolyLine = 4, kVtkTriangleStrip = 6,
                               kVtkPolygon = 7;
 
-/// Cells as a file lists them.
+/// Cells in the file's form.
 struct VtkCells {
-  DataArray points;                 ///< indices of points: the cells' lists, one after the other
-  DataArray ends;                   ///< per cell the end of its list
+  DataArray points;                 ///< point indices: the cells' lists, concatenated
+  DataArray ends;                   ///< end of each cell's list
   std::vector<std::uint8_t> types;  ///< per cell
-  std::uint8_t type = 0;            ///< of all cells if `types` is empty
+  std::uint8_t type = 0;            ///< the type of all cells if `types` is empty
 };
 
-/// The length of all cells' lists together, and the types of cells, from arrays of the file.
+/// The total length of all lists, and the cell types, from arrays of the file.
 std::uint64_t vtk_points_of_cells(const DataArray& ends);
 std::vector<std::uint8_t> vtk_cell_types(const DataArray& types);
 
-/// Points with cells over them, numbered in the order of `cells`.
+/// Points and their cells, numbered in the order of `cells`.
 struct VtkPiece {
   DataArray points;
   std::vector<VtkCells> cells;
   DataArrays arrays;    ///< a row per point and per cell
-  std::string normals;  ///< name of the array of normals per point, or empty
+  std::string normals;  ///< name of the point array with the normals, or empty
 };
 
-/// Puts the surface cells of a file's pieces together; or, if there are volume cells alone, their
-/// boundary.
+/// Joins the surface cells of a file's pieces or, if it has volume cells only, their boundary.
 class VtkSurface {
  public:
-  /// Throws through `file`, which must live on.
+  /// Throws through `file`, which must outlive this object.
   explicit VtkSurface(const InputFile& file) : file_(file) {}
 
   void add(VtkPiece piece);
 
-  /// `exact` as in `MeshBuilder::take`.
+  /// `exact`: see `MeshBuilder::take`.
   RawMesh take(std::vector<Eigen::Vector3d>* exact = nullptr);
 
  private:
   void add_points(const DataArray& points);
   void add_cells(const VtkCells& cells, Index first_point);
   void add_cell(std::uint8_t stored_type, std::span<const Index> points);
-  /// A cell with points amid its sides, which follow its corners.
+  /// A cell with mid-edge points, which follow its corners.
   void add_curved(std::span<const Index> points, std::size_t sides);
   void add_volume(std::uint8_t type, std::span<const Index> points);
-  /// A line on the boundary, which becomes the surface; nothing if it does not.
+  /// Takes the boundary of the volumes as the surface, and returns a line about it; empty if there
+  /// is none.
   std::string take_boundary();
   std::string why_empty() const;
   [[noreturn]] void fail_point(Index existing) const;
@@ -70,7 +70,7 @@ class VtkSurface {
   PiecewiseArrays point_arrays_, cell_arrays_;
   std::string normals_;
   std::vector<Index> cell_points_,
-      corners_;  ///< of one cell; members so that their memory is reused
+      corners_;  ///< of one cell; members to reuse their memory
   Index cell_ = 0;
   VtkVolumes volumes_;
   std::size_t surfaces_ = 0;  ///< cells

@@ -15,9 +15,9 @@ namespace {
 using Corners = std::vector<std::uint8_t>;
 using Edge = std::array<std::uint8_t, 2>;
 
-/// A solid by its faces, and the edges that have a point amid them, in the order of these points.
+/// A solid by its faces and the edges that have mid-edge points, in the order of these points.
 struct Solid {
-  std::size_t points = 0;  ///< of a cell, which come first if it has more
+  std::size_t points = 0;  ///< of a cell: the first ones, if it has more
   std::vector<Corners> faces;
   std::vector<Edge> edges;
   std::size_t corners = 0;
@@ -59,8 +59,8 @@ Solid solid(std::size_t corners, std::vector<Corners> faces, std::vector<Edge> e
   return {corners + edges.size(), std::move(faces), std::move(edges), corners};
 }
 
-/// The solid of a type of VTK (vtkCellType.h, and GetFaceArray and GetEdgeArray of the cells); null
-/// for other types.
+/// The solid of a VTK type (vtkCellType.h, GetFaceArray and GetEdgeArray of the cells); null for
+/// other types.
 const Solid* solid_of(std::uint8_t type) {
   static const std::vector<std::pair<std::uint8_t, Solid>> kSolids = [] {
     std::vector<std::pair<std::uint8_t, Solid>> solids = {
@@ -89,8 +89,8 @@ const Solid* solid_of(std::uint8_t type) {
   return found == kSolids.end() ? nullptr : &found->second;
 }
 
-/// Identifies a face in two cells: the four smallest indices of its corners, each once. Repeated
-/// corners make a quadrangle a triangle, as in hexahedra that represent wedges.
+/// Identifies a face in two cells: its four smallest corner indices, each once. Repeated corners
+/// make a quadrangle a triangle, as in hexahedra that represent wedges.
 using FaceKey = std::array<Index, 4>;
 constexpr Index kNoCorner = 0xffffffff;
 
@@ -106,7 +106,7 @@ FaceKey key_of(std::span<const Index> corners) {
   return key;
 }
 
-/// The corners with the points amid the edges between them.
+/// The corners with the mid-edge points between them.
 void add_points_of_edges(const Solid& solid, const Corners& face, std::span<const Index> points,
                          std::vector<Index>& polygon) {
   for (std::size_t i = 0; i < face.size(); ++i) {
@@ -128,7 +128,7 @@ Eigen::Vector3d centre_of(std::span<const Eigen::Vector3d> positions,
   return sum / static_cast<double>(points.size());
 }
 
-/// Whether a face is seen from its cell's inside if its corners run anticlockwise.
+/// Whether the face's corners are anticlockwise seen from inside the cell.
 bool faces_inwards(std::span<const Eigen::Vector3d> positions, std::span<const Index> face,
                    const Eigen::Vector3d& centre_of_cell) {
   const Eigen::Vector3d centre = centre_of(positions, face);
@@ -226,8 +226,8 @@ void VtkVolumes::for_each_boundary_face(
     add_points_of_edges(solid, face, points, polygon);
     const Eigen::Vector3d centre = centre_of(positions, points.first(solid.corners));
     if (faces_inwards(positions, polygon, centre)) ranges::reverse(polygon);
-    // Polygons are cut from their second point on, so that corners are cut off: cuts from corner
-    // to corner would flatten a curved face.
+    // Polygons are triangulated from their second point on, which cuts off corners: diagonals
+    // between corners would flatten a curved face.
     const bool begins_at_corner =
         ranges::find(points.first(solid.corners), polygon[0]) != points.first(solid.corners).end();
     if (polygon.size() > face.size() && begins_at_corner) {

@@ -1,4 +1,4 @@
-/// The surface of VTK's volume cells.
+/// Surfaces of VTK volume cells.
 #pragma once
 
 #include <cstddef>
@@ -13,25 +13,25 @@
 
 namespace brindle {
 
-/// The linear or quadratic type of a Lagrange or Bezier cell with so many points; any other type is
-/// returned unchanged. (Bezier cells of order 2 have points beside their surface.)
+/// The linear or quadratic type of a Lagrange or Bezier cell with `points` points; other types are
+/// returned unchanged. (Bezier cells of order 2 have points off their surface.)
 std::uint8_t vtk_plain_type(std::uint8_t type, std::size_t points);
 
-/// Volume cells whose faces are known: tetrahedra, voxels, hexahedra, wedges, pyramids, prisms, and
-/// those of them with points amid their edges.
+/// Volume cells with known faces: tetrahedra, voxels, hexahedra, wedges, pyramids, prisms and their
+/// quadratic forms.
 class VtkVolumes {
  public:
-  /// The smallest number of points of a cell of that type; 0 if its faces are not known.
+  /// The smallest number of points of a cell of this type; 0 if its faces are unknown.
   static std::size_t points_of(std::uint8_t type);
 
-  /// A cell of a known type with at least so many points; `cell` is its row.
+  /// A cell of a known type with at least `points_of` points; `cell` is its row.
   void add(std::uint8_t type, std::span<const Index> points, Index cell);
 
   std::size_t count() const { return types_.size(); }
 
   /// Calls `use` with the corners of every face that belongs to one cell only, and the cell's row,
-  /// in the order of cells. Points amid edges stand between the corners. Faces are wound so that
-  /// they are seen from outside, whichever way the cell's points run.
+  /// in cell order. Mid-edge points are between the corners. Faces are wound anticlockwise from
+  /// outside, whatever the order of the cell's points.
   void for_each_boundary_face(
       std::span<const Eigen::Vector3d> positions,
       const std::function<void(std::span<const Index> corners, Index cell)>& use) const;
@@ -43,7 +43,7 @@ class VtkVolumes {
 
   std::vector<std::uint8_t> types_;  ///< of each cell
   std::vector<Index> cells_;         ///< the row of each
-  std::vector<Index> points_;        ///< of all, `points_of` each
+  std::vector<Index> points_;        ///< of all cells, `points_of` each
 };
 
 }  // namespace brindle

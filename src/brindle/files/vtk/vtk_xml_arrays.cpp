@@ -24,9 +24,9 @@
 namespace brindle {
 namespace {
 
-/// The zlib format compresses by no larger factor.
+/// The largest compression factor of zlib.
 constexpr std::uint64_t kMostInflation = 1100;
-/// Blocks per task: fewer are not worth another thread.
+/// Blocks per task: fewer do not pay for a thread.
 constexpr std::size_t kBlockGrain = 8;
 
 std::optional<NumberType> number_type_of(const pugi::xml_node& element) {
@@ -37,7 +37,7 @@ std::optional<NumberType> number_type_of(const pugi::xml_node& element) {
   return std::nullopt;
 }
 
-/// Where a block is among the compressed bytes and among the others.
+/// The position of a block among compressed and uncompressed bytes.
 struct PackedBlock {
   std::uint64_t begin, size;
   std::uint64_t unpacked_begin, unpacked_size;
@@ -46,7 +46,7 @@ struct PackedBlock {
 bool inflate_block(const PackedBlock& block, std::span<const std::byte> packed,
                    std::span<std::byte> unpacked) {
   uLongf size = block.unpacked_size;
-  // A block may be empty and stand behind the last byte.
+  // A block may be empty and start at the end of the bytes.
   const int result =
       uncompress(reinterpret_cast<Bytef*>(unpacked.data() + block.unpacked_begin), &size,
                  reinterpret_cast<const Bytef*>(packed.data() + block.begin), block.size);
@@ -55,13 +55,13 @@ bool inflate_block(const PackedBlock& block, std::span<const std::byte> packed,
 
 }  // namespace
 
-/// A sequence of bytes of the file.
+/// A stream of bytes of the file.
 class VtkXmlArrays::Bytes {
  public:
   virtual ~Bytes() = default;
-  /// No more than these are left.
+  /// An upper bound on the bytes that are left.
   virtual std::uint64_t most_left() const = 0;
-  /// False if there are not so many.
+  /// False if there are too few.
   virtual bool read(std::span<std::byte> bytes) = 0;
 };
 

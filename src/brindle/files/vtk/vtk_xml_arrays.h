@@ -1,4 +1,4 @@
-/// The arrays of VTK's XML files in all their encodings. Only builds with BRINDLE_VTK have it.
+/// Arrays of VTK's XML files in all encodings. Only in builds with BRINDLE_VTK.
 #pragma once
 
 #ifdef BRINDLE_HAS_VTK
@@ -14,32 +14,31 @@
 
 namespace brindle {
 
-/// How a file stores its arrays.
+/// The encoding of a file's arrays.
 struct VtkXmlEncoding {
   bool foreign_order = false;  ///< the byte order is not that of this machine
   bool wide_sizes = false;     ///< sizes of blocks are UInt64 instead of UInt32
   bool zlib = false;           ///< blocks are compressed
-  /// Where the data appended to the XML begin, or 0; and whether they are base64.
+  /// The position of the data appended to the XML, or 0; and whether they are base64.
   std::uint64_t appended = 0;
   bool appended_base64 = false;
 };
 
-/// An element's attribute as a whole number from 0 to 2^53; `standard` if it is missing. Throws
-/// Error for anything else.
+/// An element's attribute as an integer from 0 to 2^53; `standard` if it is missing. Throws Error
+/// for anything else.
 std::uint64_t vtk_number(const InputFile& file, const pugi::xml_node& element, const char* name,
                          std::uint64_t standard = 0);
 
 class VtkXmlArrays {
  public:
-  /// `file` must live on.
+  /// `file` must outlive this object.
   VtkXmlArrays(InputFile& file, const VtkXmlEncoding& encoding);
 
-  /// Whether an array holds numbers, and not text or bits.
+  /// Whether an array is numeric, neither text nor bits.
   static bool holds_numbers(const pugi::xml_node& element);
 
-  /// The array with so many rows, as the file has it. Throws Error, naming the array, if it is
-  /// damaged or truncated or has another number of rows, before it asks for more memory than the
-  /// file can fill.
+  /// The array in the file's type. Throws Error with the array's name if it is damaged or truncated
+  /// or has not `rows` rows, before it allocates more memory than the file can fill.
   DataArray read(const pugi::xml_node& element, std::uint64_t rows);
 
  private:
@@ -54,14 +53,14 @@ class VtkXmlArrays {
   std::vector<std::byte> decode_block(Bytes& bytes, std::uint64_t size);
   std::vector<std::byte> inflate_blocks(Bytes& bytes, std::uint64_t size);
   std::uint64_t read_size(Bytes& bytes) const;
-  /// Takes so many bytes from the budget. Throws if they, or so many of `bytes`, are not left.
+  /// Takes bytes from the budget. Throws if the budget or `bytes` has too few.
   void take_from_budget(const Bytes& bytes, std::uint64_t size);
 
   InputFile& file_;
   VtkXmlEncoding encoding_;
-  std::string appended_letters_;  ///< of data appended as base64
-  std::uint64_t budget_;          ///< bytes that arrays may still take from the file
-  std::string name_;              ///< of the array that is being read, for messages
+  std::string appended_letters_;  ///< data appended as base64
+  std::uint64_t budget_;          ///< bytes of the file that arrays may still use
+  std::string name_;              ///< of the current array, for messages
 };
 
 }  // namespace brindle

@@ -26,10 +26,10 @@ using Xml = pugi::xml_node;
 constexpr std::string_view kAppendedTag = "<AppendedData";
 constexpr std::size_t kFirstChunk = std::size_t{1} << 16;
 
-/// The XML of a file without appended data, which are no XML.
+/// The XML of a file without its appended data, which is not XML.
 struct XmlPart {
-  std::string text;            ///< up to and with the tag of appended data, closed
-  std::uint64_t appended = 0;  ///< where the data begin, or 0
+  std::string text;            ///< up to and including the tag of appended data, closed
+  std::uint64_t appended = 0;  ///< position of the data, or 0
 };
 
 void grow(InputFile& file, std::string& text, std::uint64_t size) {
@@ -57,7 +57,7 @@ XmlPart xml_part(InputFile& file) {
   return part;
 }
 
-/// The line of a place.
+/// The line number of a position.
 std::size_t line_of(std::string_view text, std::ptrdiff_t place) {
   const auto end =
       std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(place, 0)), text.size());
@@ -165,7 +165,7 @@ class VtkXmlReader {
       add("Cells", "NumberOfCells", 0);
       result.cells.back().types = read_types(piece);
     } else {
-      // Rows of cell data follow this order.
+      // Cell data are in this order.
       add("Verts", "NumberOfVerts", kVtkPolyVertex);
       add("Lines", "NumberOfLines", kVtkPolyLine);
       add("Polys", "NumberOfPolys", kVtkPolygon);

@@ -14,12 +14,12 @@
 namespace brindle {
 namespace {
 
-/// The arrays of the file: first each is announced in XML with its offset, then all are written.
+/// Appended arrays: the XML declares them with their offsets, then all are written.
 class AppendedArrays {
  public:
   explicit AppendedArrays(OutputStream& xml) : xml_(xml) {}
 
-  /// Announces an array of `count` numbers; `write_all` calls `write` for them.
+  /// Declares an array of `count` numbers; `write_all` calls `write` for them.
   template <class Number>
   void add(std::string_view type, std::string_view name, int components, std::size_t count,
            std::function<void(BinaryOutput&)> write) {
@@ -86,7 +86,7 @@ void add_data(OutputStream& xml, AppendedArrays& appended, std::string_view elem
   xml << "</" << element << ">\n";
 }
 
-/// The cells of one kind: the points of all, and where those of each end.
+/// The cells of one kind: concatenated points, and the end of each cell.
 template <class Points, class End>
 void add_cells(OutputStream& xml, AppendedArrays& arrays, std::string_view element,
                std::size_t cells, std::size_t points, const Points& point, const End& end) {

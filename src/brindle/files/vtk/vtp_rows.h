@@ -1,4 +1,4 @@
-/// Lines and samples as VTP on a stream.
+/// Lines and samples as VTP streams.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace brindle {
 
-/// As `write_polylines` writes a .vtp. Throws its errors of arrays, which name `path`.
+/// The .vtp of `write_polylines`. Throws its errors, which name `path`.
 void write_vtp_polylines(OutputStream& out, const std::filesystem::path& path,
                          std::span<const NamedLines> kinds);
 
-/// As `write_samples` writes a .vtp. Throws its errors of arrays, which name `path`.
+/// The .vtp of `write_samples`. Throws its errors, which name `path`.
 void write_vtp_samples(OutputStream& out, const std::filesystem::path& path,
                        std::span<const Sample> samples, const Eigen::Vector3d& origin,
                        std::span<const DataArray> arrays);

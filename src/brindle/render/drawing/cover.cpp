@@ -19,17 +19,17 @@ namespace {
 
 using Corners = std::array<CornerWave, 3>;
 
-/// NaN where a corner has no value, as the surface is plain there.
+/// NaN if a corner has no value: the surface is plain there.
 float blended_value(std::span<const float> values, const Triangle& t, const Vec3& weights) {
   return weights[0] * values[t[0]] + weights[1] * values[t[1]] + weights[2] * values[t[2]];
 }
 
-/// The phase over 2 pi; a quarter is a peak.
+/// The phase over 2 pi; peaks are at a quarter.
 float turns_of(Complex z) {
   return elementary::atan2(z.imag(), z.real()) / (2 * std::numbers::pi_v<float>);
 }
 
-/// How many turns the phase makes in a pixel, where it rises fastest.
+/// Phase gained per pixel in the steepest direction, in turns.
 float turns_per_pixel(const Corners& corners, const SeenPoint& point) {
   std::array<FragmentWave, 4> waves;
   fragment_phases(corners, point.beside, waves);
@@ -51,7 +51,7 @@ float smooth_rise(float from, float to, float x) {
   return t * t * (3 - 2 * t);
 }
 
-/// Whether strokes cover the phase `turns` from a peak, or those that grow between them.
+/// Whether strokes cover the phase `turns` from a peak, including those that grow between others.
 bool levels_cover(const Strokes& strokes, float turns, float width, float footprint) {
   const bool in_pixels = strokes.unit == WidthUnit::pixels;
   if (!(strokes.spacing > 0)) {
@@ -123,11 +123,11 @@ using Point = Eigen::Vector2f;
 constexpr float kSmallestSize = 1e-3f;
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
-/// Of a point of a triangle, and of those a step to its right, left, below and above.
+/// At a point of a triangle, and one step to its right, left, below and above.
 using Stencil = std::array<std::optional<Point>, 5>;
 
-/// Texture coordinates, less the shift of all tiles; nothing without waves. Those beside the point
-/// are found where they are asked for.
+/// Texture coordinates without the shift of all tiles; empty without waves. Neighbours only if
+/// `beside`.
 Stencil coordinates_at(const SeenPoint& point, bool beside) {
   const RegionTexture& texture = *point.surface->texture;
   std::array<Vec3, 5> places{point.barycentric};
@@ -154,8 +154,8 @@ Point gain(const Point& from, const Point& to) {
           difference.y() - std::floor(difference.y() + 0.5f)};
 }
 
-/// Where on the screen the middle of the tile is, from the point, in pixels to the right and down;
-/// zero where tiles cannot be told apart.
+/// The middle of the tile relative to the point, in pixels to the right and down; zero if tiles are
+/// too small to tell apart.
 Point pixels_to_middle(const SeenPoint& point, const Stencil& stencil) {
   for (const auto& there : stencil) {
     if (!there) return Point::Zero();
@@ -169,7 +169,7 @@ Point pixels_to_middle(const SeenPoint& point, const Stencil& stencil) {
   return per_pixel.inverse() * to_middle;
 }
 
-/// A value in the middle of the tile, to first order; NaN where a corner has none.
+/// A value in the middle of the tile, to first order; NaN if a corner has none.
 float value_of_tile(const SeenPoint& point, std::span<const float> values, const Point& pixels) {
   const Triangle& t = point.surface->mesh.triangles[point.triangle];
   const Vec3 corners(values[t[0]], values[t[1]], values[t[2]]);
@@ -179,7 +179,7 @@ float value_of_tile(const SeenPoint& point, std::span<const float> values, const
   return corners.dot(point.barycentric + pixels.x() * right + pixels.y() * down);
 }
 
-/// The last tile that begins at this value or below; the first one's beginning does not count.
+/// The last region that begins at this value or below; the first one has no lower bound.
 std::size_t region_of(const RegionTexture& texture, float value) {
   std::size_t region = 0;
   for (std::size_t i = 1; i < texture.tiles.size(); ++i) {
@@ -198,7 +198,7 @@ bool is_left_out(const SeenPoint& point, const RegionTexture& texture, const Reg
   return std::abs(uv.x() - middle.x()) <= kHalfJoint;
 }
 
-/// `size`: how much of its place the tile fills.
+/// `size`: share of its cell that the tile fills.
 bool figure_covers(BuiltInTile tile, const Point& uv, float size) {
   if (size >= 1) return tile_distance(tile, uv.x(), uv.y()) <= 0;
   if (!(size > kSmallestSize)) return false;

@@ -1,4 +1,4 @@
-/// How large drawings may be.
+/// Limits on the size of drawings.
 #pragma once
 
 #include <string>

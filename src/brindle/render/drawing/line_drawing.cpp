@@ -18,12 +18,12 @@ namespace brindle {
 namespace {
 
 constexpr int kPerPixel = 2;              // depths along a side of a pixel
-constexpr float kStep = 0.5f;             // pixels between points whose visibility is asked for
+constexpr float kStep = 0.5f;             // pixels between visibility tests
 constexpr float kShortest = 1.5f;         // pixels: shorter strokes are noise along silhouettes
 constexpr float kLongestGap = 1.5f;       // pixels: shorter gaps are noise, too
-constexpr float kSmallestCorner = 0.05f;  // pixels: what is less is left out
+constexpr float kSmallestCorner = 0.05f;  // pixels: smaller corners are left out
 constexpr std::size_t kWorkPerReport = 1 << 20;
-constexpr float kSteepest = 5e-3f;  // of distances, between neighbouring cells
+constexpr float kSteepest = 5e-3f;  // relative difference of distances of neighbouring cells
 
 float edge_function(const Eigen::Vector2f& a, const Eigen::Vector2f& b, float x, float y) {
   return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
@@ -35,7 +35,7 @@ float length_of(const Stroke& stroke) {
   return length;
 }
 
-/// As `simplified` does with lines in space.
+/// As `simplified`, for lines in the picture.
 Stroke simplified_stroke(const Stroke& stroke, float tolerance) {
   Polylines line;
   for (const auto& p : stroke) {
@@ -49,7 +49,7 @@ Stroke simplified_stroke(const Stroke& stroke, float tolerance) {
   return result;
 }
 
-/// Two digits behind the point are a hundredth of a pixel.
+/// Two decimals, a hundredth of a pixel.
 void put(TextOutput& text, float value) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.2f", static_cast<double>(value));
@@ -64,7 +64,7 @@ std::string hexadecimal(const Color& color) {
   return text;
 }
 
-/// Whole hundredths of a pixel: what files keep.
+/// Hundredths of a pixel, the precision of files.
 using Hundredths = Eigen::Vector2i;
 
 Hundredths hundredths_of(const Eigen::Vector2f& point) {
@@ -72,7 +72,7 @@ Hundredths hundredths_of(const Eigen::Vector2f& point) {
           static_cast<int>(std::lround(100 * point.y()))};
 }
 
-/// The number as short as it can be written: "-.5" for -50.
+/// The shortest notation: "-.5" for -50.
 std::string short_number(int hundredths) {
   const int size = std::abs(hundredths);
   std::string digits = hundredths < 0 ? "-" : "";
@@ -84,7 +84,7 @@ std::string short_number(int hundredths) {
   return digits;
 }
 
-/// Numbers of a path behind a letter that stands for all that follow it.
+/// Numbers of a path after one letter that applies to all of them.
 class PathText {
  public:
   explicit PathText(TextOutput& text) : text_(text) {}
@@ -111,7 +111,7 @@ class PathText {
   char letter_ = 0;
 };
 
-/// Whether a piece from 0 to `end` is a straight line, to half a hundredth of a pixel.
+/// Whether a Bézier segment from 0 to `end` is straight to half a hundredth of a pixel.
 bool is_line(const Hundredths& first, const Hundredths& last, const Hundredths& end) {
   const Eigen::Vector2d way = end.cast<double>();
   for (const Hundredths& control : {first, last}) {
@@ -124,7 +124,7 @@ bool is_line(const Hundredths& first, const Hundredths& last, const Hundredths& 
   return true;
 }
 
-/// A closed path, relative to where each piece begins: errors of rounding do not add up.
+/// A closed path; each segment is relative to its start, so that rounding does not accumulate.
 void put_curves(TextOutput& text, const Stroke& path) {
   PathText out(text);
   Hundredths from = hundredths_of(path[0]);
@@ -215,12 +215,12 @@ Visibility::Seen Visibility::project(const Vec3& point) const {
       camera_.slice ? camera_.slice->signedDistance(point) : -1.0f};
 }
 
-/// Where a triangle may be seen.
+/// The cells in which a triangle may be visible.
 struct Visibility::Cells {
   int first_row, last_row, first_column, last_column;
 
   int columns() const { return std::max(0, last_column - first_column + 1); }
-  /// How long the triangle takes: as long as so many cells, and some more.
+  /// Cost of the triangle, in cells.
   std::size_t work() const {
     const int rows = std::max(0, last_row - first_row + 1);
     return 16 + static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns());
@@ -243,7 +243,7 @@ void Visibility::draw(const Mesh& mesh, const Progress& progress) {
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) draw_triangle(corners_of(t), reporter);
 }
 
-/// 1 / distance is linear in a picture with perspective, the distance in one without.
+/// 1 / distance is linear in perspective pictures, the distance itself in orthographic ones.
 float Visibility::nearness(std::span<const Seen> seen, std::span<const float> weights) const {
   float sum = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -252,7 +252,7 @@ float Visibility::nearness(std::span<const Seen> seen, std::span<const float> we
   return camera_.orthographic() ? 1 / sum : sum;
 }
 
-/// The distance from the slice, which is linear in space; its sign is right, its size is not.
+/// Signed distance from the slice up to a positive factor, linear in space.
 float Visibility::beyond(std::span<const Seen> seen, std::span<const float> weights) const {
   float sum = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -270,7 +270,7 @@ Visibility::Cells Visibility::cells_of(const std::array<Seen, 3>& corners) const
     return static_cast<int>(
         std::clamp(std::floor(kPerPixel * pixel), -1.0f, static_cast<float>(count)));
   };
-  // Written so that what is no number is nowhere.
+  // NaN fails this test and covers no cell.
   if (!(lower.x() <= upper.x() && lower.y() <= upper.y())) return {0, -1, 0, -1};
   return {std::max(0, cell(lower.y(), rows_)), std::min(rows_ - 1, cell(upper.y(), rows_)),
           std::max(0, cell(lower.x(), columns_)),
@@ -304,8 +304,8 @@ bool Visibility::in_picture(const Seen& seen) const {
   return x >= 0 && y >= 0 && x < static_cast<float>(columns_) && y < static_cast<float>(rows_);
 }
 
-/// Behind nothing: not farther than the farthest surface seen in the nine cells around it. The
-/// surface that the point lies on is among them, however steep it is.
+/// Visible if not farther than the farthest surface in the nine cells around the point. These
+/// contain the point's own surface, however steep it is.
 bool Visibility::visible(const Seen& seen, float tolerance) const {
   if (!in_picture(seen)) return false;
   const float x = kPerPixel * seen.pixel.x(), y = kPerPixel * seen.pixel.y();
@@ -319,7 +319,7 @@ bool Visibility::visible(const Seen& seen, float tolerance) const {
       nearest = std::min(nearest, 1 / nearness);
     }
   }
-  // Towards its outline a surface falls off ever more steeply.
+  // Towards its silhouette a surface gets ever steeper.
   const float slack = std::min(farthest - nearest, kSteepest * farthest) + tolerance * farthest;
   return farthest == 0 || seen.distance <= farthest + slack;
 }
@@ -332,8 +332,8 @@ void Visibility::add_strokes(std::span<const Seen> path, float tolerance, bool h
       strokes.push_back(simplified_stroke(stroke, kSmallestCorner));
     stroke.clear();
   };
-  float passed = 0;  // pixels since the last point that is drawn
-  Stroke behind;     // what may turn out to be a gap that is noise
+  float passed = 0;  // pixels since the last visible point
+  Stroke behind;     // held back: noise if the gap turns out short
   const auto pass = [&](const Seen& seen, float step) {
     behind.push_back(seen.pixel);
     passed += step;
@@ -382,7 +382,7 @@ std::vector<Stroke> Visibility::strokes(const Polylines& lines, float tolerance,
 std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
                               std::span<const PenLines> drawn, const CameraView& view, int width,
                               int height, const Progress& progress) {
-  // The outline is smooth, and runs beside the one that the depths have, which has corners.
+  // The outline is smooth; the one in the depth cells beside it has corners.
   constexpr float kOutlineTolerance = 0.01f;
   constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
   constexpr double kSeen = 0.3, kDrawn = 0.7, kOutlined = 0.95;

@@ -1,4 +1,4 @@
-/// The lines that bound what is seen of a surface.
+/// Visible outlines of a surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,23 +15,21 @@
 namespace brindle {
 namespace {
 
-/// Triangles round a vertex that creases part from its others: a fan. Numbered by its first
-/// triangle.
+/// A fan: triangles around a vertex between two creases. Numbered by its first triangle.
 struct FanCorner {
   Index fan = 0;
-  double facing =
-      0;  ///< above zero where the side that the triangle is wound on is seen; never zero
+  double facing = 0;  ///< positive if the front side is visible; never zero
 };
 
-/// One of the triangles round a vertex.
+/// A triangle around a vertex.
 struct Around {
   Index triangle;
   int corner;
-  std::array<Index, 2> others;  ///< the vertices at its other corners, the one wound to first
-  float sign = 0;               ///< 0: in no fan yet; -1: wound against the first of its fan
+  std::array<Index, 2> others;  ///< the other two corners, in winding order
+  float sign = 0;  ///< 0: in no fan yet; -1: wound against the first triangle of its fan
 };
 
-/// What all corners of a surface look like from a place.
+/// The sides of all corners that face a viewpoint.
 class FacingCorners {
  public:
   FacingCorners(const Mesh& mesh, std::span<const Vec3> normals, const Vec3& eye,
@@ -63,8 +61,8 @@ class FacingCorners {
     }
   }
 
-  /// 1 where the surface goes on from a to b without a crease, -1 where they are wound against each
-  /// other besides, else 0.
+  /// 1 if the surface continues from a to b without a crease, -1 if their windings also differ,
+  /// else 0.
   float goes_on(const std::vector<Around>& triangles, const Around& a, const Around& b) const {
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j) {
@@ -104,7 +102,7 @@ class FacingCorners {
     }
   }
 
-  /// Of the side that the fan's first triangle is wound on.
+  /// For the front side of the fan's first triangle.
   double facing_of(Index vertex, const std::vector<Around>& triangles,
                    const std::vector<std::size_t>& fan) const {
     Vec3 normal = Vec3::Zero();
@@ -126,7 +124,7 @@ class FacingCorners {
   std::vector<std::array<FanCorner, 3>> corners_;
 };
 
-/// A side of a triangle, by the vertices at its ends.
+/// An edge of a triangle, by its end vertices.
 struct Side {
   Index low, high;
   Index triangle;
@@ -156,7 +154,7 @@ class OutlineSegments {
  public:
   explicit OutlineSegments(const FacingCorners& facing) : facing_(facing) {}
 
-  /// Where the surface turns away within a triangle.
+  /// Adds the silhouette within a triangle.
   void add_turn(Index triangle, const Triangle& vertices) {
     LineSegment segment{{}, triangle, {}};
     int found = 0;
@@ -177,8 +175,8 @@ class OutlineSegments {
     add_part(side, {0, vertex_node(side.low)}, {1, vertex_node(side.high)});
   }
 
-  /// Where one triangle at an edge is seen from one side of the surface and the other one from the
-  /// other: nowhere, if the surface has no crease there.
+  /// Adds a crease edge if one of its triangles faces the viewer and the other does not. Smooth
+  /// edges add nothing.
   void add_crease(const Side& first, const Side& second) {
     std::vector<Place> places = {{0, vertex_node(first.low)}};
     for (const Side* side : {&first, &second}) {
@@ -201,7 +199,8 @@ class OutlineSegments {
     Index node;
   };
 
-  /// Of the side of the surface from which an edge's triangle is wound from low to high.
+  /// At both ends, for the side of the surface from which the edge's triangle is wound from low to
+  /// high.
   std::array<double, 2> values(const Side& side) const {
     const double sign = side.corners[1] == (side.corners[0] + 1) % 3 ? 1 : -1;
     return {sign * facing_.at(side.triangle, side.corners[0]).facing,
@@ -224,7 +223,7 @@ class OutlineSegments {
   }
 
   Index vertex_node(Index vertex) { return node({vertex, vertex, 0, 0}); }
-  /// On both sides of an edge alike, unless a crease parts them.
+  /// One node for both triangles of an edge, unless it is a crease.
   Index zero_node(const Side& side) {
     return node({side.low, side.high, facing_.at(side.triangle, side.corners[0]).fan,
                  facing_.at(side.triangle, side.corners[1]).fan});

@@ -12,11 +12,11 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kPointsPerPixel = 2;  // along a side
-constexpr int kHalvings = 11;       // of half a pixel: a quarter of a thousandth is left
-constexpr int kDeepest = 6;         // times that a piece of an outline is cut in two
-constexpr int kRowsAtOnce = 64;     // between two reports
+constexpr int kHalvings = 11;       // of half a pixel: leaves a quarter of a thousandth
+constexpr int kDeepest = 6;         // subdivisions of an outline segment
+constexpr int kRowsAtOnce = 64;     // between two progress reports
 
-/// Calls `body(i)` for all of [0, count) on many threads, and reports between parts.
+/// Calls `body(i)` for all of [0, count) in parallel, with progress reports in between.
 template <class Body>
 void for_parts(std::size_t count, std::size_t part, std::size_t grain, const Progress& progress,
                const Body& body) {
@@ -48,7 +48,7 @@ RegionTracer::RegionTracer(int width, int height, const CodeAt& code_at, const P
   });
 }
 
-/// The outermost points lie a quarter of a pixel beyond the picture.
+/// The outermost points lie a quarter of a pixel outside the picture.
 Vector2d RegionTracer::place_of(std::size_t point) const {
   const auto columns = static_cast<std::size_t>(columns_);
   return {(static_cast<double>(point % columns) - 0.5) / kPointsPerPixel,
@@ -59,7 +59,7 @@ void RegionTracer::add_passages(const Region& region, int column, int row,
                                 std::vector<Passage>& passages) const {
   const std::size_t corner = point_number(column, row);
   const std::size_t below = point_number(column, row + 1);
-  // Corners and the edges behind them, round the cell.
+  // Corners and the edges after them, around the cell.
   const std::array<bool, 4> in{region.has(codes_[corner]), region.has(codes_[corner + 1]),
                                region.has(codes_[below + 1]), region.has(codes_[below])};
   if (in[0] == in[1] && in[1] == in[2] && in[2] == in[3]) return;
@@ -68,8 +68,8 @@ void RegionTracer::add_passages(const Region& region, int column, int row,
   const bool saddle = in[0] == in[2] && in[1] == in[3];
   const bool middle =
       saddle && covered(region, place_of(corner) + Vector2d::Constant(0.5 / kPointsPerPixel));
-  // A line enters where it goes from the outside in, round the cell, and leaves where it goes out
-  // again: across the cell's middle if that is covered.
+  // A line enters where the corners change from outside to inside, and leaves where they change
+  // back; if the cell's middle is inside, it passes through the middle.
   for (std::size_t k = 0; k < 4; ++k) {
     if (in[k] || !in[(k + 1) % 4]) continue;
     std::size_t leave = (k + 3) % 4;
@@ -114,8 +114,8 @@ Vector2d RegionTracer::crossing(const Region& region, std::size_t edge) const {
                    : change_between(region, place_of(to), place_of(from));
 }
 
-/// Adds the points between two others at which the outline leaves their line: it is looked for to
-/// both sides of the middle, as far as a right angle may reach.
+/// Adds points between two others where the outline leaves the straight line. The search goes to
+/// both sides of the midpoint, up to a right angle.
 void RegionTracer::refine(const Region& region, const Vector2d& from, const Vector2d& to,
                           double tolerance, int depth, OutlineLoop& loop) const {
   constexpr int kSteps = 8;
@@ -126,9 +126,9 @@ void RegionTracer::refine(const Region& region, const Vector2d& from, const Vect
   const Vector2d inwards = Vector2d(way.y(), -way.x()) / length;
   const bool inner = covered(region, middle + tolerance * inwards);
   const bool outer = covered(region, middle - tolerance * inwards);
-  // Between the two, or inside out: then another outline is as near.
+  // Both or neither inside: another outline is as near.
   if (inner != outer) return;
-  const Vector2d beyond = inner ? Vector2d(-inwards) : inwards;  // where the change is
+  const Vector2d beyond = inner ? Vector2d(-inwards) : inwards;  // towards the outline
   Vector2d last = middle + tolerance * beyond;
   for (int k = 1; k <= kSteps; ++k) {
     const Vector2d next = middle + (tolerance + 0.6 * length * k / kSteps) * beyond;

@@ -1,4 +1,4 @@
-/// Outlines of regions that a function knows at every point, between the points of a grid as well.
+/// Outlines of regions of a function on the plane, at sub-grid precision.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,23 @@
 
 namespace brindle {
 
-/// A closed line; the first point is not repeated.
+/// A closed line, without repeating the first point.
 using OutlineLoop = std::vector<Eigen::Vector2d>;
 
-/// Looks at a picture at every half pixel, so that no region that is wider than that is missed, and
-/// finds outlines where the function changes.
+/// Samples a picture at every half pixel, so that wider regions are never missed, and locates the
+/// outlines by bisection.
 class RegionTracer {
  public:
   using CodeAt = std::function<std::uint16_t(double x, double y)>;
 
-  /// `code_at` says what a point shows, in pixels from the upper left corner; 0 beyond the picture.
-  /// It must outlive this, and is called by many threads at once. Throws Cancelled if `progress`
-  /// asks for it.
+  /// `code_at` maps a point, in pixels from the upper left corner, to its region code; 0 outside
+  /// the picture. It must outlive this object and is called from many threads. Throws Cancelled.
   RegionTracer(int width, int height, const CodeAt& code_at, const Progress& progress);
 
-  /// Closed lines around all that shows `first` to `last`, which is on their left on the screen;
-  /// holes run the other way round. Points lie where the function changes, within a thousandth of a
-  /// pixel; between them lines leave the outline by less than `tolerance` pixels, as far as it does
-  /// not turn within a tenth of a pixel. Throws Cancelled if `progress` asks for it.
+  /// Closed outlines of all codes from `first` to `last`, which are on their left on the screen;
+  /// holes run the other way. Points are within a thousandth of a pixel of the change, and
+  /// lines within `tolerance` pixels, for outlines that do not turn within a tenth of a pixel.
+  /// Throws Cancelled.
   std::vector<OutlineLoop> outlines(std::uint16_t first, std::uint16_t last, double tolerance,
                                     const Progress& progress) const;
 
@@ -37,8 +36,8 @@ class RegionTracer {
     std::uint16_t first, last;
     bool has(std::uint16_t code) const { return first <= code && code <= last; }
   };
-  /// A line enters a cell across `edge` and leaves it across `next`. Edge 2 p leads from point p of
-  /// the grid to the right, edge 2 p + 1 downwards.
+  /// A line enters a cell across `edge` and leaves it across `next`. Edge 2 p runs from grid point
+  /// p to the right, edge 2 p + 1 downwards.
   struct Passage {
     std::size_t edge, next;
   };

@@ -11,15 +11,15 @@ namespace brindle {
 namespace {
 
 constexpr int kSquare = 4;            // pixels along the side of a square
-constexpr double kEdgeSlack = 1e-10;  // weights so little below zero are rounding
-constexpr double kTurnsStep = 0.02;   // pixels over which the phase is differenced
+constexpr double kEdgeSlack = 1e-10;  // rounding of barycentric weights
+constexpr double kTurnsStep = 0.02;   // pixels, step of the phase difference
 
-/// From the viewer to a point.
+/// View direction to a point.
 Vec3 sight_to(const Camera& camera, const Vec3& view_position) {
   return camera.orthographic() ? Vec3(0, 0, -1) : view_position;
 }
 
-/// Whether the surface's marks follow what is beside a point on the screen.
+/// Whether the surface's marks depend on neighbouring screen points.
 bool is_measured_on_screen(const StyledSurface& surface) {
   if (surface.texture) return follows_values(*surface.texture);
   return std::any_of(surface.strokes.begin(), surface.strokes.end(),
@@ -78,7 +78,7 @@ void SeenSurfaces::project(const StyledSurface& surface) {
 
 void SeenSurfaces::sort_into_squares(const Progress& progress) {
   constexpr std::size_t kPerReport = 1 << 16;
-  // Written so that what is no number, or behind the camera, is nowhere.
+  // NaN and points behind the camera fail the tests and cover no square.
   const auto for_squares = [&](std::size_t entry, const auto& visit) {
     Eigen::AlignedBox2d box;
     for (const std::size_t v : triangles_[entry]) {
@@ -116,7 +116,7 @@ void SeenSurfaces::sort_into_squares(const Progress& progress) {
   }
 }
 
-/// Weights of the corners at a point, linear on the surface; false if the triangle is not there.
+/// Barycentric weights at a point, linear on the surface; false if the triangle does not cover it.
 bool SeenSurfaces::weights_at(std::size_t entry, double x, double y, Hit& hit) const {
   std::array<double, 3> to_x, to_y;
   for (std::size_t m = 0; m < 3; ++m) {
@@ -137,7 +137,7 @@ bool SeenSurfaces::weights_at(std::size_t entry, double x, double y, Hit& hit) c
     inside = inside && weight >= -kEdgeSlack;
   }
   hit.entry = entry;
-  hit.from_behind = sum > 0;  // y points downwards
+  hit.from_behind = sum > 0;  // the y axis points down
   return inside;
 }
 
@@ -190,14 +190,14 @@ std::size_t SeenSurfaces::surface_of(std::size_t entry) const {
   return static_cast<std::size_t>(after - first_entry_.begin()) - 1;
 }
 
-/// By strokes.
+/// Tests strokes.
 Cover SeenSurfaces::cover_of(const SeenPoint& point, bool from_behind) const {
   if (point.surface->strokes.empty()) return Cover::plain;
   const float tone = follows_tone(*point.surface) ? tone_of(point, from_behind) : 0.0f;
   return cover_at(point, tone);
 }
 
-/// 0: the surface; from 1 on its marks.
+/// 0: the plain surface; from 1 on its marks.
 std::uint16_t SeenSurfaces::layer_of(const Hit& hit, double x, double y) const {
   const SeenPoint point = point_of(hit, x, y);
   if (!point.surface->texture) return cover_of(point, hit.from_behind) == Cover::stroke;
@@ -205,7 +205,7 @@ std::uint16_t SeenSurfaces::layer_of(const Hit& hit, double x, double y) const {
   return static_cast<std::uint16_t>(tile ? *tile + 1 : 0);
 }
 
-/// Whether what lies behind is seen there: between strokes, and all around tiles.
+/// Whether the surface is transparent there: between strokes or around tiles.
 bool SeenSurfaces::is_open(const Hit& hit, double x, double y) const {
   if (surfaces_[surface_of(hit.entry)].between != BetweenStrokes::discarded) return false;
   const SeenPoint point = point_of(hit, x, y);

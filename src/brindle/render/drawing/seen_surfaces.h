@@ -1,4 +1,4 @@
-/// What is seen at any point of a picture, between pixels as well.
+/// Visible surfaces at any point of a picture, also between pixels.
 #pragma once
 
 #include <array>
@@ -14,33 +14,33 @@
 
 namespace brindle {
 
-/// How many kinds of marks a surface has: one of strokes, or one of every tile.
+/// Kinds of marks of a surface: one for strokes, or one per tile.
 std::size_t mark_count(const StyledSurface& surface);
 
-/// The codes of the surfaces themselves, those of their marks behind each; then the first that is
-/// free. 0 is nothing.
+/// Codes of the surfaces, each followed by those of its marks; then the first free code. 0 is the
+/// background.
 std::vector<std::size_t> first_codes(std::span<const StyledSurface> surfaces);
 
-/// Finds the nearest triangle at a point of the picture, exactly: no grid of depths is kept, only
-/// lists of the triangles that may be seen in each square of a few pixels.
+/// Finds the nearest triangle at a picture point exactly, with lists of candidate triangles per
+/// square of a few pixels instead of a depth grid.
 class SeenSurfaces {
  public:
-  /// `camera` is relative to the origin of the first surface. Surfaces and what they refer to must
-  /// live as long as this. Throws Cancelled if `progress` asks for it.
+  /// `camera` is relative to the origin of the first surface. Surfaces and their arrays must
+  /// outlive this object. Throws Cancelled.
   SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera,
                const PictureLight& light, int width, int height, const Progress& progress);
 
-  /// What is seen at a point, in pixels from the upper left corner: nothing (0), surface number s
-  /// (`first_codes(surfaces)[s]`), its strokes (one more) or, of a texture, the figures of its tile
-  /// i (i + 1 more). Beyond the picture nothing is.
+  /// The code at a point, in pixels from the upper left corner: background (0), surface s
+  /// (`first_codes(surfaces)[s]`), its strokes (one more) or the motifs of its tile i (i + 1 more).
+  /// 0 outside the picture.
   std::uint16_t code_at(double x, double y) const;
 
  private:
-  /// A vertex as the camera sees it: places in pixels times w, for weights that are linear on the
-  /// surface; the distance along the viewing direction, and that from the camera's slice.
+  /// A vertex in the camera: pixel coordinates times w, for weights linear on the surface; its
+  /// depth along the viewing direction and its signed distance from the slice.
   struct Corner {
     double x, y, w, depth;
-    double beyond;  ///< the slice, and so not seen; below 0: on this side of it
+    double beyond;  ///< positive: cut away by the slice
   };
   struct Hit {
     std::size_t entry;
@@ -63,11 +63,11 @@ class SeenSurfaces {
   Lights lights_;
   int width_, height_, columns_, rows_;
   std::vector<Corner> corners_;           // of all surfaces
-  std::vector<std::size_t> first_entry_;  // of each surface: its triangles among all
+  std::vector<std::size_t> first_entry_;  // of each surface: index of its first triangle among all
   std::vector<std::size_t> first_codes_;  // of each surface
   std::vector<std::array<std::size_t, 3>> triangles_;
   std::vector<std::size_t> square_begin_;  // of each square, in `listed_`
-  std::vector<std::uint32_t> listed_;      // triangles that may be seen there, in order
+  std::vector<std::uint32_t> listed_;      // candidate triangles, ascending
 };
 
 }  // namespace brindle

@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector2d;
 using Bezier = std::array<Vector2d, 4>;
 
-constexpr double kReach = 0.35;      // pixels to either side that tell which way a path runs
-constexpr double kCornerDeg = 35;    // what turns by more within twice the reach is a corner
+constexpr double kReach = 0.35;      // pixels to either side that define the tangent
+constexpr double kCornerDeg = 35;    // larger turns within twice the reach are corners
 constexpr double kSamePoint = 1e-6;  // pixels
-constexpr int kImprovements = 4;     // of the places that points have along a piece
+constexpr int kImprovements = 4;     // of the parameters of points along a segment
 
 double turn_between(const Vector2d& a, const Vector2d& b) {
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
@@ -28,7 +28,7 @@ Vector2d bezier_point(const Bezier& b, double t) {
   return s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3];
 }
 
-/// Points of a closed path, the first one repeated at the end.
+/// Points of a closed path; the first one is repeated at the end.
 class PathFitter {
  public:
   PathFitter(std::vector<Vector2d> points, double tolerance)
@@ -51,7 +51,7 @@ class PathFitter {
   }
 
  private:
-  /// The point before or after `i`, round the path, that is at least the reach away.
+  /// The point before or after `i` on the path, at least the reach away.
   Vector2d neighbour(std::size_t i, bool after) const {
     const std::size_t count = points_.size() - 1;
     std::size_t j = i % count;
@@ -66,7 +66,7 @@ class PathFitter {
     return way.norm() > kSamePoint ? Vector2d(way.normalized())
                                    : Vector2d((neighbour(i, true) - points_[i]).normalized());
   }
-  /// Which way the points run behind the corner `begin` and, turned round, before the corner `end`.
+  /// The tangent after the corner `begin` or, reversed, before the corner `end`.
   Vector2d way_from(std::size_t begin, std::size_t end) const {
     std::size_t j = begin + 1;
     while (j < end && (points_[j] - points_[begin]).norm() < kReach) ++j;
@@ -78,7 +78,7 @@ class PathFitter {
     return (points_[j] - points_[end]).normalized();
   }
 
-  /// Marks corners, of those beside each other the sharpest, and begins the path at one.
+  /// Marks corners, only the sharpest of adjacent ones, and rotates the path to start at one.
   void start_at_corner() {
     const std::size_t count = points_.size() - 1;
     std::vector<double> turns(count);
@@ -117,7 +117,8 @@ class PathFitter {
     for (std::size_t k = 1; k < 4; ++k) path_.push_back(b[k].cast<float>());
   }
 
-  /// The piece with these ends and ways whose points at `places` are nearest to the given ones.
+  /// The segment with these ends and tangents whose points at `places` are nearest to the given
+  /// ones.
   Bezier nearest_piece(std::size_t begin, std::size_t end, const std::vector<double>& places,
                        const Vector2d& first_way, const Vector2d& last_way) const {
     const Vector2d& a = points_[begin];
@@ -139,7 +140,7 @@ class PathFitter {
     Vector2d reach = Vector2d::Constant(length / 3);
     if (std::abs(determinant) > 1e-12 * matrix(0, 0) * matrix(1, 1)) {
       const Vector2d solved = matrix.inverse() * right;
-      // Beyond this, pieces make loops.
+      // Longer handles make loops.
       const double most = 3 * std::max(length, way_length(begin, end));
       if (solved.minCoeff() > 1e-3 * length && solved.maxCoeff() < most) reach = solved;
     }
@@ -151,7 +152,7 @@ class PathFitter {
     return length;
   }
 
-  /// Moves places to where the piece is nearest to the points, by Newton's method.
+  /// Moves parameters to the nearest points of the segment by Newton's method.
   void improve(const Bezier& b, std::size_t begin, std::vector<double>& places) const {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double t = places[i], s = 1 - t;
@@ -164,7 +165,7 @@ class PathFitter {
     }
   }
 
-  /// The point that is farthest off, and how far.
+  /// The point with the largest error, and the error.
   std::pair<std::size_t, double> worst(const Bezier& b, std::size_t begin,
                                        const std::vector<double>& places) const {
     std::pair<std::size_t, double> result{begin + places.size() / 2, 0};
@@ -175,8 +176,8 @@ class PathFitter {
     return result;
   }
 
-  /// Whether all points lie on the straight line between the ends; a smooth path may turn there by
-  /// as little as the tolerance allows.
+  /// Whether all points lie on the line between the ends; tangents of a smooth path may differ by
+  /// as much as the tolerance allows.
   bool is_straight(std::size_t begin, std::size_t end) const {
     const Vector2d way = points_[end] - points_[begin];
     const double length = way.norm();

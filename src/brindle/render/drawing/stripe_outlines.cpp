@@ -15,7 +15,7 @@
 namespace brindle {
 namespace {
 
-// Together with the hundredths that files keep, a twentieth of a pixel.
+// With the hundredths that files keep: a twentieth of a pixel in all.
 constexpr double kTraceTolerance = 0.015;
 constexpr double kFitTolerance = 0.03;
 

@@ -5,8 +5,8 @@
 namespace brindle {
 namespace {
 
-/// The slice of positions less the camera's `origin`: x, y and z of its normal, and what is added.
-/// What it makes positive is taken away; without a slice that is nothing.
+/// The slice for positions relative to the camera's `origin`: normal and offset; positive points
+/// are cut away. Zero without a slice.
 Eigen::Vector4f slice_of(const Camera& camera) {
   if (!camera.slice) return {0, 0, 0, -1};
   Eigen::Vector4f slice;

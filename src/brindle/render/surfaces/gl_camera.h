@@ -1,4 +1,4 @@
-/// The camera of a picture, as shaders read it.
+/// The camera as shader uniforms.
 #pragma once
 
 #include "brindle/camera.h"
@@ -6,12 +6,11 @@
 
 namespace brindle {
 
-/// Sets the uniforms `origin`, `view_from_world`, `clip_from_view`, `slice` and `tile` of a
-/// program. `tile` is the part of the picture that fills the target (`tile_transform`).
+/// Sets the uniforms `origin`, `view_from_world`, `clip_from_view`, `slice` and `tile`. `tile` is
+/// the part of the picture that fills the target (`tile_transform`).
 void set_camera(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile);
 
-/// While this lives, programs whose vertex shaders set `gl_ClipDistance[0]` leave out what the
-/// camera's slice takes away.
+/// RAII: enables the camera's slice for programs whose vertex shaders set `gl_ClipDistance[0]`.
 class SlicedDrawing {
  public:
   explicit SlicedDrawing(const Camera& camera);

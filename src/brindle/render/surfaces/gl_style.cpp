@@ -13,13 +13,13 @@
 namespace brindle {
 namespace {
 
-constexpr std::size_t kStyleValues = 8;  // a vertex, as in style_buffers.glsl
+constexpr std::size_t kStyleValues = 8;  // per vertex, as in style_buffers.glsl
 constexpr std::size_t kLayerValues = 3;
 constexpr std::size_t kSurfacePlace = 6;
 constexpr std::size_t kRegionValue = 7;
 constexpr std::size_t kTileSize = 0;  // a surface with a texture has no strokes
 constexpr std::size_t kFigurePlace = 1;
-constexpr float kNoValue = -2e30f;  // below that of style_buffers.glsl
+constexpr float kNoValue = -2e30f;  // below the one of style_buffers.glsl
 
 constexpr GLuint kValuesBinding = 0;
 constexpr GLuint kSecondWavesBinding = 1;
@@ -80,7 +80,7 @@ void check_texture(const StyledSurface& surface) {
   if (!texture.shift.allFinite()) refuse_style("its texture is shifted by no number");
 }
 
-/// Puts values in place; numbers that are none become `kNoValue`.
+/// Packs values; NaN and infinities become `kNoValue`.
 void put_values(std::span<const float> values, std::size_t which, std::vector<float>& packed) {
   for (std::size_t v = 0; v < values.size(); ++v) {
     packed[kStyleValues * v + which] = std::isfinite(values[v]) ? values[v] : kNoValue;
@@ -219,7 +219,7 @@ void GlStyle::bind_region(const ShaderProgram& program, std::size_t region) cons
   program.set("region",
               Eigen::Vector2f(region == 0 ? -kFar : tile.from,
                               region + 1 < tiles_.size() ? tiles_[region + 1].from : kFar));
-  // Without values all is the first region; pixels without a tile are drawn with it, too.
+  // Without values, everything is the first region; so are pixels without a tile.
   program.set("first_region", region == 0);
 }
 

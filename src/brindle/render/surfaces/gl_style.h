@@ -1,4 +1,4 @@
-/// The style of a surface in OpenGL's buffers.
+/// The style of a surface in OpenGL buffers.
 #pragma once
 
 #include <array>
@@ -13,32 +13,32 @@
 
 namespace brindle {
 
-/// The texture unit of the colour map that styles follow.
+/// The texture unit of the colour map.
 inline constexpr GLuint kColorMapUnit = 15;
 
-/// A declaration of GLSL.
+/// A GLSL constant declaration.
 std::string glsl_constant(const char* name, bool value);
 
 /// Needs a current context, as ShaderProgram does.
 class GlStyle {
  public:
-  /// Copies values and second waves; tiles that `last` has are shared with it. Throws Error for
-  /// what does not fit the surface or is out of its range.
+  /// Copies values and second waves; shares the tiles of `last`. Throws Error for data that do not
+  /// fit the surface or are out of range.
   explicit GlStyle(const StyledSurface& surface, const GlStyle* last = nullptr);
 
-  /// Lets a program that includes style_buffers.glsl and strokes.glsl read them. A light sample has
-  /// a side of 1 / `samples_per_pixel`.
+  /// Binds for programs that include style_buffers.glsl and strokes.glsl. A light sample has a side
+  /// of 1 / `samples_per_pixel`.
   void bind(const ShaderProgram& program, int samples_per_pixel) const;
 
   bool discards() const { return discards_; }
 
-  /// Constants of GLSL for what the style uses. Software renderers execute all of a program, so
-  /// each combination has a program of its own.
+  /// GLSL constants for the features in use. Software renderers execute all branches, so each
+  /// combination has its own program.
   std::string features() const;
 
-  /// The number of tiles of a texture, which are drawn one after the other; 0 without a texture.
+  /// The number of tiles of a texture, drawn one after the other; 0 without a texture.
   std::size_t regions() const { return tiles_.size(); }
-  /// Lets a program that includes region_texture.glsl draw this one.
+  /// Binds one region for programs that include region_texture.glsl.
   void bind_region(const ShaderProgram& program, std::size_t region) const;
 
  private:

@@ -15,22 +15,22 @@
 namespace brindle {
 namespace {
 
-// What the shaders take for plain floats and integers.
+// The shaders' layout: plain floats and integers.
 static_assert(sizeof(Triangle) == 12 && sizeof(Vec3) == 12 && sizeof(Complex) == 8);
 
-/// Triangles drawn at once: software renderers draw one part while they prepare the next, and keep
-/// all that they have not yet drawn in memory.
+/// Triangles per draw call. Software renderers draw one batch while they prepare the next, and keep
+/// undrawn ones in memory.
 constexpr std::size_t kTriangleBatch = 1 << 13;
 
 /// Texture units after those of GlTextureTile and VisibleTriangles.
 constexpr int kFirstUnit = 4;
 
-/// Copies the items, into the buffer that is there if it has their size.
+/// Copies the items, reusing a buffer of the same size.
 void renew_buffer(GlBuffer& buffer, std::span<const std::byte> items, const char* what) {
   GLint64 size = 0;
   if (buffer != 0) glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &size);
   if (static_cast<std::size_t>(size) != items.size()) {
-    buffer = GlBuffer();  // gives its memory back first
+    buffer = GlBuffer();  // frees its memory first
     buffer = make_buffer(items.size(), items.data(), what, GL_DYNAMIC_STORAGE_BIT);
   } else if (!items.empty()) {
     glNamedBufferSubData(buffer, 0, static_cast<GLsizeiptr>(items.size()), items.data());
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> packed_colors(std::span<const TriangleColor> colors) 
   return packed;
 }
 
-/// Direction, frequency and z of every corner.
+/// Direction, frequency and z of each corner.
 std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
   std::vector<float> packed(18 * triangles.size());
   parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
@@ -73,7 +73,7 @@ std::vector<float> packed_corners(const std::vector<CornerWaves>& triangles) {
   return packed;
 }
 
-/// Also in contexts on other threads.
+/// Unique also across contexts on other threads.
 std::uint64_t next_geometry() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;

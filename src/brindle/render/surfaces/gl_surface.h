@@ -1,4 +1,4 @@
-/// The surface of a drawing in OpenGL's buffers, drawn by any program that reads them.
+/// A surface in OpenGL buffers, drawn by any program that reads them.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace brindle {
 
-/// Direction and frequency of every vertex, as the shaders read them.
+/// Direction and frequency per vertex, in the shaders' layout.
 std::vector<Eigen::Vector4f> packed_waves(const WaveSet& waves);
 
 /// Needs a current context, as ShaderProgram does.
@@ -25,33 +25,33 @@ class GlSurface {
  public:
   GlSurface();
 
-  /// As those of Renderer.
+  /// As in Renderer.
   void upload(const SurfaceDrawing& drawing);
   void update(const DrawingChange& change);
   void use_phases(unsigned buffer);
 
-  /// Draws all triangles with a program that begins with visible_triangles.vert, of which it sets
-  /// the uniforms. `tile` is the part of the picture that fills the target (`tile_transform`).
+  /// Draws all triangles with a program that begins with visible_triangles.vert, and sets its
+  /// uniforms. `tile` is the part of the picture that fills the target (`tile_transform`).
   void draw(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) const;
 
-  /// Lets a program that begins with surface_buffers.glsl and surface_point.glsl read the surface,
+  /// Binds the surface for programs that begin with surface_buffers.glsl and surface_point.glsl,
   /// and sets the uniforms of camera and surface.
   void bind(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile) const;
 
   bool has_waves() const;
   bool has_texture() const { return buffers_[kTextureU] != 0; }
-  /// Whether figures of a texture's tiles are left out.
+  /// Whether motifs of broken tiles are left out.
   bool has_broken_tiles() const { return broken_tiles_.has_any(); }
   bool has_triangle_colors() const { return buffers_[kTriangleColors] != 0; }
   bool has_normals() const { return buffers_[kNormals] != 0; }
   std::size_t triangle_count() const { return triangle_count_; }
-  /// What a camera has to frame.
+  /// The points that cameras frame.
   std::span<const Vec3> points() const { return points_; }
   /// Around all vertices.
   const Eigen::AlignedBox3f& box() const { return box_; }
-  /// Another number for other triangles or vertices, of this or any other surface.
+  /// Unique for each set of triangles and vertices, over all surfaces.
   std::uint64_t geometry() const { return geometry_; }
-  /// Of the mesh as it was uploaded; none once vertices have moved.
+  /// Of the mesh as uploaded; none once vertices have moved.
   HiddenSide hidden_side() const { return hidden_side_; }
 
  private:
@@ -77,8 +77,8 @@ class GlSurface {
   std::size_t vertex_count_ = 0;
   std::size_t triangle_count_ = 0;
   std::array<GlBuffer, kParts> buffers_;
-  std::array<GlTexture, kParts> textures_;  ///< through which shaders read the buffers
-  unsigned foreign_phases_ = 0;             ///< instead of those in `buffers_`, unless 0
+  std::array<GlTexture, kParts> textures_;  ///< buffer textures
+  unsigned foreign_phases_ = 0;             ///< replaces the one in `buffers_` unless 0
   GlTextureTile texture_tile_;
   GlBrokenTiles broken_tiles_;
   GlVertexArray vertices_ = no_vertex_attributes();

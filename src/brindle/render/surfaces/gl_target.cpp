@@ -52,7 +52,7 @@ Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, in
 void fit_target(Target& target, std::initializer_list<GLenum> colors, bool depth, int width,
                 int height) {
   if (target.framebuffer != 0 && target.width == width && target.height == height) return;
-  target = {};  // gives its memory back first
+  target = {};  // frees its memory first
   target = target_of(colors, depth, width, height);
 }
 

@@ -1,4 +1,4 @@
-/// Framebuffers of OpenGL.
+/// OpenGL framebuffers.
 #pragma once
 
 #include <initializer_list>
@@ -9,11 +9,11 @@
 
 namespace brindle {
 
-/// A texture without contents; `filter` and `wrap` are those of glTextureParameteri.
+/// An empty texture; `filter` and `wrap` are parameters of glTextureParameteri.
 GlTexture texture_2d(GLenum format, int width, int height, GLint filter, GLint wrap,
                      GLsizei levels = 1);
 
-/// A framebuffer with its textures: colours first, then depth if it has one.
+/// A framebuffer with its textures: colours first, then an optional depth.
 struct Target {
   GlFramebuffer framebuffer;
   std::vector<GlTexture> textures;
@@ -24,12 +24,12 @@ struct Target {
 /// Throws Error if the driver cannot draw into it.
 Target target_of(std::initializer_list<GLenum> colors, bool depth, int width, int height);
 
-/// Makes the target anew unless it has this size already. Throws as `target_of` does.
+/// Recreates the target unless it has this size. Throws as `target_of` does.
 void fit_target(Target& target, std::initializer_list<GLenum> colors, bool depth, int width,
                 int height);
 
-/// Runs a program with full_screen.vert for every pixel of the viewport. `no_attributes` is a
-/// vertex array as `no_vertex_attributes` makes it.
+/// Runs a program with full_screen.vert for each pixel of the viewport. `no_attributes` comes from
+/// `no_vertex_attributes`.
 void fill_viewport(const ShaderProgram& program, GLuint no_attributes);
 
 }  // namespace brindle

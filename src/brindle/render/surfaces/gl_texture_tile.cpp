@@ -16,7 +16,7 @@ enum Unit { kColorUnit = 0, kDistanceUnit = 1 };
 
 constexpr GLuint kBrokenTilesBinding = 3;  // as in broken_tiles.glsl
 
-/// Texels along a side of a figure.
+/// Texels along a side of a built-in tile.
 constexpr int kFigureSide = 512;
 
 GlTexture repeated_texture(GLenum format, int width, int height, bool smaller_ones) {
@@ -25,7 +25,7 @@ GlTexture repeated_texture(GLenum format, int width, int height, bool smaller_on
                     smaller_ones ? std::bit_width(longest) : 1);
 }
 
-/// Distances from the middle of every texel, row by row from v = 0.
+/// Signed distances of all texel centres, in rows from v = 0.
 std::vector<float> distances_of(BuiltInTile tile) {
   std::vector<float> distances;
   distances.reserve(kFigureSide * kFigureSide);
@@ -54,7 +54,7 @@ GlTexture coverage_texture(std::vector<float> distances) {
   return texture;
 }
 
-/// Rows from the bottom, as OpenGL counts them.
+/// Rows from the bottom, OpenGL's order.
 Image upside_down(const Image& image) {
   Image turned(image.width, image.height);
   for (int y = 0; y < image.height; ++y) {
@@ -63,7 +63,7 @@ Image upside_down(const Image& image) {
   return turned;
 }
 
-/// Light multiplied with alpha, so that smaller copies mix neighbours by what is seen of them.
+/// Premultiplied alpha, so that mipmaps weigh texels by opacity.
 GlTexture transparent_texture(const Image& image) {
   std::vector<Eigen::Vector4f> light;
   light.reserve(image.pixels.size());

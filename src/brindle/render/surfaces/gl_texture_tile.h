@@ -1,4 +1,4 @@
-/// A tile in OpenGL.
+/// Tiles in OpenGL.
 #pragma once
 
 #include "brindle/gl/gl_name.h"
@@ -7,31 +7,30 @@
 
 namespace brindle {
 
-/// The textures that shaders/texture_tile.glsl reads. Needs a current OpenGL 4.5 context.
+/// The textures of shaders/texture_tile.glsl. Needs a current OpenGL 4.5 context.
 class GlTextureTile {
  public:
   GlTextureTile() = default;
-  /// Pictures larger than the driver's textures are reduced.
+  /// Pictures beyond the driver's texture size are reduced.
   explicit GlTextureTile(const TextureTile& tile);
 
-  /// Binds the textures and sets the uniforms of the program.
+  /// Binds the textures and sets the program's uniforms.
   void bind(const ShaderProgram& program) const;
 
  private:
-  GlTexture colors_;     ///< the picture's light, or how much of a texel the figure covers
-  GlTexture distances_;  ///< of a figure
+  GlTexture colors_;     ///< colours of a picture, or coverage by a motif
+  GlTexture distances_;  ///< of a motif
 };
 
-/// The figures of a texture's tiles that shaders/broken_tiles.glsl leaves out. Needs a current
-/// context.
+/// The tile motifs that shaders/broken_tiles.glsl leaves out. Needs a current context.
 class GlBrokenTiles {
  public:
   GlBrokenTiles() = default;
-  /// Null: there are none. Throws Error if there is not a word per triangle.
+  /// Null: none. Throws Error unless there is one word per triangle.
   GlBrokenTiles(const BrokenTiles* broken, std::size_t triangles);
 
   bool has_any() const { return words_ != 0; }
-  /// Nothing where there are none.
+  /// Binds nothing if there are none.
   void bind(const ShaderProgram& program) const;
 
  private:

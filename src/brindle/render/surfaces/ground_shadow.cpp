@@ -14,7 +14,7 @@ float cross_of(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Marks the cells whose middle the triangle covers, and the one that each corner is in.
+/// Marks the cells whose middle the triangle covers, and the cells of its corners.
 void cover_cells(const std::array<Eigen::Vector2f, 3>& corners, Grid& grid) {
   const Eigen::Vector2f lower = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
   const Eigen::Vector2f upper = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
@@ -37,7 +37,7 @@ void cover_cells(const std::array<Eigen::Vector2f, 3>& corners, Grid& grid) {
   }
 }
 
-/// Means over 2 `radius` + 1 cells, along x and then along y, three times: nearly a bell.
+/// Three box filters of 2 `radius` + 1 cells along x and y: nearly Gaussian.
 void blur(Grid& grid, int radius) {
   Grid line(kShadowSide);
   for (int pass = 0; pass < 6; ++pass) {
@@ -63,7 +63,7 @@ Mesh left_by(const Eigen::Hyperplane<float, 3>& slice, const Mesh& mesh) {
   left.origin = mesh.origin;
   left.positions = mesh.positions;
   for (const Triangle& t : mesh.triangles) {
-    // The corners that are left and where its sides meet the plane, all the way round.
+    // The kept corners and the intersections with the plane, in winding order.
     std::vector<Index> corners;
     for (std::size_t m = 0; m < 3; ++m) {
       const Vec3 &a = mesh.positions[t[m]], &b = mesh.positions[t[(m + 1) % 3]];
@@ -96,7 +96,7 @@ GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangl
   shadow.size = Eigen::Vector2f::Constant(side * (1 + 2 * kRoom));
   shadow.lower = 0.5f * (lower + upper).head<2>() - 0.5f * shadow.size;
   shadow.height = lower.z();
-  // What is near the ground has a sharper and darker shadow.
+  // Parts near the ground cast a sharper and darker shadow.
   const float near = lower.z() + 0.18f * (upper.z() - lower.z());
   Grid all(static_cast<std::size_t>(kShadowSide) * kShadowSide), close = all;
   const float scale = kShadowSide / shadow.size.x();

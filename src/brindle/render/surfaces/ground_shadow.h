@@ -1,4 +1,4 @@
-/// The soft shadow of surfaces on the ground below them.
+/// Soft shadows of surfaces on the ground.
 #pragma once
 
 #include <span>
@@ -10,22 +10,20 @@
 
 namespace brindle {
 
-/// Shares of light that are missing, `side` x `side`, first those with the smallest second
-/// coordinate.
+/// Blocked shares of light, `side` x `side`, row by row along the first axis.
 struct GroundShadow {
   static constexpr int kSide = 192;
   std::vector<float> missing;
-  Eigen::Vector2f lower, size;  ///< of the square, along the two axes of the ground
+  Eigen::Vector2f lower, size;  ///< of the square, along the two ground axes
   float height = 0;             ///< of the ground, along the third axis
 };
 
-/// Coordinates are along `axes`' columns: two along the ground, one off it. All is lit from above.
-/// Triangles stand for surfaces; `points` are their corners.
+/// The columns of `axes` are two axes along the ground and the one off it. The light is vertical.
+/// `points` are the corners of `triangles`.
 GroundShadow ground_shadow(std::span<const Vec3> points, std::span<const Triangle> triangles,
                            const Eigen::Matrix3f& axes);
 
-/// The part of a mesh on the side of the plane that its normal points away from. Triangles that
-/// the plane cuts end there.
+/// The part of a mesh on the negative side of the plane; triangles are clipped there.
 Mesh left_by(const Eigen::Hyperplane<float, 3>& slice, const Mesh& mesh);
 
 }  // namespace brindle

@@ -23,7 +23,7 @@ std::vector<Vec3> packed_marks(std::span<const Mark> marks) {
 
 }  // namespace
 
-/// A picture of one surface without a style, and marks.
+/// A picture of one unstyled surface, with marks.
 struct Renderer::State {
   ShaderProgram mark{{"mark.vert"}, {"visible_samples.glsl", "mark.frag"}};
   SurfacePicture picture;

@@ -11,8 +11,7 @@ namespace {
 
 constexpr int kMostGroups = VisibleTriangles::kSamples * VisibleTriangles::kSamples;
 
-/// All but the first are shaded as one where triangles form surfaces: few pixels show three of
-/// them.
+/// The first, and one for all others: few pixels show three surface parts.
 constexpr int kInteractiveGroups = 2;
 
 /// Texture units after those of GlSurface.
@@ -28,13 +27,13 @@ constexpr const char* kWholePattern =
     "  return true;\n"
     "}\n";
 
-/// Neighbours look alike where they meet, unless each has a colour or a normal of its own.
+/// Adjacent triangles look alike along their edge, unless colours or normals are per triangle.
 bool has_distinct_triangles(const GlSurface& surface) {
   return surface.has_triangle_colors() || !surface.has_normals();
 }
 
-/// The part of a target of `size` pixels where the box is seen: its lower left corner and size.
-/// All of it if the box reaches behind the camera.
+/// The lower left corner and size of the box in a target of `size` pixels. The whole target if the
+/// box reaches behind the camera.
 Eigen::Vector4i seen_part(const Eigen::AlignedBox3f& box, const Camera& camera,
                           const Eigen::Vector4f& tile, const Eigen::Vector2i& size) {
   Eigen::AlignedBox2f part;
@@ -59,14 +58,14 @@ Eigen::Vector4i seen_part(const Eigen::AlignedBox3f& box, const Camera& camera,
   return result;
 }
 
-/// How many groups of a pixel are shaded in a picture of this quality.
+/// Groups of samples that are shaded per pixel at this quality.
 int group_count(const GlSurface& surface, PictureQuality quality) {
   const bool few = quality == PictureQuality::interactive && !has_distinct_triangles(surface);
   return few ? kInteractiveGroups : kMostGroups;
 }
 
-/// The sources of the pattern: `pattern_at` changes the colour of the surface at a point, and is
-/// false where another pass over the regions of a texture draws.
+/// Shader sources of the pattern: `pattern_at` changes the surface colour at a point, and returns
+/// false if another pass over the texture's regions draws it.
 ShaderSources pattern_sources(const DrawnSurface& drawn) {
   const ShaderSources tile{"texture_tile.glsl", "broken_tiles.glsl"};
   if (drawn.style && drawn.style->regions() > 0) return {tile[0], tile[1], "region_texture.glsl"};
@@ -80,8 +79,8 @@ ShaderSources pattern_sources(const DrawnSurface& drawn) {
   return {{"pattern", kNoPattern}};
 }
 
-/// Constants of GLSL for what a program uses. Software renderers execute both sides of a branch, so
-/// every combination has a program of its own.
+/// GLSL constants for the features in use. Software renderers execute both sides of a branch, so
+/// every combination has its own program.
 std::string features_of(const DrawnSurface& drawn, const StyledOptions& options) {
   const DepthCue cue = drawn.tinted ? options.depth_cue : DepthCue::none;
   return (drawn.style ? drawn.style->features()
@@ -109,7 +108,7 @@ const ShaderProgram& Shading::program_for(const DrawnSurface& drawn, const Style
       .first->second;
 }
 
-/// Depths tell how many groups of samples a pixel has, so that a depth test leaves out pixels
+/// Writes the number of sample groups of each pixel as a depth, so that a depth test skips pixels
 /// without shading them.
 void Shading::group_samples(const DrawnSurface& drawn, const VisibleSamples& seen,
                             const PictureScene& scene, const PicturePart& part,
@@ -134,7 +133,7 @@ void Shading::group_samples(const DrawnSurface& drawn, const VisibleSamples& see
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// Shades `count` groups one after the other, each over the pixels that have so many.
+/// Shades `count` groups one after the other, each over the pixels that have one.
 void Shading::shade_groups(const ShaderProgram& program, const Target& light, int count,
                            Light first) {
   program.set("groups", static_cast<int>(kGroupUnit));
@@ -163,7 +162,7 @@ void Shading::shade_groups(const ShaderProgram& program, const Target& light, in
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// Sets what the program needs to know of the picture and of the surface in it.
+/// Sets the uniforms of the picture and the surface.
 void Shading::set_scene(const ShaderProgram& program, const DrawnSurface& drawn,
                         const VisibleSamples& seen, const PictureScene& scene,
                         const PicturePart& part) const {

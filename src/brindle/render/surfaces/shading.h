@@ -1,4 +1,4 @@
-/// The second pass of a picture: the light of what is seen.
+/// The second pass of a picture: shading of visible surfaces.
 #pragma once
 
 #include <map>
@@ -10,24 +10,24 @@
 
 namespace brindle {
 
-/// What all passes over a picture share.
+/// Shared by all passes of a picture.
 struct PictureScene {
   Camera camera;
   const StyledOptions& options;
-  Eigen::Vector2f depths{0, 1};  ///< for depth cues: of the nearest and the farthest point
-  float diagonal = 0;            ///< of all surfaces
-  GlTexture color_map = {};      ///< where styles follow values
-  const VisibleSamples* surroundings = nullptr;  ///< all of a picture that is drawn in parts
+  Eigen::Vector2f depths{0, 1};                  ///< for depth cues: nearest and farthest point
+  float diagonal = 0;                            ///< of all surfaces
+  GlTexture color_map = {};                      ///< where styles follow values
+  const VisibleSamples* surroundings = nullptr;  ///< of the whole picture, if it is drawn in parts
 };
 
-/// Evaluates a surface's pattern and light once for each pixel, and once more for each further
-/// surface that is seen in it. Kept from picture to picture.
+/// Evaluates pattern and light once per pixel, and once more for each further surface in it. Reused
+/// from picture to picture.
 class Shading {
  public:
-  /// The light of a part goes in place of what is there, or is added to it.
+  /// The light of a part replaces the target's or is added to it.
   enum class Light { replaced, added };
 
-  /// Draws the light of a surface into the lower left of `light`, where `seen` shows its triangles.
+  /// Draws the light of a surface into the lower left of `light`, where `seen` has its triangles.
   void draw(const DrawnSurface& drawn, const VisibleSamples& seen, const PictureScene& scene,
             const PicturePart& part, const Target& light, Light first);
 
@@ -42,8 +42,8 @@ class Shading {
 
   ShaderProgram group_{{"full_screen.vert"}, {"visible_samples.glsl", "group_samples.frag"}};
   std::map<std::string, ShaderProgram> programs_;  ///< by pattern and features
-  Target groups_;         ///< which samples of a pixel are shaded together; depths: how many groups
-  Eigen::Vector4i part_;  ///< of the target, where the surface is seen: lower left corner and size
+  Target groups_;         ///< groups of samples that are shaded together; depths: their number
+  Eigen::Vector4i part_;  ///< of the target, around the surface: lower left corner and size
   GlVertexArray no_attributes_ = no_vertex_attributes();
 };
 

@@ -20,17 +20,17 @@
 namespace brindle {
 namespace {
 
-/// Points drawn at once. Software renderers keep all that they have not yet drawn in memory.
+/// Points per draw call. Software renderers keep undrawn ones in memory.
 constexpr std::size_t kSplatBatch = 1 << 15;
 
-/// Radius of a disc over the mean distance to the neighbours: larger ones stick out at creases,
-/// smaller ones leave holes where points are uneven.
+/// Disc radius over the mean neighbour distance: larger discs stick out at creases, smaller ones
+/// leave holes between uneven points.
 constexpr float kOverlap = 0.8f;
 
-/// As splat.vert reads it.
+/// The layout of splat.vert.
 struct PackedSplat {
   Eigen::Vector4f position_radius;
-  Eigen::Vector4f normal_turns;         ///< Phi over 2 pi
+  Eigen::Vector4f normal_turns;         ///< the phase over 2 pi
   Eigen::Vector4f direction_frequency;  ///< zero: no wave
 };
 
@@ -88,10 +88,10 @@ struct SplatRenderer::State {
   TiledPicture picture;
   GlVertexArray no_attributes = no_vertex_attributes();
 
-  std::vector<Vec3> points;  ///< what a camera has to frame
+  std::vector<Vec3> points;  ///< framed by cameras
   GlBuffer splats;
   std::size_t splat_count = 0;
-  Target sums;  ///< over the discs at a pixel
+  Target sums;  ///< of the discs at each pixel
 
   void draw_splats(bool behind) const;
   void draw_tile(const Target& target, const Camera& camera, const Tile& tile,
@@ -100,8 +100,8 @@ struct SplatRenderer::State {
                     const RenderOptions& options) const;
 };
 
-/// `behind` draws depths alone, each disc moved away from the eye by its radius: what lies in front
-/// of that is blended, what lies behind is hidden.
+/// `behind` draws only depths, each disc moved away from the eye by its radius. Discs in front of
+/// these depths are blended, others hidden.
 void SplatRenderer::State::draw_splats(bool behind) const {
   splat.set("behind", behind);
   glUseProgram(splat.name());

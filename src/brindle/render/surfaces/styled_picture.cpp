@@ -53,7 +53,7 @@ Eigen::Vector2f depth_range(std::span<const Vec3> points, const Camera& camera) 
   return range;
 }
 
-/// Frames the points in the part of the picture that is left of the margin.
+/// Frames the points in the part of the picture beside the margin.
 Camera camera_beside(std::span<const Vec3> points, const RenderOptions& render, int margin) {
   const int width = render.width - margin;
   Camera camera = framed_camera(points, render.camera, width, render.height);
@@ -108,7 +108,7 @@ Camera styled_camera(std::span<const StyledSurface> surfaces, const StyledOption
 struct StyledRenderer::State {
   SurfacePicture picture;
   std::vector<Mesh> meshes;  ///< of the surfaces, relative to the origin of the first
-  std::vector<Vec3> points;  ///< of all surfaces, as the camera frames them
+  std::vector<Vec3> points;  ///< of all surfaces, framed by cameras
   float diagonal = 0;
 
   void number_triangles();
@@ -123,7 +123,7 @@ StyledRenderer& StyledRenderer::operator=(StyledRenderer&&) noexcept = default;
 
 namespace {
 
-/// What the surface is without its style.
+/// The surface without its style.
 SurfaceDrawing drawing_of(const StyledSurface& styled, const Mesh& mesh) {
   SurfaceDrawing drawing{.mesh = mesh, .normals = styled.normals};
   if (!styled.strokes.empty()) {
@@ -143,7 +143,7 @@ DrawnSurface drawn_surface(const StyledSurface& styled, const Mesh& mesh) {
   return drawn;
 }
 
-/// Whether buffers can stay, with other numbers in them.
+/// Whether buffers can be kept, with new values.
 bool has_buffers_of(const DrawnSurface& drawn, const Mesh& mesh, const StyledSurface& styled) {
   return mesh.triangles == styled.mesh.triangles &&
          mesh.vertex_count() == styled.mesh.vertex_count() &&
@@ -220,14 +220,14 @@ void StyledRenderer::update(std::size_t number, const StyledSurface& surface) {
   s.number_triangles();
 }
 
-/// The shadow on the ground, unless nothing casts one.
+/// The ground shadow, unless nothing casts one.
 std::optional<GroundShadow> StyledRenderer::State::shadow(const Camera& camera, UpAxis up) const {
   Mesh all;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const bool cut = camera.slice && picture.surfaces[i].sliced;
     append(cut ? left_by(*camera.slice, meshes[i]) : meshes[i], all);
   }
-  drop_unreferenced_vertices(all);  // which would lower the ground
+  drop_unreferenced_vertices(all);  // they would lower the ground
   GroundShadow shadow = ground_shadow(all.positions, all.triangles, ground_axes(up));
   if (shadow.missing.empty()) return std::nullopt;
   return shadow;

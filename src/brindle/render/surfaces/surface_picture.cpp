@@ -32,7 +32,7 @@ Eigen::Matrix3f ground_axes(UpAxis up) {
   return axes;
 }
 
-/// What all of the picture shows, for the occlusion of parts that end where it goes on.
+/// Draws the whole picture coarsely, for the occlusion at the borders of parts.
 void SurfacePicture::draw_surroundings(PictureScene& scene) {
   constexpr int kLongestSide = 1024;
   const RenderOptions& render = scene.options.render;
@@ -77,7 +77,7 @@ Image SurfacePicture::draw(PictureScene& scene, const std::optional<GroundShadow
                            const DrawMarks& draw_marks, const Progress& progress) {
   const RenderOptions& render = scene.options.render;
   const Progress drawing = progress.step("drawing");
-  // Some drivers put passes off until somebody waits for them.
+  // Some drivers defer passes until they are waited for.
   const auto pause = [&] {
     if (render.quality != PictureQuality::final) return;
     glFinish();

@@ -1,4 +1,4 @@
-/// Pictures of surfaces, one or several: what Renderer and StyledRenderer have in common.
+/// Pictures of surfaces: the common part of Renderer and StyledRenderer.
 #pragma once
 
 #include <functional>
@@ -12,17 +12,16 @@
 
 namespace brindle {
 
-/// Keeps surfaces, programs and targets from picture to picture. Needs a current context, as
+/// Reuses surfaces, programs and targets from picture to picture. Needs a current context, as
 /// ShaderProgram does.
 class SurfacePicture {
  public:
-  /// Draws on top of the light of a part's surfaces.
+  /// Draws marks over the light of a part's surfaces.
   using DrawMarks = std::function<void(const PicturePart& part, const VisibleSamples& seen)>;
 
   std::vector<DrawnSurface> surfaces;
 
-  /// Draws the surfaces, and the shadow on the ground if there is one. Throws Cancelled if
-  /// `progress` asks for it, between one pass and the next.
+  /// Draws the surfaces and the optional ground shadow. Throws Cancelled between passes.
   Image draw(PictureScene& scene, const std::optional<GroundShadow>& shadow,
              const DrawMarks& draw_marks, const Progress& progress);
 
@@ -34,12 +33,12 @@ class SurfacePicture {
   TiledPicture tiles_;
   VisibleTriangles visible_;
   Shading shading_;
-  VisibleSamples seen_, surroundings_;   ///< of a part; of all of a picture, coarser
-  std::optional<ShaderProgram> ground_;  ///< made when it is needed
+  VisibleSamples seen_, surroundings_;   ///< of a part; of the whole picture, coarser
+  std::optional<ShaderProgram> ground_;  ///< created on demand
   GlVertexArray no_attributes_ = no_vertex_attributes();
 };
 
-/// Two axes along the ground and the one off it.
+/// Two axes along the ground and one off it.
 Eigen::Matrix3f ground_axes(UpAxis up);
 
 }  // namespace brindle

@@ -42,7 +42,7 @@ int shading_side(const RenderOptions& options) {
 
 namespace {
 
-/// The largest tile, in finished pixels: as wide as the picture if it can be.
+/// The largest tile, in finished pixels: as wide as the picture if possible.
 Eigen::Vector2i largest_tile(const RenderOptions& options) {
   // Two samples along the side of each evaluation (VisibleTriangles).
   const int longest = std::min(gl_limit(GL_MAX_TEXTURE_SIZE), gl_limit(GL_MAX_VIEWPORT_DIMS)) / 2;
@@ -59,7 +59,8 @@ bool is_one_tile(const RenderOptions& options) {
   return largest_tile(options) == Eigen::Vector2i(options.width, options.height);
 }
 
-/// One for every side, which is a constant: software renderers enter a loop once more than it says.
+/// One per side length, as a constant: software renderers run one iteration more of loops with
+/// variable bounds.
 const ShaderProgram& TiledPicture::develop_program(int side) {
   std::optional<ShaderProgram>& program = develop_[static_cast<std::size_t>(side - 1)];
   if (!program) {

@@ -1,4 +1,4 @@
-/// Pictures of any size, drawn part by part in linear light and then developed.
+/// Pictures of any size, drawn in parts in linear light and then developed.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Tile {
   int x, y, width, height;
 };
 
-/// Scale and offset that spread the tile's part of clip space over the whole of it.
+/// Scale and offset from the tile's part of clip space to all of it.
 Eigen::Vector4f tile_transform(const Tile& tile, const RenderOptions& options);
 
 /// Sets the uniforms of picture_light.glsl.
@@ -29,7 +29,7 @@ void set_light(const ShaderProgram& program, const Camera& camera, const RenderO
 /// Sets the uniforms `shading`, `base_color`, `stripe_color` and `stripe_width`.
 void set_looks(const ShaderProgram& surface, const RenderOptions& options);
 
-/// Rows from the bottom, as OpenGL counts them, become rows from the top.
+/// Flips rows between OpenGL's order, bottom up, and top down.
 template <class Item>
 void flip_rows(std::vector<Item>& items, int width, int height) {
   for (int y = 0; y < height / 2; ++y) {
@@ -39,21 +39,20 @@ void flip_rows(std::vector<Item>& items, int width, int height) {
   }
 }
 
-/// How often the picture's quality has the surface evaluated along each side of a pixel.
+/// Evaluations along each side of a pixel at the picture's quality.
 int shading_side(const RenderOptions& options);
 
-/// Whether a picture is drawn at once, as one tile.
+/// Whether a picture is drawn in one tile.
 bool is_one_tile(const RenderOptions& options);
 
-/// Averages what is evaluated in a pixel, lays the background underneath and encodes as sRGB.
-/// Targets are kept from picture to picture.
+/// Averages evaluations per pixel, adds the background and encodes as sRGB. Targets are reused.
 class TiledPicture {
  public:
-  /// Draws all of a tile into a target of premultiplied linear light, already bound and with its
-  /// viewport set; that is `shading_side` times as wide and high as the tile.
+  /// Draws a tile into the bound target of premultiplied linear light, `shading_side` times as wide
+  /// and high as the tile. The viewport is set.
   using DrawLight = std::function<void(const Target& target, const Tile& tile)>;
 
-  /// Calls `draw_light` for every tile. Throws Cancelled if `progress` asks for it.
+  /// Calls `draw_light` for every tile. Throws Cancelled.
   Image draw(const RenderOptions& options, const DrawLight& draw_light,
              const Progress& progress = {});
 
@@ -63,7 +62,7 @@ class TiledPicture {
   const ShaderProgram& develop_program(int side);
   void develop(const Tile& tile, const RenderOptions& options);
 
-  std::array<std::optional<ShaderProgram>, kLargestSide> develop_;  ///< made when they are needed
+  std::array<std::optional<ShaderProgram>, kLargestSide> develop_;  ///< created on demand
   GlVertexArray no_attributes_ = no_vertex_attributes();
   Target light_, finished_;
 };

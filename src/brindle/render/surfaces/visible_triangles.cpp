@@ -11,12 +11,12 @@ namespace brindle {
 namespace {
 
 constexpr GLuint kListsBinding = 4;
-constexpr std::size_t kListedInPixel = 8;  // triangles, on average over all of a draft
+constexpr std::size_t kListedInPixel = 8;  // triangles per pixel, averaged over a draft
 constexpr int kMostListed = 1 << 19;       // pixels with lists, which take 100 bytes each
 
 constexpr const char* kAllIsSeen = "bool is_seen(uint number) { return true; }\n";
 
-/// Lets a target of the first pass show nothing.
+/// Clears a target of the first pass.
 void clear_samples(Target& target, const Eigen::Vector2i& size) {
   constexpr std::array<GLuint, 4> kNothing{0, 0, 0, 0};
   constexpr float kFarthest = 1;
@@ -25,24 +25,23 @@ void clear_samples(Target& target, const Eigen::Vector2i& size) {
   glClearNamedFramebufferfv(target.framebuffer, GL_DEPTH, 0, &kFarthest);
 }
 
-/// Draws what is nearest into this part of it from now on.
+/// Binds this part of the target for nearest triangles.
 void bind_samples(const Target& target, const Eigen::Vector2i& size) {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
   glViewport(0, 0, size.x(), size.y());
   glEnable(GL_DEPTH_TEST);
 }
 
-/// Lets OpenGL cull the side of the surface that cannot be seen from there, if it is known, until
-/// GL_CULL_FACE is switched off.
+/// Lets OpenGL cull the hidden side of the surface, if known, until GL_CULL_FACE is disabled.
 void leave_out_hidden_side(const GlSurface& surface, const Camera& camera) {
-  // A slice opens surfaces: what was hidden is seen.
+  // A slice opens surfaces, so that both sides are visible.
   if (camera.slice) return;
   if (surface.hidden_side() == HiddenSide::none || surface.box().contains(eye_of(camera))) return;
   glEnable(GL_CULL_FACE);
   glCullFace(surface.hidden_side() == HiddenSide::back ? GL_BACK : GL_FRONT);
 }
 
-/// What the first pass is to show; what surfaces discard depends on more than that.
+/// The content of the first pass; discarded parts depend on more than that.
 ShownPart part_to_show(std::span<const DrawnSurface> surfaces, const Camera& camera,
                        const PicturePart& part, const Eigen::Vector2i& largest, bool draft) {
   ShownPart result{{}, part.transform, largest, part.size, draft};
@@ -114,7 +113,7 @@ void VisibleTriangles::draw_whole(const DrawnSurface& drawn, const Camera& camer
   glDisable(GL_CULL_FACE);
 }
 
-/// The program of a surface that is discarded between its strokes, or beside its tiles.
+/// The program of a surface that is discarded between its strokes or around its tiles.
 const ShaderProgram& VisibleTriangles::parts_program(const GlStyle& style, Triangles triangles) {
   const bool listed = triangles == Triangles::listed;
   const std::string features = style.features();
@@ -140,7 +139,7 @@ const ShaderProgram& VisibleTriangles::parts_program(const GlStyle& style, Trian
       .first->second;
 }
 
-/// Draws a surface that is discarded in parts, with so many samples along a pixel's side.
+/// Draws a partly discarded surface with so many samples along a pixel's side.
 void VisibleTriangles::draw_parts(const DrawnSurface& drawn, const Camera& camera,
                                   const PicturePart& part, const RenderOptions& options,
                                   int samples, Triangles triangles) {
@@ -162,14 +161,14 @@ void VisibleTriangles::draw_parts(const DrawnSurface& drawn, const Camera& camer
   }
 }
 
-/// Puts the surface's triangles into the lists of the pixels whose middle they cover.
+/// Adds the surface's triangles to the lists of pixels whose middle they cover.
 void VisibleTriangles::list_triangles(const DrawnSurface& drawn, const Camera& camera,
                                       const PicturePart& part) {
   const auto pixels =
       static_cast<std::size_t>(part.size.x()) * static_cast<std::size_t>(part.size.y());
   const std::size_t words = 1 + pixels * (1 + 3 * kListedInPixel);
   if (words != list_words_) {
-    lists_ = GlBuffer();  // gives its memory back first
+    lists_ = GlBuffer();  // frees its memory first
     lists_ = make_buffer(words * sizeof(GLuint), nullptr, "lists of triangles", 0);
     list_words_ = words;
   }
@@ -194,15 +193,15 @@ void VisibleTriangles::list_triangles(const DrawnSurface& drawn, const Camera& c
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-/// As `draw_parts`, for drafts: what is discarded is found once a pixel, which takes longest, and
-/// after all triangles are there: software shades four by four pixels for each of them.
+/// As `draw_parts`, for drafts. Discarding takes longest, so it runs once per pixel and after all
+/// triangles are known: software renderers shade blocks of four by four pixels per triangle.
 void VisibleTriangles::draw_parts_once(Target& samples, const DrawnSurface& drawn,
                                        const Camera& camera, const PicturePart& part,
                                        const Eigen::Vector2i& largest,
                                        const RenderOptions& options) {
   clear_samples(once_, largest);
   bind_samples(once_, part.size);
-  // Where pixels are many, few triangles are smaller than they are.
+  // With many pixels, few triangles are smaller than one.
   const bool lists_pixels = part.size.x() <= kMostListed / part.size.y();
   if (lists_pixels) list_triangles(drawn, camera, part);
   draw_parts(drawn, camera, part, options, 1, lists_pixels ? Triangles::listed : Triangles::all);

@@ -1,4 +1,4 @@
-/// The first pass of a picture: which triangle of which surface is seen where.
+/// The first pass of a picture: the visible triangle at each sample.
 #pragma once
 
 #include <cstdint>
@@ -21,12 +21,12 @@ namespace brindle {
 struct DrawnSurface {
   GlSurface surface;
   std::optional<GlStyle> style = std::nullopt;  ///< none: the colours of the picture's options
-  bool tinted = true;                           ///< by the depth cue
-  bool sliced = true;                           ///< by the camera's slice
-  int first_number = 0;                         ///< of its triangles among those of all surfaces
+  bool tinted = true;                           ///< whether the depth cue applies
+  bool sliced = true;                           ///< whether the camera's slice applies
+  int first_number = 0;  ///< index of its first triangle among those of all surfaces
 
   bool discards() const { return style && style->discards(); }
-  /// The picture's camera as it shows this surface.
+  /// The picture's camera for this surface.
   Camera seen_by(const Camera& camera) const;
 };
 
@@ -34,11 +34,11 @@ struct DrawnSurface {
 struct PicturePart {
   Eigen::Vector4f transform;                         ///< `tile_transform`
   Eigen::Vector2i size;                              ///< of its light, in evaluations
-  Eigen::Vector2i corner = Eigen::Vector2i::Zero();  ///< of its light in the picture's
+  Eigen::Vector2i corner = Eigen::Vector2i::Zero();  ///< of its light in that of the picture
 };
 
-/// What a first pass shows. One that would show the same need not be drawn again, as long as its
-/// target holds it: while stripes or styles change, and nothing moves.
+/// The content of a first pass. An equal one need not be drawn again while its target holds it, as
+/// when only stripes or styles change.
 struct ShownPart {
   struct Surface {
     std::uint64_t geometry;
@@ -46,7 +46,7 @@ struct ShownPart {
     bool operator==(const Surface& other) const;
   };
 
-  std::vector<Surface> surfaces;  ///< none: nothing that could be shown again
+  std::vector<Surface> surfaces;  ///< empty: not reusable
   Eigen::Vector4f tile = Eigen::Vector4f::Zero();
   Eigen::Vector2i size = Eigen::Vector2i::Zero(), viewport = Eigen::Vector2i::Zero();
   bool leaves_out_hidden = false;
@@ -54,35 +54,35 @@ struct ShownPart {
   bool operator==(const ShownPart&) const = default;
 };
 
-/// Numbers and depths of the triangles that are seen, in samples of which each pixel of the light
-/// has two by two. Kept from picture to picture.
+/// Numbers and depths of visible triangles, in two by two samples per pixel of the light. Reused
+/// from picture to picture.
 struct VisibleSamples {
   Target target;
-  ShownPart shown;  ///< by `target`
+  ShownPart shown;  ///< in `target`
 
-  /// Lets a program that includes visible_samples.glsl read them.
+  /// Binds them for programs that include visible_samples.glsl.
   void bind(const ShaderProgram& program) const;
 };
 
 /// Draws first passes.
 class VisibleTriangles {
  public:
-  /// Samples along the side of a pixel, as visible_samples.glsl has it.
+  /// Samples along the side of a pixel, as in visible_samples.glsl.
   static constexpr int kSamples = 2;
 
-  /// Throws Error, naming shader file and line, if the driver does not take the shaders.
+  /// Throws Error with shader file and line if the driver rejects the shaders.
   VisibleTriangles();
 
   /// Draws the surfaces for a light of at most `largest` pixels, of which the part fills some.
-  /// Interactive pictures leave out the hidden side of closed surfaces, on which half of the time
-  /// is spent. Calls `pause` after each surface. Throws Error if the driver cannot draw into
-  /// samples for as many pixels.
+  /// Interactive pictures leave out the hidden side of closed surfaces, which takes half of the
+  /// time. Calls `pause` after each surface. Throws Error if the driver has no samples for so many
+  /// pixels.
   void draw(VisibleSamples& samples, std::span<const DrawnSurface> surfaces, const Camera& camera,
             const PicturePart& part, const Eigen::Vector2i& largest, const RenderOptions& options,
             const std::function<void()>& pause = {});
 
  private:
-  /// Triangles that are seen in parts: all of a surface, or those in the lists of pixels.
+  /// Triangles of partly discarded surfaces: all, or those in the pixel lists.
   enum class Triangles { all, listed };
 
   void draw_whole(const DrawnSurface& drawn, const Camera& camera, const PicturePart& part,
@@ -96,10 +96,10 @@ class VisibleTriangles {
   const ShaderProgram& parts_program(const GlStyle& style, Triangles triangles);
 
   ShaderProgram whole_;
-  std::optional<ShaderProgram> list_, spread_;  ///< made when they are needed
-  std::map<std::string, ShaderProgram> parts_;  ///< by what they are and the style's features
-  Target once_;                                 ///< what pixels of a draft show
-  GlBuffer lists_;  ///< of pixels' triangles, as listed_triangles.glsl has them
+  std::optional<ShaderProgram> list_, spread_;  ///< created on demand
+  std::map<std::string, ShaderProgram> parts_;  ///< by kind and features of the style
+  Target once_;                                 ///< visible samples of a draft's pixels
+  GlBuffer lists_;  ///< triangles of pixels, as in listed_triangles.glsl
   std::size_t list_words_ = 0;
   GlVertexArray no_attributes_ = no_vertex_attributes();
 };
