@@ -16,7 +16,7 @@ std::shared_ptr<AnimatorObject> animator(std::shared_ptr<SurfaceObject> surface,
 
 bool is_given(const val& array) { return !array.isUndefined() && !array.isNull(); }
 
-/// Into arrays of JavaScript's own, which have the right sizes.
+/// Fills JavaScript arrays of the right sizes.
 void draw_into(AnimatorObject& object, const val& input, const FrameInput& frame,
                const FrameResult& made) {
   const val vertices = input["vertices"], corners = input["corners"];

@@ -7,7 +7,7 @@
 namespace brindle::web {
 namespace {
 
-/// Where the tool's --camera looks from.
+/// The camera of the tool's --camera.
 val camera_of(const SurfaceObject& object, val given) {
   return guarded([&] {
     CameraView view;

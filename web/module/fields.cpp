@@ -11,7 +11,7 @@
 namespace brindle::web {
 namespace {
 
-/// Points are relative to the surface's origin, as all that JavaScript sees.
+/// Points are relative to the surface's origin, as everywhere in JavaScript.
 std::vector<FieldStroke> strokes_of(const val& list, const Eigen::Vector3d& origin) {
   std::vector<FieldStroke> strokes;
   for (std::size_t i = 0, count = list["length"].as<std::size_t>(); i < count; ++i) {

@@ -14,7 +14,7 @@
 namespace brindle::web {
 namespace {
 
-/// A file that is there as long as this lives, under its own name, which messages name.
+/// A temporary file with its own name, which messages mention.
 class TemporaryFile {
  public:
   TemporaryFile(const val& bytes, const std::string& name) : path_(plain(name)) {
@@ -60,8 +60,8 @@ std::shared_ptr<SurfaceObject> surface_from_file(val bytes, std::string name, fl
   });
 }
 
-/// The array of that name, a row per vertex: of triangles, their mean around it. Throws Error for a
-/// name that is none, saying which there are.
+/// The array of that name, a row per vertex; cell arrays are averaged. Throws Error with all names
+/// if there is none.
 DataArray array_at_vertices(const SurfaceObject& object, const std::string& name) {
   if (const DataArray* array = find_array(object.arrays.points, name)) return *array;
   if (const DataArray* array = find_array(object.arrays.cells, name)) {
@@ -94,13 +94,13 @@ val arrays_of(const SurfaceObject& object) {
 val array_values(const SurfaceObject& object, std::string name) {
   return guarded([&] {
     DataArray array = array_at_vertices(object, name);
-    array.components = 1;  // number by number, as they lie there
+    array.components = 1;  // number by number, in the same order
     const std::vector<float> numbers = numbers_of(array.view(), "array '" + name + "'");
     return array_of(std::span<const float>(numbers));
   });
 }
 
-/// What JavaScript has read of the surface's vertices, a row for each without copies at creases.
+/// Adds an array that JavaScript has read, a row per vertex without copies at creases.
 void add_array(SurfaceObject& object, std::string name, int components, val numbers) {
   guarded([&] {
     DataArrays arrays{{make_data_array(std::move(name), components, floats_of(numbers))}, {}};

@@ -64,7 +64,7 @@ val samples_of(const PatternObject& u, const PatternObject& v) {
   });
 }
 
-/// What `write` puts into a file of this name.
+/// The content that `write` gives to a file of this name.
 template <class Write>
 val written(const std::string& name, const Write& write) {
   const std::filesystem::path path = "written-" + name;

@@ -1,4 +1,5 @@
-/// What JavaScript holds: a surface, a pattern on it, an animator. Each keeps what it needs alive.
+/// Objects held by JavaScript: a surface, a pattern, an animator. Each keeps what it refers to
+/// alive.
 #pragma once
 
 #include <memory>
@@ -19,9 +20,9 @@ namespace brindle::web {
 
 struct SurfaceObject {
   Surface surface;
-  std::vector<std::string> notes;  ///< what was repaired, joined or left out
+  std::vector<std::string> notes;  ///< repairs, joined vertices and left-out parts
   std::vector<Index> vertex_of_row;
-  DataArrays arrays;  ///< of the file that it was read from
+  DataArrays arrays;  ///< of the surface's file
 };
 
 using SurfacePointer = std::shared_ptr<const SurfaceObject>;
@@ -32,26 +33,26 @@ struct PatternObject {
 };
 
 struct TextureObject {
-  std::shared_ptr<SurfaceObject> surface;  ///< that it is drawn on
+  std::shared_ptr<SurfaceObject> surface;  ///< of the pattern
   TexturePattern pattern;
-  bool crosses = false;  ///< U's figures are those of both waves
+  bool crosses = false;  ///< U's metrics are those of both waves
 };
 
 struct AnimatorObject {
   SurfacePointer surface;
   StripeAnimator animator;
-  std::optional<PatternFrames> frames;  ///< once somebody draws
-  std::vector<PatternVertex> vertices;  ///< of the last frame that somebody drew
+  std::optional<PatternFrames> frames;  ///< created on demand
+  std::vector<PatternVertex> vertices;  ///< of the last drawn frame
 };
 
-/// A surface that is split at creases, with what is to be said of it; `notes` may have more.
+/// A surface, split at creases, with its notes appended to `notes`.
 std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,
                                               std::vector<std::string> notes);
 
-/// Appends what stands on the lines, without empty ones.
+/// Appends the non-empty lines.
 void add_lines(std::vector<std::string>& notes, const std::string& lines);
 
-/// A frame's input, and what it points to.
+/// A frame's input, with the storage that it refers to.
 class GivenFrame {
  public:
   GivenFrame(const Mesh& mesh, const val& given);
@@ -59,7 +60,7 @@ class GivenFrame {
   GivenFrame& operator=(const GivenFrame&) = delete;
 
   FrameInput input;
-  WaveSet waves() const;  ///< that it is of
+  WaveSet waves() const;  ///< of its surface
 
  private:
   std::vector<Vec3> positions_, normals_, directions_;
@@ -71,8 +72,7 @@ StripeOptions stripe_options(const val& given);
 CurvatureDirection curvature_direction(const std::string& name);
 val kinds_of(std::span<const CornerPhases> corners);
 
-/// Each says what its functions are called, and to whom they belong. The first four are what
-/// stripes in real time need.
+/// Register functions and classes. Stripes in real time need the first four.
 void bind_surfaces();
 void bind_fields();
 void bind_patterns();

@@ -20,7 +20,7 @@ BuiltInTile tile_named(const std::string& name) {
   throw Error("there is no tile '" + name + "'; there are " + std::string(built_in_tile_names()));
 }
 
-/// Direction, frequency and phase at all corners, as shaders of textures read them.
+/// Direction, frequency and phase at all corners, in the layout of texture shaders.
 val packed(const std::vector<CornerWaves>& triangles) {
   std::vector<float> numbers;
   numbers.reserve(18 * triangles.size());
@@ -40,7 +40,7 @@ val value_of(const TextureWaves& waves) {
   return result;
 }
 
-/// What is in a triangle of U, or if that is regular, of V.
+/// The kind of a triangle in U or, if regular there, in V.
 val kinds_shown(std::span<const CornerPhases> u, std::span<const CornerPhases> v) {
   std::vector<CornerPhases> shown(u.begin(), u.end());
   for (std::size_t t = 0; t < shown.size(); ++t) {
@@ -113,7 +113,7 @@ val texture_figures_of(const TextureObject& object) {
   return figures;
 }
 
-/// The figures of a tile that branches, seams and borders cut, where the tile is to have none.
+/// The broken motifs of a tile that is drawn whole.
 val broken_tiles_of(const TextureObject& object, std::string name) {
   return guarded([&] {
     const TextureTile tile = tile_named(name);
@@ -126,7 +126,7 @@ val broken_tiles_of(const TextureObject& object, std::string name) {
   });
 }
 
-/// Distances from the middles of side x side texels to the figure, row by row from V = 0.
+/// Distances of the centres of side x side texels to the motif, row by row from V = 0.
 val tile_distances(std::string name, int side) {
   return guarded([&] {
     const BuiltInTile tile = tile_named(name);
@@ -150,7 +150,7 @@ val corner_uvs_of(const TextureObject& object) {
   });
 }
 
-/// What follows a field that changes. JavaScript's arrays are copies, so that spans may end.
+/// Animates textures. JavaScript's arrays are copied, so that no spans into them remain.
 struct TextureAnimatorObject {
   std::shared_ptr<SurfaceObject> surface;
   TextureAnimator animator;
@@ -190,7 +190,7 @@ val texture_frame(TextureAnimatorObject& object, val input) {
   });
 }
 
-/// The next frame, on the surface as it is, as a texture that stays.
+/// The next frame, on the surface's positions, as a permanent texture.
 std::shared_ptr<TextureObject> frame_as_texture(TextureAnimatorObject& object, val input) {
   return guarded([&] {
     const GivenFrame given(object.surface->surface.mesh, input);

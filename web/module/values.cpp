@@ -11,7 +11,7 @@
 namespace brindle::web {
 namespace {
 
-// What it throws passes through the module as exceptions of C++ do: nothing is left behind.
+// The exception passes through the module like one of C++, with destructors.
 EM_JS(void, throw_error, (const char* text),
       { throw new Module.BrindleError(UTF8ToString(text)); });
 

@@ -1,4 +1,4 @@
-/// Numbers of JavaScript into the library and out of it, and errors across the border.
+/// Converts numbers and errors between JavaScript and the library.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ namespace brindle::web {
 
 using emscripten::val;
 
-/// Throws the message as a BrindleError of JavaScript.
+/// Throws a JavaScript BrindleError.
 [[noreturn]] void raise(const std::string& message);
 
-/// The message of the exception that is being handled.
+/// The message of the current exception.
 std::string message_of_exception();
 
-/// What `work` returns; what it throws becomes a BrindleError.
+/// Returns the result of `work`; exceptions become BrindleError.
 template <class Work>
 auto guarded(const Work& work) -> decltype(work()) {
   std::string message;
@@ -34,8 +34,8 @@ auto guarded(const Work& work) -> decltype(work()) {
   raise(message);
 }
 
-/// A table of JavaScript's numbers: a copy of a Float32Array, Float64Array, Int32Array or
-/// Uint32Array, which the layer in JavaScript has made sure of.
+/// A table of numbers: a copy of a Float32Array, Float64Array, Int32Array or Uint32Array, which the
+/// JavaScript layer has checked.
 class Table {
  public:
   Table(const val& array, std::size_t columns);
@@ -46,7 +46,7 @@ class Table {
   ArrayView view_;
 };
 
-/// What an object says under a name; the layer in JavaScript has made sure of the type.
+/// A property of an object; the JavaScript layer has checked its type.
 float float_of(const val& object, const char* name);
 int int_of(const val& object, const char* name);
 std::string text_of(const val& object, const char* name);
@@ -54,14 +54,14 @@ std::string text_of(const val& object, const char* name);
 void put(val& object, const char* name, const val& value);
 void put(val& object, const char* name, double number);
 
-/// Copies of typed arrays; undefined and null are empty.
+/// Copies of typed arrays; undefined and null give empty ones.
 std::vector<float> floats_of(const val& array);
 std::vector<Vec3> vectors_of(const val& array);
 
-/// Copies into an array that JavaScript owns and that is as long.
+/// Copies into a JavaScript array of the same length.
 void fill_array(const val& array, std::span<const float> numbers);
 
-/// Copies, as arrays that JavaScript owns.
+/// Copies into new JavaScript arrays.
 val array_of(std::span<const float> numbers);
 val array_of(std::span<const Vec3> vectors);
 val array_of(std::span<const Complex> numbers);

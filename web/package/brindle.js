@@ -1,5 +1,5 @@
-// The library over its whole module of WebAssembly: what realtime.js has, and files, shapes, curves,
-// textures and measured fields.
+// The library on its full WebAssembly module: realtime.js, and files, shapes, curves, textures and
+// measured fields.
 import createModule from './module.js';
 import { readGLB, writeGLB } from './glb.js';
 import { choice, creased, fail, floats, options } from './checks.js';
@@ -169,7 +169,7 @@ class Brindle extends RealtimeBrindle {
   }
 }
 
-// What entries have in common: a module of these bytes, or of what `instantiateWasm` gives.
+// Common to all entries: a module of these bytes, or from `instantiateWasm`.
 export async function brindleOf(how) {
   const module = await createModule({ ...how, BrindleError });
   return new Brindle(module);

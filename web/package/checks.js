@@ -1,11 +1,11 @@
-// What is handed in: options that are known, arrays of the right type and length.
+// Checks of input: known options, arrays of the right type and length.
 import { BrindleError } from './error.js';
 
 export const fail = (message) => {
   throw new BrindleError(message);
 };
 
-// Of options with their defaults those that were given. A default says what type is meant.
+// The given options. Defaults determine the types.
 export function options(given, known, what) {
   const result = { ...known };
   for (const [name, value] of Object.entries(given ?? {})) {
@@ -28,8 +28,8 @@ export function choice(value, names, what) {
   return names.includes(value) ? value : fail(`${what} must be ${names.join(' or ')}, not '${value}'`);
 }
 
-// Such options with an angle of creases, refused in the words of the library's table of options: that
-// would add 12 kB to either module.
+// Such options with a crease angle, with the error message of the library's option table, which would
+// add 12 kB to either module.
 export function creased(o) {
   if (!(o.creaseAngle >= 0 && o.creaseAngle <= 180)) fail(`creaseAngle: expected a number from 0 to 180, got '${o.creaseAngle}'`);
   return o;
@@ -37,7 +37,7 @@ export function creased(o) {
 
 const tables = [Float32Array, Float64Array, Int32Array, Uint32Array];
 
-// Numbers of any kind as one of the arrays that the module takes, 64-bit whole numbers excepted.
+// Converts numbers to an array type of the module; not 64-bit integers.
 export function table(numbers, what) {
   if (tables.some((type) => numbers instanceof type)) return numbers;
   if (numbers instanceof Uint16Array || numbers instanceof Uint8Array) return Uint32Array.from(numbers);
@@ -48,7 +48,7 @@ export function table(numbers, what) {
   return fail(`${what} must be a typed array or an array of numbers`);
 }
 
-// The same of numbers of vertices: a plain array's are whole where they can be.
+// The same for vertex numbers: plain arrays become integers if possible.
 export function corners(numbers) {
   const whole = Array.isArray(numbers) && numbers.every((n) => Number.isInteger(n) && Math.abs(n) < 2 ** 31);
   return whole ? Int32Array.from(numbers) : table(numbers, 'triangles');
@@ -60,7 +60,7 @@ export function floats(numbers, count, what) {
   return array;
 }
 
-// An array to be filled: the one that was given, or a new one where that is asked for.
+// The array to fill: the given one, or a new one if requested.
 export function filled(wanted, count, what) {
   if (wanted === undefined || wanted === false) return undefined;
   if (wanted === true) return new Float32Array(count);

@@ -1,11 +1,11 @@
-// Stripes and textures in a WebGL 2 context of yours, by the library's own shaders: the phase is computed at every
-// pixel, so that stripes are clean at every zoom and at branches, too. What is drawn is in two textures,
-// in the layout of the library's pattern_buffers.h.
+// Draws stripes and textures in your WebGL 2 context by the library's own shaders. The phase is computed per
+// pixel, so that stripes are sharp at any zoom, also at branches. Data are in two textures, in the layout of
+// the library's pattern_buffers.h.
 import { BrindleError } from './error.js';
 import { marksFragment, marksVertex, stripesFragment, stripesVertex, textureFragment } from './shaders.js';
 
 const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-/** Red, green and blue of '#1c325a', from 0 to 1 as they are shown. */
+/** sRGB values of '#1c325a', from 0 to 1. */
 export const colorOf = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 
 function compiled(gl, kind, source) {
@@ -70,7 +70,7 @@ function triangleBuffer(triangles, kinds) {
   return numbers;
 }
 
-// Format, kind of number and numbers a texel of every texture.
+// Format, number type and numbers per texel of every texture.
 const layouts = (gl) => ({
   pattern_vertices: [gl.RGBA32F, gl.RGBA, gl.FLOAT, 4],
   pattern_triangles: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, 4],
@@ -81,7 +81,7 @@ const layouts = (gl) => ({
 });
 
 export class StripeDrawing {
-  /** Throws BrindleError if the driver does not take the shaders. */
+  /** Throws BrindleError if the driver rejects the shaders. */
   constructor(gl) {
     this.gl = gl;
     this.stripes = new Program(gl, stripesVertex, stripesFragment);
@@ -120,7 +120,7 @@ export class StripeDrawing {
     if (rest > 0) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, whole, rest, 1, format, type, numbers, whole * rowLength * width);
   }
 
-  /** Three numbers a vertex and a triangle each, as `Surface` gives them. */
+  /** Three numbers per vertex and per triangle, from `Surface`. */
   setSurface({ positions, normals, triangles }) {
     const lower = [Infinity, Infinity, Infinity], upper = [-Infinity, -Infinity, -Infinity];
     for (const vertex of triangles) {
@@ -139,13 +139,13 @@ export class StripeDrawing {
     this.setKinds(new Uint8Array(this.triangleCount));
   }
 
-  /** Directions (three numbers a vertex), frequencies (one), phases (two), as `Pattern` gives them. */
+  /** Directions (three numbers per vertex), frequencies (one), phases (two), from `Pattern`. */
   setPattern({ directions, frequencies, phases }) {
     this.pattern = { directions, frequencies, phases };
     this.setVertices(patternBuffers({ ...this.surface, triangles: [] }, this.pattern).vertices);
   }
 
-  /** A frame's `vertices`: its pattern, and where vertices are now. */
+  /** A frame's `vertices`: its pattern and its positions. */
   setVertices(vertices) {
     const count = 4 * this.surface.positions.length;
     if (vertices.length !== count) throw new BrindleError(`vertices must have ${count} numbers, not ${vertices.length}`);
@@ -156,7 +156,7 @@ export class StripeDrawing {
 
   /**
    * A texture instead of stripes, until a pattern is set: `Texture.waves()`, `brindle.tile(name)`, `Texture.brokenTiles(name)`, or a frame's
-   * `waves` and `broken`, with the positions and normals that moved.
+   * `waves` and `broken`, with moved positions and normals.
    */
   setTexture({ u, v }, tile, broken, { positions = this.surface.positions, normals = this.surface.normals } = {}) {
     const { words = new Uint32Array(0), layout = 0, split = false } = broken ?? {};
@@ -168,7 +168,7 @@ export class StripeDrawing {
     }
     if (words.length > 0 && words.length < triangles.length / 3) throw new BrindleError('the broken tiles are those of another surface');
     this.texture ??= new Program(this.gl, stripesVertex, textureFragment);
-    // Places and normals; waves are those of corners.
+    // Positions and normals only; waves are per corner.
     this.setVertices(patternBuffers({ positions, normals, triangles: [] }, { directions: new Float32Array(3 * count),
       frequencies: new Float32Array(count), phases: new Float32Array(2 * count) }).vertices);
     this.#upload('texture_u', u);
@@ -178,7 +178,7 @@ export class StripeDrawing {
     this.tile = { has_broken_tiles: words.length > 0, tile_layout: layout, splits_broken_tiles: split, tile_is_figure: true, wave_count: 2 };
   }
 
-  // Distances, and how much of each texel the figure covers, with smaller copies.
+  // Distances, and the motif's coverage of each texel, with mipmaps.
   #uploadTile({ side, distances }) {
     const { gl } = this;
     this.uploadedTile = distances;
@@ -200,7 +200,7 @@ export class StripeDrawing {
     this.setPattern({ ...this.pattern, phases });
   }
 
-  /** What `Pattern.triangleKinds()` gives; branches and singularities get marks. */
+  /** From `Pattern.triangleKinds()`; branches and singularities get marks. */
   setKinds(kinds) {
     const marked = [];
     kinds.forEach((kind, t) => {
@@ -212,8 +212,8 @@ export class StripeDrawing {
   }
 
   /**
-   * Draws into what is bound, `width` x `height` pixels. Matrices are in columns; `viewFromWorld` is of
-   * positions less `center`. Colours are as they are shown.
+   * Draws into the bound target, `width` x `height` pixels. Matrices are column-major; `viewFromWorld` is for
+   * positions relative to `center`. Colours are sRGB.
    */
   draw({ viewFromWorld, clipFromView, width, height, up = [0, 1, 0], stripeWidth = 0.5,
          baseColor = colorOf('#f4efe5'), stripeColor = colorOf('#1c325a'),
@@ -262,7 +262,7 @@ export class StripeDrawing {
     gl.uniform3fv(program.place('origin'), this.center);
   }
 
-  /** Gives textures and programs back. */
+  /** Frees textures and programs. */
   dispose() {
     const { gl } = this;
     Object.values(this.textures).forEach(({ id }) => gl.deleteTexture(id));

@@ -1,4 +1,4 @@
-/** What could not be done; the message says what failed and the remedy. */
+/** A failure; the message has the reason and the remedy. */
 export class BrindleError extends Error {
   constructor(message) {
     super(message);

@@ -1,5 +1,6 @@
-// Binary glTF 2.0: triangles of all meshes where the scene's nodes put them, and one mesh with texture
-// coordinates. Attributes are arrays, as the library's own reader has them. JavaScript reads JSON as it is; the module would need another 60 kB to.
+// Binary glTF 2.0: reads the triangles of all meshes with the transforms of the scene's nodes, and writes a
+// mesh with texture coordinates. Attributes become arrays as in the library's own reader. It is in JavaScript,
+// because a JSON parser would add 60 kB to the module.
 import { BrindleError } from './error.js';
 
 const kinds = { 5120: Int8Array, 5121: Uint8Array, 5122: Int16Array, 5123: Uint16Array,
@@ -29,12 +30,12 @@ function matrixOf(node) {
           tx, ty, tz, 1];
 }
 
-// Of the upper left nine numbers of a matrix.
+// Of the upper left 3 x 3 part of a matrix.
 function determinant(m) {
   return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) + m[8] * (m[1] * m[6] - m[5] * m[2]);
 }
 
-// What turns normals: the inverse's transpose, less a factor.
+// The normal matrix: the inverse's transpose, up to a factor.
 function cofactors(m) {
   const minor = (r, c) => {
     const [i, j] = [0, 1, 2].filter((k) => k !== r), [k, l] = [0, 1, 2].filter((n) => n !== c);
@@ -44,7 +45,7 @@ function cofactors(m) {
   return [0, 1, 2].map((row) => [0, 1, 2].map((column) => sign * minor(row, column)));
 }
 
-// The first three numbers of every `width`, turned by rows of three and of length 1.
+// The first three of every `width` numbers, transformed by three rows and normalised.
 function turn(numbers, width, rows) {
   for (let i = 0; i < numbers.length; i += width) {
     const turned = rows.map((row) => row[0] * numbers[i] + row[1] * numbers[i + 1] + row[2] * numbers[i + 2]);
@@ -53,7 +54,7 @@ function turn(numbers, width, rows) {
   }
 }
 
-// "normal", "uv", "uv_1" or, of "_SPEED", "speed": capitals are what the format suggests.
+// "normal", "uv", "uv_1", or "speed" for "_SPEED": the format suggests upper case.
 function arrayName(semantic) {
   for (const [prefix, name] of [['TEXCOORD_', 'uv'], ['COLOR_', 'color']]) {
     if (semantic.startsWith(prefix)) return semantic === `${prefix}0` ? name : `${name}_${semantic.slice(prefix.length)}`;
@@ -91,7 +92,7 @@ class Reader {
     return this.json[list]?.[number] ?? this.fail(`names ${what} ${number}, which it has not; export it again`);
   }
 
-  // Numbers of an accessor one after the other, normalised ones as fractions, or `most` as 1.
+  // All numbers of an accessor; normalised ones, or `most` as 1, are scaled.
   numbers(number, most) {
     const accessor = this.entry('accessors', number, 'accessor');
     const type = kinds[accessor.componentType], width = widths[accessor.type];
@@ -125,14 +126,14 @@ class Reader {
     return name.startsWith('F') ? 1 : 2 ** (8 * BYTES_PER_ELEMENT - (name.startsWith('U') ? 0 : 1)) - 1;
   }
 
-  // What a primitive says of its vertices; positions are none of it, and bones move them.
+  // A primitive's vertex arrays, without positions and skinning data.
   arraysOf(attributes, count, matrix) {
     const arrays = new Map();
     for (const [semantic, number] of Object.entries(attributes)) {
       if (/^(POSITION$|JOINTS_|WEIGHTS_)/.test(semantic)) continue;
       const accessor = this.entry('accessors', number, 'accessor'), width = widths[accessor.type];
       if (!width || !kinds[accessor.componentType] || accessor.sparse) continue;
-      // Columns of smaller numbers are padded; nobody stores data like that.
+      // Columns of narrow integer matrices are padded; such arrays are left out.
       if (accessor.bufferView === undefined || (accessor.type.startsWith('MAT') && accessor.componentType !== 5126)) continue;
       const isDirection = semantic === 'NORMAL' || semantic === 'TANGENT', isPlace = semantic.startsWith('TEXCOORD_');
       const isAny = isPlace && (this.json.extensionsUsed ?? []).includes('KHR_mesh_quantization');
@@ -146,7 +147,7 @@ class Reader {
     return arrays;
   }
 
-  // Those that every primitive has, with as many components.
+  // Those that all primitives have, with equal numbers of components.
   addArrays(arrays, result) {
     if (!result.arrays) {
       result.arrays = arrays;
@@ -194,7 +195,7 @@ class Reader {
   }
 }
 
-/** Positions and triangles of a .glb's scene, and arrays of what it says of its vertices. */
+/** Positions, triangles and vertex arrays of a .glb's scene. */
 export function readGLB(bytes, name = 'the file') {
   const reader = new Reader(bytes, name), { json } = reader;
   const result = { positions: [], triangles: [] };

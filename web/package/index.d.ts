@@ -1,105 +1,105 @@
-/** Stripes over surfaces. Arrays that come out are copies; those that go in are copied, too. */
+/** Stripes over surfaces. Arrays are copied on input and output. */
 
-/** What could not be done; the message says what failed and the remedy. */
+/** A failure; the message has the reason and the remedy. */
 export class BrindleError extends Error {
   readonly name: 'BrindleError';
 }
 
-/** Numbers one after the other: typed arrays of up to 32 bits or of doubles, or a plain array. */
+/** Numbers: typed arrays of up to 32 bits or of doubles, or a plain array. */
 export type Numbers = Float32Array | Float64Array | Int8Array | Uint8Array | Int16Array | Uint16Array |
   Int32Array | Uint32Array | readonly number[];
 
-/** Three numbers a vertex: a unit tangent vector that stripes run across, or 0, 0, 0 for no stripes. */
+/** Three numbers per vertex: a unit tangent vector, which stripes run across, or 0, 0, 0 for no stripes. */
 export type DirectionField = Float32Array;
 
 export interface SurfaceInput {
   /** x, y, z of every vertex. */
   positions: Numbers;
-  /** Three numbers of vertices, from 0, of every triangle. */
+  /** Three vertex numbers, from 0, per triangle. */
   triangles: Numbers;
 }
 
 export interface CreaseOption {
-  /** Edges that bend by more degrees are creases: their vertices get one more for each further face, behind all others, each with
-   * a wave of its own. From 0 to 180, which is none; left out, 40 for files and shapes, and 180 for your own arrays. */
+  /** Edges that bend by more degrees are creases: their vertices are copied for each further face, behind all others, with a
+   * wave of their own. 0 to 180 (none); default 40 for files and shapes, 180 for your own arrays. */
   creaseAngle?: number;
 }
 
 export interface SurfaceOptions extends CreaseOption {
-  /** Joins vertices at one place and drops bad triangles, before creases are looked for. */
+  /** Joins vertices at one position and drops invalid triangles, before creases are found. */
   repair?: boolean;
 }
 
 export interface RotateOption {
-  /** Degrees about the normals, counter-clockwise seen from outside; 0 if left out. */
+  /** Degrees about the normals, counter-clockwise seen from outside; default 0. */
   rotate?: number;
 }
 
 /** A line near the surface that the field follows. */
 export interface FieldStroke {
-  /** x, y, z of two points or more, relative to the surface's `origin`. */
+  /** x, y, z of at least two points, relative to the surface's `origin`. */
   points: Numbers;
-  /** How far from the line it draws, in units of length; above 0. */
+  /** Radius of influence, in units of length; above 0. */
   radius: number;
-  /** In multiples of what all neighbours of a vertex pull together; 1 if left out. */
+  /** Relative to the pull of all neighbours of a vertex together; default 1. */
   strength?: number;
 }
 
 export interface SmoothFieldOptions extends RotateOption {
   /** 1 vectors, 2 lines (default), 4 crosses. */
   symmetry?: number;
-  /** How strongly principal curvature attracts the field; 0 (default): not. */
+  /** Attraction to principal curvature; default 0. */
   curvature?: number;
   curvatureDirection?: 'max' | 'min';
-  /** How strongly sharp edges and boundaries attract it; 0 (default): not. */
+  /** Attraction to sharp edges and boundaries; default 0. */
   features?: number;
-  /** An edge is sharp from this bend on, in degrees; 40 if left out. */
+  /** Bend from which an edge is sharp, in degrees; default 40. */
   featureAngle?: number;
   strokes?: readonly FieldStroke[];
 }
 
 export interface FrequencyOptions {
-  /** Stripes along the diagonal of the surface's box; 40 if nothing is said. Excludes `frequency`. */
+  /** Stripes along the diagonal of the bounding box; default 40. Excludes `frequency`. */
   stripes?: number;
-  /** Stripes per unit length, everywhere or a number per vertex. */
+  /** Stripes per unit length: one number, or one per vertex. */
   frequency?: number | Numbers;
 }
 
 export interface MeasuredFieldOptions extends FrequencyOptions {
   symmetry?: number;
-  /** The field is averaged over places so many periods of the stripes away; 1 if left out. */
+  /** Smoothing length in periods of the stripes; default 1. */
   periods?: number;
-  /** How far holes are filled from their border, in periods; 2 if left out. */
+  /** Distance over which holes are filled, in periods; default 2. */
   fill?: number;
-  /** Pairs of singularities are undone until so many are left. */
+  /** Cancels pairs of singularities until at most this many remain. */
   singularities?: number;
-  /** How much each datum counts: one number per vertex. */
+  /** Confidence of each datum: one number per vertex. */
   confidence?: Float32Array;
 }
 
 export interface MeasuredField {
   directions: DirectionField;
-  /** How much the data around a vertex agree, from 0 to 1. */
+  /** Directional coherence of the data around each vertex, from 0 to 1. */
   agreement: Float32Array;
 }
 
 export interface StripeOptions extends FrequencyOptions {
-  /** Frequencies may depart by up to a factor 1 + slack, so that fewer stripes begin or end; 0 if left out. */
+  /** Spacing tolerance: frequencies may vary by a factor of 1 + slack, for fewer branches; default 0. */
   slack?: number;
-  /** Further descents of the solver; 0 if left out. */
+  /** Further descents of the solver; default 0. */
   cycles?: number;
-  /** Phases to stay near to, as `Pattern.phases()` gives them. */
+  /** Phases to stay near to, from `Pattern.phases()`. */
   lastPhases?: Float32Array;
 }
 
 export interface TextureOptions extends StripeOptions {
   frequency?: number;
-  /** Whether directions have a sense, along which the texture points. */
+  /** Whether directions have signs, along which the texture points. */
   oriented?: boolean;
 }
 
 declare class Owned {
-  /** Gives the module's memory back; any other call then throws. */
+  /** Frees the module's memory; any later call throws. */
   dispose(): void;
   readonly isDisposed: boolean;
 }
@@ -107,69 +107,69 @@ declare class Owned {
 export class Surface extends Owned {
   readonly vertexCount: number;
   readonly triangleCount: number;
-  /** Of the box around all vertices. */
+  /** The diagonal of the bounding box. */
   readonly diagonal: number;
-  /** Where the positions' zero stands; not zero for surfaces far away from it. */
+  /** The origin of positions; not zero for surfaces far from zero. */
   readonly origin: [number, number, number];
-  /** What was repaired, joined or left out, and what is probably not meant. */
+  /** Repairs, joined vertices, left-out parts and likely mistakes. */
   readonly notes: string[];
-  /** What the file that it was read from says of its points and cells. */
+  /** The point and cell arrays of its file. */
   readonly arrays: readonly { name: string; of: 'points' | 'cells'; components: number }[];
-  /** Three numbers a vertex, relative to `origin`. */
+  /** Three numbers per vertex, relative to `origin`. */
   positions(): Float32Array;
   normals(): Float32Array;
   triangles(): Uint32Array;
-  /** Of every vertex that was handed in the one that triangles use; empty if nothing was joined. */
+  /** The vertex that replaces each input vertex; empty if nothing was joined. */
   vertexOfRow(): Uint32Array;
-  /** Of the last vertices those that they are copies of, at creases; empty if there are none. */
+  /** The sources of the last vertices, which are copies at creases; may be empty. */
   creaseVertices(): Uint32Array;
 
-  /** A field that turns as little as possible. */
+  /** The smoothest field. */
   smoothField(options?: SmoothFieldOptions): DirectionField;
   /** The directions of the larger (max) or smaller curvature. */
   curvatureField(options?: RotateOption & { direction?: 'max' | 'min' }): DirectionField;
   /** One vector for all vertices, projected into the tangent planes. */
   projectedField(vector: Numbers, options?: RotateOption): DirectionField;
-  /** Your own vectors, three numbers a vertex, projected into the tangent planes. */
+  /** Your own vectors, three numbers per vertex, projected into the tangent planes. */
   tangentField(vectors: Numbers, options?: RotateOption): DirectionField;
-  /** One of `arrays`, a row per vertex; of cells the mean around it. */
+  /** One of `arrays`, a row per vertex; cell arrays are averaged. */
   array(name: string): Float32Array;
-  /** One of `arrays` that has vectors: as `tangentField` of it. */
+  /** `tangentField` of one of `arrays` with vectors. */
   arrayField(name: string, options?: RotateOption): DirectionField;
   rotatedField(field: DirectionField, degrees: number): DirectionField;
-  /** Vectors that were measured, noisy or with holes, seen at the scale of the stripes. */
+  /** Smooths measured vectors, which may be noisy and have holes. */
   measuredField(vectors: Numbers, options?: MeasuredFieldOptions): MeasuredField;
-  /** One number per vertex: what the options say. */
+  /** The options' frequencies, one number per vertex. */
   frequencies(options?: FrequencyOptions): Float32Array;
 
   stripes(field: DirectionField, options?: StripeOptions): Pattern;
   /** Texture coordinates: two patterns, the second across the first. */
   texture(field: DirectionField, options?: TextureOptions): Texture;
-  /** The same along both directions of crosses, as `smoothField({ symmetry: 4 })` has them: for tiles that look the same turned by 90
-   * degrees. It is drawn on `Texture.surface()`, on which triangles around which a cross turns are split. */
+  /** The same along both directions of crosses, as from `smoothField({ symmetry: 4 })`, for tiles with fourfold symmetry.
+   * Draw it on `Texture.surface()`, where singular triangles are split. */
   crosses(field: DirectionField, options?: Omit<StripeOptions, 'lastPhases'>): Texture;
-  /** Where pictures of the tool are taken from, by its --camera: the whole surface, or with `zoom` its middle. */
+  /** The camera of the tool's --camera: frames the whole surface, or with `zoom` its middle. */
   camera(options?: CameraOptions): CameraView;
   /** Stripes that follow changing input, frame by frame. */
   animator(options?: AnimatorOptions): Animator;
-  /** Textures that do. */
+  /** Textures that follow changing input. */
   textureAnimator(options?: TextureAnimatorOptions): TextureAnimator;
 }
 
 export interface CameraOptions {
-  /** Degrees; 30 and 20 if left out. The camera moves counter-clockwise, seen from above, as the azimuth grows. */
+  /** Degrees; default 30 and 20. A larger azimuth moves the camera counter-clockwise, seen from above. */
   azimuth?: number;
   elevation?: number;
-  /** 1 if left out. */
+  /** Default 1. */
   zoom?: number;
-  /** The axis that points up; 'y' if left out. */
+  /** The up axis; default 'y'. */
   up?: 'y' | 'z';
-  /** Pixels of the picture; 800 and 600 if left out. */
+  /** Pixels of the picture; default 800 and 600. */
   width?: number;
   height?: number;
 }
 
-/** What `StripeDrawing.draw` takes: matrices in columns, the first of positions less the middle of the surface's box. */
+/** Input of `StripeDrawing.draw`: column-major matrices; the first is for positions relative to the centre of the bounding box. */
 export interface CameraView {
   viewFromWorld: Float32Array;
   clipFromView: Float32Array;
@@ -179,24 +179,24 @@ export interface CameraView {
 }
 
 export interface Curves {
-  /** x, y, z of all curves' points, one curve after the other. */
+  /** x, y, z of all curves' points, curve by curve. */
   points: Float32Array;
   normals: Float32Array;
   /** Curve i has the points offsets[i] to offsets[i + 1] - 1. */
   offsets: Uint32Array;
-  /** 1 if the curve comes back to its first point, which is not repeated. */
+  /** 1 if the curve is closed; its first point is not repeated. */
   closed: Uint8Array;
-  /** Two a curve, at its first and its last point: 0 none, as it is closed, 1 a boundary, 2 no wave, 3 an
-   * edge of three triangles, 4 a branch, 5 a singularity of the field, 6 a crease where phases do not meet. */
+  /** Two per curve, for its first and last point: 0 none (closed), 1 a boundary, 2 no wave, 3 an edge of three triangles,
+   * 4 a branch, 5 a singularity of the field, 6 a crease at which phases differ. */
   ends: Uint8Array;
 }
 
 export interface CurveOptions {
-  /** Joins curves that end in one branch in pairs; others run on into their neighbours, with `fair` smoothly. */
+  /** Joins curves that end in one branch in pairs; extends others to their neighbours, smoothly with `fair`. */
   join?: boolean;
-  /** Cuts ends back to where no curve is nearer than this share of the spacing; 0: not. Not with `join`. */
+  /** Cuts ends that are nearer to another curve than this share of the spacing; 0: none. Not with `join`. */
   trim?: number;
-  /** Takes out kinks shorter than about this share of the spacing; 0: not. */
+  /** Smooths kinks shorter than about this share of the spacing; 0: none. */
   fair?: number;
 }
 
@@ -215,32 +215,32 @@ export class Pattern extends Owned {
   readonly fieldSingularities: number;
   /** Degrees between the pattern and its field, over regular triangles. */
   readonly angleErrorMean: number;
-  /** Of spacing, as a share. */
+  /** Relative error of the spacing. */
   readonly spacingErrorMean: number;
   readonly verticesWithoutWave: number;
-  /** With slack: frequencies chosen over those asked for. */
+  /** With slack: chosen over requested frequencies. */
   readonly frequencyChange?: { ratioMin: number; ratioMax: number };
-  /** With creases: degrees by which the phases of both sides differ on average. */
+  /** With creases: mean difference of the phases of both sides, in degrees. */
   readonly creaseSlipMean?: number;
-  /** Of the creases' length, the share where these differ by more than 60. */
+  /** The share of the creases' length with a difference of more than 60 degrees. */
   readonly creaseSlipShare?: number;
   readonly milliseconds: { topology: number; frequency: number; couple: number; solve: number; pattern: number };
-  /** Sentences on what is probably not meant. */
+  /** Sentences about likely mistakes. */
   readonly warnings: string[];
   /** cos and sin of every vertex's phase. */
   phases(): Float32Array;
   directions(): DirectionField;
-  /** Stripes per unit length, one number per vertex: with slack those chosen. */
+  /** Stripes per unit length, one number per vertex; with slack, the chosen ones. */
   frequencies(): Float32Array;
   /** Per triangle 0 regular, 1 branch, 2 singularity of the field, 3 no wave. */
   triangleKinds(): Uint8Array;
   /** The stripes' centre lines. */
   curves(options?: CurveOptions): Curves;
-  /** The same as a file: .obj, .ply, .vtp or .csv by its name. */
+  /** The same as a file, by its extension: .obj, .ply, .vtp or .csv. */
   curvesFile(name: string, options?: CurveOptions): Uint8Array;
-  /** Where the stripes of two patterns of one surface cross. */
+  /** The crossings of the stripes of two patterns on one surface. */
   samplesWith(other: Pattern): Samples;
-  /** A drawing of the curves without hidden lines. `rotation` (x, y, z, w) turns coordinates to the viewer's. */
+  /** A drawing of the curves without hidden lines. `rotation` (x, y, z, w) maps to view coordinates. */
   svg(options?: { rotation?: readonly number[]; zoom?: number; width?: number; height?: number } & CurveOptions): Uint8Array;
 }
 
@@ -248,7 +248,7 @@ export interface TexturedMesh {
   positions: Float32Array;
   normals: Float32Array;
   triangles: Uint32Array;
-  /** U and V, one tile a unit, V upwards. */
+  /** U and V, one unit per tile, V upwards. */
   uvs: Float32Array;
 }
 
@@ -258,13 +258,13 @@ export interface TextureWaves {
   v: Float32Array;
 }
 
-/** A figure that repeats: distances to its border in sides of the tile, negative inside; row by row from V = 0. */
+/** A repeating motif: distances to its border in tile sides, negative inside; row by row from V = 0. */
 export interface Tile {
   side: number;
   distances: Float32Array;
 }
 
-/** Which figures of a tile branches, seams and borders would cut; without words none. */
+/** The motifs of a tile that branches, seams and borders would cut; none if `words` is empty. */
 export interface BrokenTiles {
   words: Uint32Array;
   layout: number;
@@ -272,27 +272,27 @@ export interface BrokenTiles {
 }
 
 export class Texture extends Owned {
-  /** Branches of U and V, and the mean of their energies; of crosses those of both waves together. */
+  /** Branches of U and V, and the mean of their energies; for crosses, of both waves together. */
   readonly branches: number;
   readonly energy: number;
-  /** What it is drawn on: a surface of its own to be disposed of; of crosses, with triangles split. */
+  /** The surface to draw on, which you must dispose of; for crosses, with split triangles. */
   surface(): Surface;
   /** For `StripeDrawing.setTexture`, with `brindle.tile(name)` and `brokenTiles(name)`. */
   waves(): TextureWaves;
-  /** Of tiles that the tool draws whole: arrows, dots, signs and bricks. */
+  /** For tiles that the tool draws whole: arrows, dots, signs and bricks. */
   brokenTiles(tile: string): BrokenTiles;
-  /** As those of a Pattern: of U, and where that is regular, of V. */
+  /** As in Pattern: of U or, where that is regular, of V. */
   triangleKinds(): Uint8Array;
-  /** U and V of three corners per triangle; NaN in singularities and where there is no wave. */
+  /** U and V of three corners per triangle; NaN in singularities and without a wave. */
   cornerUVs(): Float32Array;
-  /** One pair per vertex: vertices are split where needed, triangles at branches, too. */
+  /** One pair per vertex: splits vertices where needed, and triangles at branches. */
   mesh(): TexturedMesh;
   /** The same as binary glTF. */
   glb(): Uint8Array;
 }
 
 export interface AnimatorOptions {
-  /** How near phases stay to the last frame's; 0.025 if left out, 0: each frame from scratch. */
+  /** Weight of the last frame's phases; default 0.025, 0: each frame from scratch. */
   lambda?: number;
   cycles?: number;
   slack?: number;
@@ -302,13 +302,13 @@ export interface FrameInput extends FrequencyOptions {
   directions: DirectionField;
   /** One number per vertex, instead of `stripes` or `frequency`. */
   frequencies?: Float32Array;
-  /** Of vertices that moved; left out: where the surface has them. */
+  /** Of moved vertices; default: the surface's. */
   positions?: Float32Array;
-  /** Unit vectors that directions must be tangent to. */
+  /** Unit normals of the directions. */
   normals?: Float32Array;
-  /** Whether the frame has `vertices`; or an array of 12 numbers a vertex, which is filled and handed back. */
+  /** Whether the frame has `vertices`; or an array of 12 numbers per vertex to fill and return. */
   vertices?: boolean | Float32Array;
-  /** Whether the frame has `corners`; or an array of 3 numbers a triangle, likewise. */
+  /** Whether the frame has `corners`; or an array of 3 numbers per triangle to fill and return. */
   corners?: boolean | Float32Array;
 }
 
@@ -318,11 +318,11 @@ export interface Frame {
   phaseStep: number;
   unchanged: boolean;
   milliseconds: number;
-  /** With slack: those chosen. */
+  /** With slack: the chosen ones. */
   frequencies?: Float32Array;
-  /** What shaders read, with the normals of positions that moved: for `setVertices` of brindle/draw and brindle/three. */
+  /** Shader input with the normals of moved positions, for `setVertices` of brindle/draw and brindle/three. */
   vertices?: Float32Array;
-  /** Phases at the corners of triangles in radians, linear in each triangle; NaN where there are none. */
+  /** Phases at the corners of triangles in radians, linear in each triangle; NaN if undefined. */
   corners?: Float32Array;
 }
 
@@ -333,16 +333,16 @@ export class Animator extends Owned {
 }
 
 export interface TextureAnimatorOptions extends AnimatorOptions {
-  /** Whether directions have a sense, along which the texture points. */
+  /** Whether directions have signs, along which the texture points. */
   oriented?: boolean;
-  /** The tile whose figures are to stay whole: frames then have `broken`. */
+  /** The tile whose motifs stay whole: frames then have `broken`. */
   tile?: string;
 }
 
-/** As that of stripes; positions that moved come with normals, about which V is turned. */
+/** As for stripes; moved positions need normals, about which V is turned. */
 export type TextureFrameInput = Omit<FrameInput, 'vertices' | 'corners'>;
 
-/** What `StripeDrawing.setTexture` and `setKinds` take, and figures as those of a Texture. */
+/** Input of `StripeDrawing.setTexture` and `setKinds`, and metrics as in Texture. */
 export interface TextureFrame {
   waves: TextureWaves;
   triangleKinds: Uint8Array;
@@ -355,9 +355,9 @@ export interface TextureFrame {
 
 export class TextureAnimator extends Owned {
   frame(input: TextureFrameInput): TextureFrame;
-  /** The next frame, of vertices where the surface has them, as a texture that stays. */
+  /** The next frame, on the surface's positions, as a permanent texture. */
   texture(input: Omit<TextureFrameInput, 'positions' | 'normals'>): Texture;
-  /** The next frame goes on from this texture of the surface. */
+  /** Makes the next frame continue this texture of the surface. */
   follow(texture: Texture): void;
   restart(): void;
 }
@@ -371,9 +371,9 @@ export interface Brindle {
   tile(name: string): Tile;
   /** A built-in shape: 'torus' or 'torus,resolution=64'. */
   shape(spec: string, options?: CreaseOption): Surface;
-  /** Of arrays, checked. */
+  /** From arrays, which are checked. */
   surface(input: SurfaceInput, options?: SurfaceOptions): Surface;
-  /** Of a file's bytes, by the extension of its name: .obj, .ply, .stl, .off, .glb, .vtk. */
+  /** From a file's bytes, by its extension: .obj, .ply, .stl, .off, .glb, .vtk. */
   readSurface(bytes: ArrayBuffer | Uint8Array, name: string, options?: CreaseOption): Surface;
 }
 

@@ -1,4 +1,4 @@
-// The library with its WebAssembly inside: nothing to load, whatever bundles it.
+// The library with embedded WebAssembly: no file to load, with any bundler.
 import { brindleOf } from './brindle.js';
 import { compressed } from './inlined.js';
 import { inflated } from './loading.js';

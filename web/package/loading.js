@@ -1,4 +1,4 @@
-// WebAssembly on its way to a module: what emscripten's loader is told.
+// Loads WebAssembly: options for emscripten's loader.
 export async function inflated(compressed) {
   const bytes = Uint8Array.from(atob(compressed), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -12,7 +12,7 @@ async function bytesOf(wasm) {
   return response.arrayBuffer();
 }
 
-/** Of an address, bytes, or a compiled WebAssembly.Module. */
+/** From an address, bytes, or a compiled WebAssembly.Module. */
 export async function moduleOf(wasm) {
   if (!(wasm instanceof WebAssembly.Module)) return { wasmBinary: await bytesOf(wasm) };
   return {

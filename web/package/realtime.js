@@ -1,8 +1,8 @@
-// Stripes in real time, over either module of WebAssembly: checks what is handed in, names what comes
-// out. Results are copies: nothing refers to the module's memory.
+// Real-time stripes on either WebAssembly module: checks input and names results. Results are copies:
+// nothing refers to the module's memory.
 import { choice, corners, creased, fail, filled, floats, options, table } from './checks.js';
 
-// Has one object of the module, until it is disposed of.
+// Owns an object of the module until it is disposed of.
 export class Owned {
   #raw;
   #module;
@@ -20,7 +20,7 @@ export class Owned {
   get isDisposed() {
     return this.#raw === null;
   }
-  /** Gives the module's memory back. Twice does no harm. */
+  /** Frees the module's memory; may be called again. */
   dispose() {
     this.#raw?.delete();
     this.#raw = null;
@@ -30,7 +30,7 @@ if (Symbol.dispose) {
   Owned.prototype[Symbol.dispose] = Owned.prototype.dispose;
 }
 
-// A field that the module has made, rotated by so many degrees.
+// A field of the module, rotated by degrees.
 export function turned(surface, field, degrees) {
   return degrees === 0 ? field : surface.module.rotatedField(surface.raw, field, degrees);
 }
@@ -92,7 +92,7 @@ export class Surface extends Owned {
     return this.module.rotatedField(this.raw, floats(field, 3 * this.vertexCount, 'the field'), degrees);
   }
 
-  // `stripes` along the diagonal, 40 if nothing is said, or `frequency` in stripes per unit length.
+  // `stripes` along the diagonal, by default 40, or `frequency` in stripes per unit length.
   frequencies({ stripes, frequency } = {}) {
     if (stripes !== undefined && frequency !== undefined) {
       fail("'stripes' and 'frequency' exclude each other");
@@ -145,7 +145,7 @@ export class Pattern extends Owned {
 export const frameOptions = { directions: undefined, frequencies: undefined, stripes: undefined, frequency: undefined,
                               positions: undefined, normals: undefined };
 
-// What all animators take of a frame's input.
+// The common input of all animators' frames.
 export function frameInput(surface, o) {
   const vectors = 3 * surface.vertexCount;
   const input = { directions: floats(o.directions, vectors, 'directions') };
@@ -188,7 +188,7 @@ export class Brindle {
   }
 
   surface({ positions, triangles }, given) {
-    // Copies of vertices would change how many numbers a caller's own arrays must have.
+    // Copied vertices would change the required length of a caller's arrays.
     const o = creased(options(given, { repair: false, creaseAngle: 180 }, 'surface'));
     return this.surfaceOf(this.rawSurface(positions, triangles, o));
   }

@@ -1,4 +1,4 @@
-// The other end of ./worker: keeps objects under numbers and calls what is asked for.
+// The other end of ./worker: keeps numbered objects and calls their methods.
 const plain = (value) => value === null || typeof value !== 'object' || ArrayBuffer.isView(value);
 
 function buffersIn(value, found = new Set()) {
@@ -7,7 +7,7 @@ function buffersIn(value, found = new Set()) {
   return found;
 }
 
-/** Answers what comes through `port`, in its order; `create` makes the library. */
+/** Processes the messages of `port` in order; `create` makes the library. */
 export function serve(port, create) {
   const objects = new Map();
   let library = null, last = 0, order = Promise.resolve();

@@ -1,9 +1,9 @@
-/** GLSL ES 3.00, complete. */
+/** Complete shaders in GLSL ES 3.00. */
 export const stripesVertex: string;
 export const stripesFragment: string;
 export const marksVertex: string;
 export const marksFragment: string;
-/** For shaders of your own, behind their `#version` and precisions: what reads vertices and triangles. */
+/** For your own shaders, after `#version` and precisions: access to vertices and triangles. */
 export const patternVertex: string;
-/** The same with all that finds the pattern at a pixel. */
+/** The same, with the pattern at a pixel. */
 export const patternFragment: string;

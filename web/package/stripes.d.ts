@@ -10,13 +10,13 @@ export interface Surface extends Omit<whole.Surface, 'arrays' | 'array' | 'array
   stripes(field: whole.DirectionField, options?: whole.StripeOptions): Pattern;
 }
 
-/** Stripes in real time alone: the same functions as in 'brindle', with the same results. */
+/** Real-time stripes only: the same functions as in 'brindle', with the same results. */
 export interface Brindle {
   readonly version: string;
   surface(input: whole.SurfaceInput, options?: whole.SurfaceOptions): Surface;
 }
 
-/** `wasm`: where stripes.wasm is, its bytes, or a compiled module; left out: what is in the program. */
+/** `wasm`: the address of stripes.wasm, its bytes, or a compiled module; default: the embedded one. */
 export function createBrindle(options?: {
   wasm?: string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
 }): Promise<Brindle>;

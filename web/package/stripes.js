@@ -1,4 +1,4 @@
-// Stripes in real time alone, with their WebAssembly inside: a third of the library.
+// Real-time stripes only, with embedded WebAssembly: a third of the library's size.
 import createModule from './stripes_module.js';
 import { BrindleError } from './error.js';
 import { inflated, moduleOf } from './loading.js';
@@ -8,7 +8,7 @@ import { compressed } from './stripes_inlined.js';
 export { BrindleError };
 export { Animator, Pattern, Surface } from './realtime.js';
 
-/** `wasm`: where stripes.wasm is, its bytes, or a compiled WebAssembly.Module; left out: what is in here. */
+/** `wasm`: the address of stripes.wasm, its bytes, or a compiled WebAssembly.Module; default: the embedded one. */
 export async function createBrindle({ wasm } = {}) {
   const how = wasm === undefined ? { wasmBinary: await inflated(compressed) } : await moduleOf(wasm);
   return new Brindle(await createModule({ ...how, BrindleError }));

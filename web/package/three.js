@@ -1,12 +1,12 @@
-// Stripes on materials of three.js, for its WebGLRenderer. Any material with a colour takes them: light,
-// shadows and fog stay three's own. The phase is computed at every pixel, by the library's own shaders.
+// Stripes on materials of three.js, for its WebGLRenderer. Any material with a colour works: light, shadows
+// and fog stay three's own. The phase is computed per pixel by the library's own shaders.
 import { BufferAttribute, BufferGeometry, Color, DataTexture, FloatType, NearestFilter, RGBAFormat,
          RGBAIntegerFormat, UnsignedIntType, Vector2, Vector3, Vector4 } from 'three';
 import { patternBuffers } from './draw.js';
 import { BrindleError } from './error.js';
 import { patternFragment } from './shaders.js';
 
-// three sets these two by name, wherever they are used.
+// three sets these two by name.
 const fragment = patternFragment
   .replace('uniform mat4 view_from_world;', 'uniform mat4 modelViewMatrix;\n#define view_from_world modelViewMatrix')
   .replace('uniform mat4 clip_from_view;', 'uniform mat4 projectionMatrix;\n#define clip_from_view projectionMatrix');
@@ -25,19 +25,19 @@ function textureOf(numbers, format, type, internalFormat) {
   return texture;
 }
 
-// Those whose shaders have the places that stripes are put into.
+// Materials whose shaders have the chunks that stripes are inserted into.
 const painted = /^Mesh(Basic|Lambert|Matcap|Phong|Physical|Standard|Toon)Material$/;
 const inserted = (text, place, added) => text.replace(place, `${place}\n${added}`);
 
-// Where a geometry closes, three's sines and cosines end a rounding error beside where they began: what is
-// nearer than a few millionths of the size is at one place.
+// At seams, three's sines and cosines differ by rounding errors: points within a few millionths of the size
+// are at one position.
 function snapped(positions) {
   const largest = positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   const step = 2 ** (Math.ceil(Math.log2(largest)) - 20);
   return largest > 0 && Number.isFinite(step) ? positions.map((x) => Math.round(x / step) * step) : positions;
 }
 
-/** What `brindle.surface` takes, of triangles with an index or without; with `repair: true` it joins their vertices. */
+/** Input of `brindle.surface` from indexed or plain triangles; pass `repair: true` to join vertices. */
 export function surfaceInput(geometry) {
   const position = geometry.getAttribute('position');
   if (!position) throw new BrindleError("the geometry has no attribute 'position'");
@@ -49,7 +49,7 @@ export function surfaceInput(geometry) {
   return { positions: snapped(positions), triangles };
 }
 
-// Frames move its vertices.
+// Frames may move its vertices.
 const ownSurface = ({ positions, normals, triangles }) =>
   ({ positions: Float32Array.from(positions), normals: Float32Array.from(normals), triangles });
 
@@ -58,7 +58,7 @@ export class Stripes {
   #uniforms;
 
   /**
-   * `surface` and `pattern` are arrays as Surface, Pattern and frames give them: positions, normals and
+   * `surface` and `pattern` are arrays of Surface, Pattern and frames: positions, normals and
    * triangles; directions, frequencies and phases.
    */
   constructor(surface, pattern, { color = '#1c325a', width = 0.5 } = {}) {
@@ -74,7 +74,7 @@ export class Stripes {
       stripe_color: { value: new Color(color) },
       stripe_width: { value: width },
     };
-    /** Three vertices a triangle: its shaders know triangles by their number alone. */
+    /** Separate vertices for each triangle: shaders identify triangles by number. */
     this.geometry = new BufferGeometry();
     this.#fillGeometry();
   }
@@ -89,7 +89,7 @@ export class Stripes {
     this.#uniforms.stripe_width.value = share;
   }
 
-  /** Another pattern of the same surface, such as a frame. `moved`: positions and normals that changed with it. */
+  /** Another pattern of the same surface, such as a frame. `moved`: its changed positions and normals. */
   setPattern(pattern, moved = {}) {
     this.#surface = ownSurface({ ...this.#surface, ...moved });
     const texture = this.#uniforms.pattern_vertices.value;
@@ -98,7 +98,7 @@ export class Stripes {
     if (moved.positions) this.#fillGeometry();
   }
 
-  /** A frame's `vertices`: its pattern, and where vertices are now. */
+  /** A frame's `vertices`: its pattern and its positions. */
   setVertices(vertices) {
     const { positions, normals } = this.#surface;
     if (vertices.length !== 4 * positions.length) {
@@ -117,7 +117,7 @@ export class Stripes {
     if (moved) this.#fillGeometry();
   }
 
-  /** Lets a material have the stripes over its colour, and gives it back. Use it with `geometry` alone. */
+  /** Adds stripes to a material, and returns it. Use it only with `geometry`. */
   paint(material) {
     if (!painted.test(material?.type)) {
       throw new BrindleError(`${material?.type ?? material} cannot take stripes; use one of three's materials of meshes, such as ` +
@@ -150,7 +150,7 @@ void main()`);
     return material;
   }
 
-  /** Gives geometry and textures back; the materials are yours. */
+  /** Frees geometry and textures; dispose of materials yourself. */
   dispose() {
     this.geometry.dispose();
     this.#uniforms.pattern_vertices.value.dispose();

@@ -17,7 +17,7 @@ export type RemoteTexture = Remote<Texture>;
 export type RemoteAnimator = Remote<Animator>;
 export type RemoteTextureAnimator = Remote<TextureAnimator>;
 
-/** `worker`: one that runs ./worker-host.js, or a port of one; left out: a new one. */
+/** `worker`: one that runs ./worker-host.js, or a port of one; default: a new one. */
 export function createBrindle(options?: { worker?: Worker | MessagePort }):
   Promise<Remote<Brindle> & { terminate(): void }>;
 export default createBrindle;

@@ -1,5 +1,4 @@
-// The library in a Worker: the same methods, each of which returns a promise. Arrays are transferred
-// back, so that nothing is copied twice.
+// The library in a Worker: the same methods, which return promises. Results are transferred, not copied.
 import { BrindleError } from './error.js';
 
 export { BrindleError };
@@ -16,7 +15,7 @@ const methods = {
   TextureAnimator: ['frame', 'texture', 'follow', 'restart', 'dispose'],
 };
 
-/** `worker`: one that runs ./worker-host.js, or a port of one; without it a new one is started. */
+/** `worker`: one that runs ./worker-host.js, or a port of one; default: a new one. */
 export async function createBrindle({ worker } = {}) {
   const port = worker ?? new Worker(new URL('./worker-host.js', import.meta.url), { type: 'module' });
   const waiting = new Map();

@@ -41,7 +41,7 @@ canvas.hidden = gl === null;
 canvas.addEventListener('webglcontextlost', () => say('The graphics card was taken away; reload the page.'));
 
 function fit() {
-  // Screens of more pixels than 4K show no more for all the work.
+  // More pixels than 4K cost time without visible gain.
   const ratio = Math.min(devicePixelRatio, Math.sqrt(3840 * 2160 / Math.max(1, canvas.clientWidth * canvas.clientHeight)));
   const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
   const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
@@ -77,7 +77,7 @@ function loop(now) {
 }
 
 // ---------------------------------------------------------------------------------------------------
-// What is computed
+// Computation
 
 const number = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 let live = null;
@@ -116,7 +116,7 @@ async function open(make, name) {
   opened = name;
   own = !(settings.values.shape in names);
   drawing?.setSurface(live.shape);
-  // Turning, it stays in a ball about its middle.
+  // The bounding ball, which does not change with rotation.
   const { positions } = live.shape, center = drawing?.center ?? [0, 0, 0];
   let radius = 0;
   for (let i = 0; i < positions.length; i += 3) {
@@ -132,7 +132,7 @@ async function open(make, name) {
   return true;
 }
 
-/** Those of a mesh that was dropped are of no use in a link. */
+/** Without those of a dropped mesh, which a link cannot contain. */
 function keepStrokes() {
   $('unbrush').disabled = live.strokes.length === 0;
   settings.strokes = own ? '' : writtenStrokes(live.strokes, live.surface.diagonal);
@@ -244,7 +244,7 @@ function extend(event) {
 
 function endStroke() {
   if (stroke.length >= 6) {
-    // As the link has them, so that it shows the same.
+    // Rounded as in the link, which then shows the same.
     const { diagonal } = live.surface, strokes = [...live.strokes, brushed(stroke, diagonal)];
     live.strokes = readStrokes(writtenStrokes(strokes, diagonal), diagonal);
     keepStrokes();

@@ -1,4 +1,4 @@
-// Where the surface is seen from: a rotation, which turns the world to the viewer, and a zoom.
+// The camera: a rotation from world to view coordinates, and a zoom.
 const turn = (axis, angle) => {
   const s = Math.sin(angle / 2);
   return [axis[0] * s, axis[1] * s, axis[2] * s, Math.cos(angle / 2)];
@@ -32,18 +32,18 @@ export class Camera {
     this.zoom = 1;
   }
 
-  /** What is seen is a ball of this radius. */
+  /** Frames a ball of this radius. */
   frame(radius) {
     this.radius = radius || 1;
   }
 
-  /** By pixels of a drag across a picture of `size` pixels. */
+  /** Rotates by a drag in pixels across a picture of `size` pixels. */
   drag(dx, dy, size) {
     const angle = Math.hypot(dx, dy) * 3.2 / size;
     if (angle > 0) this.rotation = product(turn([dy, dx, 0].map((c) => c / Math.hypot(dx, dy)), angle), this.rotation);
   }
 
-  /** About the world's vertical axis. */
+  /** Rotates about the world's vertical axis. */
   spin(angle) {
     this.rotation = product(this.rotation, turn(Y, angle));
   }
@@ -52,7 +52,7 @@ export class Camera {
     this.zoom = Math.min(60, Math.max(0.4, this.zoom * factor));
   }
 
-  /** Matrices of a picture of these sides. */
+  /** Matrices for a picture of this size. */
   view(width, height) {
     const columns = [X, Y, [0, 0, 1]].map((axis) => rotated(this.rotation, axis));
     const distance = this.radius / Math.sin(Math.atan(half)) * 1.12;
@@ -67,7 +67,7 @@ export class Camera {
     };
   }
 
-  /** The line of sight through a place of the picture, in the world's coordinates less its middle. */
+  /** The ray through a pixel, in world coordinates relative to the centre. */
   ray(x, y, width, height) {
     const { distance } = this.view(width, height), side = Math.min(width, height);
     const back = [-this.rotation[0], -this.rotation[1], -this.rotation[2], this.rotation[3]];
@@ -77,7 +77,7 @@ export class Camera {
   }
 }
 
-/** The first point of the triangles that a ray meets, or null. */
+/** The first intersection of a ray with the triangles, or null. */
 export function firstHit({ from, along }, { positions, triangles }, center) {
   const [ox, oy, oz] = from.map((c, axis) => c + center[axis]), [dx, dy, dz] = along;
   let nearest = Infinity;

@@ -1,7 +1,7 @@
 import { isData } from './settings.js';
 
-// The surface and its pattern, which a Worker makes. The newest wish wins: what is asked for while it
-// works is begun when it is done, and nothing in between.
+// The surface and its pattern, computed in a Worker. The newest request wins: while one runs, only the last
+// further one is kept.
 export class LivePattern {
   constructor(brindle, { shown, working, failed }) {
     this.brindle = brindle;
@@ -13,7 +13,7 @@ export class LivePattern {
     this.tiles = {};
   }
 
-  /** `settings`, and `draft`: whether there is more to come at once. */
+  /** `settings`, and `draft`: whether further requests follow at once. */
   ask(settings, draft = false) {
     this.wish = { settings: { ...settings }, draft };
     if (!this.busy) this.work();
@@ -35,7 +35,7 @@ export class LivePattern {
     this.call.working(false);
   }
 
-  /** A surface that is made by `make`; if that fails, the old one stays. */
+  /** Replaces the surface by that of `make`; keeps the old one on failure. */
   async take(make) {
     this.call.working(true);
     try {
@@ -59,13 +59,13 @@ export class LivePattern {
   }
 
   async fieldFor({ field, rotate, detail, stripes, tile }) {
-    // Arrows have a sense, and those that face each other cancel.
+    // Arrows have signs, and opposite ones cancel.
     const seen = isData(field) && detail > 0 ? { stripes, periods: detail, symmetry: tile === 'arrows' ? 1 : 2 } : null;
     const key = JSON.stringify([field, rotate, seen, this.strokes]);
     if (key === this.fieldKey) return this.field;
     const axis = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }[field];
     const strokes = this.strokes;
-    // Stripes run across a field: turned, they run along strokes and edges.
+    // Stripes run across a field: turned by 90 degrees, they run along strokes and edges.
     const along = rotate + 90;
     let made;
     if (strokes.length === 0 && isData(field)) made = await this.fieldOfData(field.slice('array:'.length), rotate, seen);
@@ -103,7 +103,7 @@ export class LivePattern {
     this.call.shown({ directions, frequencies, phases, kinds, pattern, milliseconds: performance.now() - begin });
   }
 
-  /** An animator that goes on from the texture that is shown, if that is of the same kind. */
+  /** An animator that continues the shown texture, if it is of the same kind. */
   async textureAnimator({ tile, slack }, oriented) {
     const key = JSON.stringify([tile, slack, oriented]);
     if (!this.texture || this.followed?.key !== key) {
@@ -119,12 +119,12 @@ export class LivePattern {
 
   async followTexture(settings, directions, draft, begin) {
     const { field, stripes, slack, tile } = settings;
-    // Vectors have a sense, along which arrows point.
+    // Vectors have signs, along which arrows point.
     const oriented = (isData(field) || 'xyz'.includes(field)) && this.strokes.length === 0;
     this.tiles[tile] ??= await this.brindle.tile(tile);
     const key = JSON.stringify([this.fieldKey, stripes, slack, oriented]);
     let texture = this.texture;
-    // Another tile is another figure on the same waves.
+    // Another tile only changes the motif on the same waves.
     if (texture?.key !== key) {
       const animator = await this.textureAnimator(settings, oriented);
       if (draft && animator) {
@@ -142,7 +142,7 @@ export class LivePattern {
     this.call.shown({ waves, kinds, broken, tile: this.tiles[tile], pattern: texture, milliseconds: performance.now() - begin });
   }
 
-  /** One of both: what is shown. */
+  /** The one of both that is shown. */
   async keep({ pattern = null, texture = null }) {
     const old = [this.pattern, this.texture];
     this.pattern = pattern;

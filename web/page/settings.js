@@ -1,9 +1,9 @@
-// What the form says, and the link that carries it.
+// The settings of the form, and their link.
 export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, detail: 0, tile: 'stripes', stripes: 40, width: 50, slack: 0, branches: false };
 
 const units = { rotate: (v) => `${v}°`, detail: (v) => (Number(v) === 0 ? 'off' : v), width: (v) => `${v} %`, slack: (v) => `${v} %`, stripes: (v) => String(v) };
 
-/** Fields that are arrays of the mesh's file. */
+/** Fields from arrays of the mesh's file. */
 export const isData = (field) => field.startsWith('array:');
 
 export class Settings {
@@ -21,7 +21,7 @@ export class Settings {
     }
   }
 
-  /** All settings: those that a link does not name are as they are by default, and so are values that a control has not. */
+  /** All settings; defaults replace missing values and values that a control does not have. */
   read(hash) {
     const given = new URLSearchParams(hash.replace(/^#/, ''));
     this.strokes = given.get('strokes') ?? '';
@@ -47,7 +47,7 @@ export class Settings {
     for (const what of ['svg', 'obj']) this.form.querySelector(`[data-save="${what}"]`).disabled = isTexture;
   }
 
-  /** The arrays of vectors that the mesh has: directions to choose from, and how finely they are seen. */
+  /** The mesh's vector arrays: choices of directions, and their smoothing. */
   offer(names) {
     const field = this.form.elements.namedItem('field');
     field.querySelector('optgroup')?.remove();

@@ -1,4 +1,4 @@
-// Strokes in links: their points in two thousandths of the surface's diagonal, each less the one before.
+// Strokes in links: differences of successive points, in two-thousandths of the surface's diagonal.
 const perDiagonal = 2000;
 
 export const brushed = (points, diagonal) => ({ points, radius: 0.08 * diagonal, strength: 4 });
@@ -10,7 +10,7 @@ export function writtenStrokes(strokes, diagonal) {
   }).join('~');
 }
 
-/** None at all where the text is no list of strokes. */
+/** Empty if the text is no list of strokes. */
 export function readStrokes(text, diagonal) {
   const strokes = text.split('~').map((stroke) => {
     const places = stroke.split('.').map((number) => (/^-?\d{1,5}$/.test(number) ? Number(number) : NaN));
