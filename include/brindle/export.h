@@ -4,7 +4,8 @@
 #include <memory>
 #include <utility>
 
-// Windows has no such attribute for namespaces; there CMake exports all symbols.
+// Windows has no such attribute for namespaces, and Clang does not apply it to definitions; there
+// all symbols are exported.
 #if defined(__GNUC__) && !defined(_WIN32)
 #define BRINDLE_EXPORT [[gnu::visibility("default")]]
 #else

@@ -203,9 +203,12 @@ FragmentWave singular_wave(const Round& round, const Vec3& barycentric, const Ve
 
   const TurnsFromCentre turns = turns_from_centre(round);
   FragmentWave fragment;
-  const float other =
-      turns_beside(round, second, barycentric, point, turns.corners[second], fragment);
-  const float own = turns_beside(round, m, barycentric, point, turns.corners[m], fragment);
+  float own = 0, other = 0;
+  for (int edge = share > 0 ? 1 : 0; edge >= 0; --edge) {
+    const int corner = edge == 1 ? second : m;
+    (edge == 1 ? other : own) =
+        turns_beside(round, corner, barycentric, point, turns.corners[corner], fragment);
+  }
   const float inside = square(27 * b[0] * b[1] * b[2]);
   const float way = std::sqrt(std::max(1 - inside, 0.0f));
   const float blended = own + share * ((reversed ? -other : other) - own);

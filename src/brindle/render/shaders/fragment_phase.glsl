@@ -84,7 +84,7 @@ EdgeTurns turns_between(CornerWave a, CornerWave b) {
 
 struct Round {
   CornerWave corners[4];
-  bool turned_round[4];
+  bvec4 turned_round;
   EdgeTurns edges[3];
 };
 
@@ -195,7 +195,7 @@ FragmentWave blended_wave(Round round, Fragment f) {
 }
 
 struct TurnsFromCentre {
-  float corners[3];
+  vec3 corners;
   float centre;
 };
 
@@ -212,22 +212,41 @@ TurnsFromCentre turns_from_centre(Round round) {
   return result;
 }
 
+// `round.corners[m]` and `round.edges[m]`. Software renderers keep arrays with variable indices in
+// memory, which makes the program twice as long.
+CornerWave corner_at(Round round, int m) {
+  CornerWave corner = round.corners[0];
+  for (int k = 1; k < 4; ++k) {
+    if (k == m) corner = round.corners[k];
+  }
+  return corner;
+}
+
+EdgeTurns edge_at(Round round, int m) {
+  EdgeTurns edge = round.edges[0];
+  for (int k = 1; k < 3; ++k) {
+    if (k == m) edge = round.edges[k];
+  }
+  return edge;
+}
+
 vec3 turns_beside(Round round, int m, Fragment f, float at_corner, inout FragmentWave fragment) {
-  CornerWave from = round.corners[m];
-  CornerWave to = round.corners[m + 1];
+  CornerWave from = corner_at(round, m);
+  CornerWave to = corner_at(round, m + 1);
+  EdgeTurns edge = edge_at(round, m);
   vec3 a = weight_of(f, m);
   vec3 b = weight_of(f, (m + 1) % 3);
   vec3 share = quotient(b, a + b);
   vec3 rest = vec3(1.0, 0.0, 0.0) - share;
   fragment.direction = normalize(rest.x * from.direction + share.x * to.direction);
   fragment.frequency = rest.x * from.frequency + share.x * to.frequency;
-  float excess = excess_of(round.edges[m]);
+  float excess = excess_of(edge);
   vec3 turns = turns_to(f, fragment, from);
   vec3 turns_b = turns_to(f, fragment, to);
   PhaseSum phase = PhaseSum(vec2(0.0), vec2(0.0), vec2(0.0));
   add_term(phase, rest, from.z, turns + excess * share);
   add_term(phase, share, to.z, turns_b - excess * rest);
-  float gain = round.edges[m].shift + round.edges[m].mismatch;
+  float gain = edge.shift + edge.mismatch;
   float led = rest.x * turns.x + share.x * (gain + turns_b.x);
   float off = turns_from_peak(phase.sum) - turns_from_peak(from.z) - led;
   return vec3(at_corner + led + off - floor(off + 0.5), turns_by(phase));
@@ -249,8 +268,17 @@ FragmentWave singular_wave(Round round, Fragment f) {
 
   TurnsFromCentre turns = turns_from_centre(round);
   FragmentWave fragment = kNoWave;
-  vec3 other = turns_beside(round, second, f, turns.corners[second], fragment);
-  vec3 own = turns_beside(round, m, f, turns.corners[m], fragment);
+  vec3 own = vec3(0.0), other = vec3(0.0);
+  // No compiler writes a loop out whose length depends on the point: this is most of the program.
+  for (int edge = share.x > 0.0 ? 1 : 0; edge >= 0; --edge) {
+    int corner = edge == 1 ? second : m;
+    vec3 beside = turns_beside(round, corner, f, turns.corners[corner], fragment);
+    if (edge == 1) {
+      other = beside;
+    } else {
+      own = beside;
+    }
+  }
   vec3 inside = square(27.0 * product(product(least, middle), most));
   float way = sqrt(max(1.0 - inside.x, 0.0));
   vec3 blended = own + product(share, (reversed ? -other : other) - own);

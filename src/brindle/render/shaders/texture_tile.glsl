@@ -3,30 +3,38 @@
 
 uniform samplerBuffer texture_u;  // three pairs for every corner: direction, frequency, z
 uniform samplerBuffer texture_v;
+// 2: compilers that know it write the loop out, and take twice as long, seconds on software renderers.
+uniform int wave_count;
 
 // The waves of a texture at a point.
 struct TextureFragment {
   FragmentWave u, v;
 };
 
-CornerWave corner_of(samplerBuffer buffer_of_waves, vec3 position, int first) {
-  vec2 a = texelFetch(buffer_of_waves, first).xy;
-  vec2 b = texelFetch(buffer_of_waves, first + 1).xy;
-  return CornerWave(position, vec3(a, b.x), b.y, texelFetch(buffer_of_waves, first + 2).xy);
+CornerWave corner_of(int wave, vec3 position, int first) {
+  bool is_u = wave == 0;
+  vec2 a = is_u ? texelFetch(texture_u, first).xy : texelFetch(texture_v, first).xy;
+  vec2 b = is_u ? texelFetch(texture_u, first + 1).xy : texelFetch(texture_v, first + 1).xy;
+  vec2 z = is_u ? texelFetch(texture_u, first + 2).xy : texelFetch(texture_v, first + 2).xy;
+  return CornerWave(position, vec3(a, b.x), b.y, z);
 }
 
 TextureFragment texture_at(SurfacePoint p) {
-  CornerWave u[3];
-  CornerWave v[3];
-  for (int m = 0; m < 3; ++m) {
-    vec3 position = position_of(p.vertices[m]);
-    int first = 3 * (3 * int(p.triangle) + m);
-    u[m] = corner_of(texture_u, position, first);
-    v[m] = corner_of(texture_v, position, first);
+  TextureFragment f;
+  for (int wave = 0; wave < wave_count; ++wave) {
+    CornerWave corners[3];
+    for (int m = 0; m < 3; ++m) {
+      corners[m] = corner_of(wave, position_of(p.vertices[m]), 3 * (3 * int(p.triangle) + m));
+    }
+    FragmentWave fragment =
+        split_fragment_phase(corners, p.barycentric, p.barycentric_dx, p.barycentric_dy);
+    if (wave == 0) {
+      f.u = fragment;
+    } else {
+      f.v = fragment;
+    }
   }
-  return TextureFragment(
-      split_fragment_phase(u, p.barycentric, p.barycentric_dx, p.barycentric_dy),
-      split_fragment_phase(v, p.barycentric, p.barycentric_dx, p.barycentric_dy));
+  return f;
 }
 
 // The tile, filtered over the whole pixel.

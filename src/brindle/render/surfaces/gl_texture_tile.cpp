@@ -107,6 +107,7 @@ void GlTextureTile::bind(const ShaderProgram& program) const {
   program.set("tile_colors", static_cast<int>(kColorUnit));
   program.set("tile_distances", static_cast<int>(kDistanceUnit));
   program.set("tile_is_figure", distances_ != 0);
+  program.set("wave_count", 2);
   glBindTextureUnit(kColorUnit, colors_);
   glBindTextureUnit(kDistanceUnit, distances_);
 }
