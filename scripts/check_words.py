@@ -114,7 +114,7 @@ def check_budgets(texts):
 def list_help_texts(tool):
     commands = re.findall(r"^  (\w+)  +\w", subprocess.check_output([tool, "--help"], text=True), re.M)
     for command in commands:
-        text = subprocess.check_output([tool, command, "--help"], text=True)
+        text = subprocess.check_output([tool, command, "--help-all"], text=True)
         for option, help_text in re.findall(r"^  (-\S+).*?(?:\n {20,}|  +)(\S.*)$", text, re.M):
             if len(help_text) > LONGEST_HELP:
                 print(f"{command} {option}: {len(help_text)} characters: {help_text[:50]}")

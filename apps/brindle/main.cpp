@@ -1,6 +1,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "brindle/version.h"
 #include "cli/blas_threads.h"
 #include "cli/commands.h"
+#include "cli/help.h"
 #include "cli/progress_display.h"
 
 namespace brindle::tool {
@@ -110,6 +112,8 @@ int run(const std::vector<Command>& commands) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"Lays stripe patterns over surfaces, aligned to a direction field.", "brindle"};
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_all_flag("--help-all", "Print help with all options and exit");
   app.set_version_flag("--version", "brindle " BRINDLE_VERSION "\nbuilt in: " BRINDLE_BUILT_IN,
                        "Print the version and what is built in, and exit");
   app.add_flag_callback(

@@ -75,6 +75,7 @@ struct SliderRange {
 struct OptionInfo {
   std::string_view name = {};   ///< long, without dashes: "stripe-width"
   std::string_view words = {};  ///< label in panels: "width of stripes"; empty: not shown there
+  bool common = false;          ///< in short lists, too
   std::string_view group = {};  ///< heading in lists of options: "Stripes"
   OptionKind kind = OptionKind::text;
   std::string_view form = {};  ///< how a value is written: "N", "FILE|array:NAME"; of flags: empty

@@ -1,4 +1,6 @@
 #include <filesystem>
+#include <iterator>
+#include <regex>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -21,6 +23,33 @@ TEST_F(ToolTest, HelpHasExamples) {
     EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;
     EXPECT_TRUE(has(result.out, "Examples:")) << result.out;
   }
+}
+
+// But those of help.
+std::size_t option_count(const std::string& help) {
+  static const std::regex option("\n  -");
+  return static_cast<std::size_t>(
+             std::distance(std::sregex_iterator(help.begin(), help.end(), option), {})) -
+         2;
+}
+
+TEST_F(ToolTest, HelpIsShortAndNamesTheWholeOne) {
+  for (const std::string command : {"stripe", "compare", "curves", "sample", "animate", "bench"}) {
+    const std::string some = run({command, "--help"}).out, all = run({command, "--help-all"}).out;
+    EXPECT_LE(option_count(some), 30u) << some;
+    EXPECT_TRUE(has(some, "'brindle " + command + " --help-all' lists " +
+                              std::to_string(option_count(all) - option_count(some)) + " more"))
+        << some;
+    EXPECT_FALSE(has(all, "more options")) << all;
+  }
+}
+
+// What is written comes first, how it is computed last.
+TEST_F(ToolTest, HelpHasGroups) {
+  const std::string all = run({"stripe", "--help-all"}).out;
+  EXPECT_LT(all.find("\nOutput:\n"), all.find("\nSurface:\n"));
+  EXPECT_GT(all.find("\nSolver:\n"), all.find("\nPicture:\n"));
+  EXPECT_LT(all.find("\nOptions:\n  -h,--help"), all.find("\nOutput:\n  -o,--output"));
 }
 
 TEST_F(ToolTest, HelpSaysHowCommandsEnd) {

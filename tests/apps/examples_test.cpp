@@ -154,7 +154,8 @@ struct Examples : ToolTest {
 
 // Of one command, or of the program where it is empty.
 std::vector<Arguments> examples_of(const ToolTest& test, const std::string& command) {
-  const ToolResult help = command.empty() ? test.run({"--help"}) : test.run({command, "--help"});
+  const ToolResult help =
+      command.empty() ? test.run({"--help"}) : test.run({command, "--help-all"});
   return examples_in(help.out);
 }
 

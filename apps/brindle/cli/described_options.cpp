@@ -9,15 +9,9 @@ namespace brindle::tool {
 namespace {
 
 // By any of its names.
-const OptionInfo* row_of(const CLI::Option& option, PatternJob job) {
-  for (const std::string& name : option.get_lnames()) {
-    if (const OptionInfo* info = find_option(name, job)) return info;
-  }
-  return nullptr;
-}
-
 void describe_option(CLI::Option& option, const OptionInfo& info) {
   option.description(std::string(info.help));
+  option.group(std::string(info.group));
   if (info.kind == OptionKind::flag) return;
   option.type_name(std::string(info.form));
   const NumberRange& range = info.range;
@@ -43,6 +37,13 @@ void link(CLI::App& app, CLI::Option& option, const OptionInfo& info) {
 }
 
 }  // namespace
+
+const OptionInfo* row_of(const CLI::Option& option, PatternJob job) {
+  for (const std::string& name : option.get_lnames()) {
+    if (const OptionInfo* info = find_option(name, job)) return info;
+  }
+  return nullptr;
+}
 
 PatternJob job_of(const std::string& command) {
   if (command == "curves") return PatternJob::curves;

@@ -1,0 +1,25 @@
+/// Help in two lengths.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace brindle::tool {
+
+/// Lists options group by group: `--help` the common ones and a few examples, `--help-all` all.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter();
+
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override;
+  std::string make_option_opts(const CLI::Option* option) const override;
+
+ private:
+  std::string groups_of(const CLI::App& app) const;
+
+  mutable bool all_ = false;  ///< the help that is being made is `--help-all`
+};
+
+}  // namespace brindle::tool
