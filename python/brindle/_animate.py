@@ -32,7 +32,7 @@ class Animator:
                  phase_shift: str = "aligned", edge_weights: "Optional[ArrayLike]" = None,
                  slack: Any = None, calm: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, calm)
+        check_slack(slack, calm, self.surface)
         self._core = _core.Animator(self.surface._core, word(solver, "solver"),
                                     number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
                                     whole_number(cycles, "cycles"),
@@ -46,10 +46,11 @@ class Animator:
               progress: Optional[Progress] = None) -> "NDArray[np.complex64]":
         """The phases of the next frame: (n,) exp(i Phi), in a new array or in ``out``.
 
-        ``directions``: (n, 3) unit tangent vectors, or zero for no wave (``Surface.array_field``
-        makes such of any vectors). ``frequencies``: stripes per unit length, a number or (n,).
-        ``positions``: (n, 3), where vertices have moved to. Packed arrays of float32 are read where
-        they are; others are converted.
+        ``directions``: (n, 3) vectors of any length, as for ``brindle.stripes`` of the surface at
+        ``positions``; zero, NaN or masked for no wave. ``frequencies``: stripes per unit length, a
+        number or (n,), NaN for no wave. ``positions``: (n, 3), where vertices have moved to. Packed
+        arrays of float32 that hold unit tangent vectors are read where they are; others are
+        converted.
         """
         return self._core.frame(directions, frequencies, positions, out, progress)
 
@@ -109,7 +110,7 @@ class TextureAnimator:
                  sweeps: int = 2, cycles: int = 0, slack: Any = None,
                  calm: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, calm)
+        check_slack(slack, calm, self.surface)
         self._core = _core.TextureAnimator(self.surface._core, flag(oriented, "oriented"),
                                            number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
                                            whole_number(cycles, "cycles"), slack, calm)
@@ -121,7 +122,7 @@ class TextureAnimator:
               progress: Optional[Progress] = None) -> "NDArray[np.float32]":
         """The next frame's coordinates at the corners of triangles, (m, 3, 2), as
         ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's unless U's
-        are wanted, ``normals`` (n, 3) those of moved positions."""
+        are wanted; ``normals`` (n, 3) left out: those of ``positions``."""
         return self._core.frame(directions, frequencies, positions, frequencies_v, normals,
                                 progress)
 

@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING, Any, Mapping
 
 from . import _core
 
+if TYPE_CHECKING:
+    from ._surface import Surface
+
 Error = _core.Error
 Cancelled = _core.Cancelled
 Error.__module__ = Cancelled.__module__ = "brindle"
@@ -126,11 +129,11 @@ def check_slack_type(slack: Any) -> None:
         raise TypeError(f"slack: expected a number or an array, got {slack!r}")
 
 
-def check_slack(slack: Any, calm: Any) -> None:
+def check_slack(slack: Any, calm: Any, surface: "Surface") -> None:
     """The same; Error for calm without slack."""
     check_slack_type(slack)
     made = _core.Solving()
-    made.set_slack(slack, calm)
+    made.set_slack(slack, calm, surface._core)
     made.check(options_of({"calm": calm}), False)
 
 
@@ -152,8 +155,8 @@ def options_of(given: Mapping[str, Any]) -> set[str]:
 _UNLESS_GIVEN = {"weights": "paper", "phase_shift": "aligned", "solver": "multilevel"}
 
 
-def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
-    """How to solve what is asked for, on a mesh or points. Options that are None have their
+def solving(given: Mapping[str, Any], surface: "Surface") -> "_core.Solving":
+    """How to solve what is asked for, on a surface. Options that are None have their
     defaults; those that would change nothing are refused."""
     options = {name: value for name, value in given.items() if value is not None}
     made = _core.Solving()
@@ -165,7 +168,7 @@ def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
     made.threads = whole_number(options.get("threads", 0), "threads")
     check_slack_type(options.get("slack"))
     check_scalar("slack", options.get("slack"))
-    made.set_slack(options.get("slack"), options.get("calm"))
+    made.set_slack(options.get("slack"), options.get("calm"), surface._core)
     if "winding" in options:
         set_windings(made, options["winding"])
     for names, converted in ((_NUMBERS, number), (_WHOLE_NUMBERS, whole_number)):
@@ -174,7 +177,7 @@ def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
                 check_scalar(name, options[name])
                 value = converted(options[name], name)
                 setattr(made, name, in_range(name, value, options[name]))
-    made.check(options_of(options), points)
+    made.check(options_of(options), surface.is_points)
     return made
 
 

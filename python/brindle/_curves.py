@@ -240,7 +240,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     field = Field(surface, directions, False, options=given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     frequency_v = frequencies_of(surface, frequency_v)

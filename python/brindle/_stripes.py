@@ -387,7 +387,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given.pop("progress")
     if previous is not None and not isinstance(previous, Stripes):
         raise TypeError(f"previous: expected brindle.Stripes, got {type(previous).__name__}")
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     field = Field(surface, directions, flag(along, "along"),
                   None if options.lambda_ == 0 else previous, match, given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
@@ -413,6 +413,6 @@ def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLik
     field = Field(surface, directions, False)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.stripes_from_phases(surface._core, phases, field.directions, count, frequency,
-                                     field.origin, solving({"phase_shift": phase_shift}, surface.is_points))
+                                     field.origin, solving({"phase_shift": phase_shift}, surface))
     return Stripes(made, surface, invocation("stripes_from_phases", surface, given,
                                              defaults_of(stripes_from_phases)))

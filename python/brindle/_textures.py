@@ -221,7 +221,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     oriented = flag(oriented, "oriented")
     field = Field(surface, directions, flag(along, "along"), options=given, oriented=oriented)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
@@ -253,7 +253,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     begin = perf_counter()
     field = Field(surface, surface.smooth_field(symmetry=4) if directions is None else directions,
                   False, options=given, symmetry=4, measured=directions is not None)

@@ -13,6 +13,7 @@
 
 #include "brindle/arrays.h"
 #include "brindle/data_arrays.h"
+#include "brindle/mesh.h"
 #include "brindle/types.h"
 
 namespace brindle::python {
@@ -44,11 +45,13 @@ void refuse_masked(py::handle object, const std::string& what);
 /// Throws Error for an array without a row, which to the library would be as good as none.
 void check_not_empty(std::size_t rows, const std::string& what);
 
-/// The numbers of a table that is not empty, one a row.
-std::vector<float> some_numbers_of(const Table& table, const std::string& what);
+/// Throws Error, with the array's shape and the remedy, unless it has so many rows: one for each of
+/// `of`.
+void check_rows(const py::array& array, std::size_t rows, const std::string& what,
+                const std::string& of, const std::string& remedy = "");
 
-/// Throws Error unless there is a row per vertex.
-void check_rows(const Table& table, std::size_t rows, const std::string& what);
+/// The same for a row per vertex. For arrays with a row per triangle, the message names the remedy.
+void check_rows(const py::array& array, const Mesh& mesh, const std::string& what);
 
 /// Rows of packed floats that are read during a call: the array's own where they are that already,
 /// otherwise a converted copy.
@@ -56,7 +59,8 @@ template <class Row>
 class RowsIn {
  public:
   RowsIn() = default;
-  RowsIn(py::handle object, const std::string& what);
+  /// Throws Error unless there is a row per vertex.
+  RowsIn(py::handle object, const Mesh& mesh, const std::string& what);
 
   std::span<const Row> rows() const { return rows_; }
 
@@ -70,11 +74,13 @@ extern template class RowsIn<float>;
 
 /// Phases exp(i Phi), one per vertex, of complex numbers of either precision; a copy. 0 where they
 /// are masked or not a number.
-std::vector<Complex> phases_of(py::handle object, const std::string& what);
+std::vector<Complex> phases_of(py::handle object, const Mesh& mesh, const std::string& what);
 
 /// A named array of a row per vertex or triangle; a copy. Of True and False it has 1 and 0, of
 /// tensors (n, 3, 3) rows of nine numbers.
 DataArray data_array_of(const std::string& name, py::handle object);
+/// The same of vertices: throws Error for another number of rows.
+DataArray data_array_of(const std::string& name, py::handle object, const Mesh& mesh);
 std::vector<DataArray> data_arrays_of(const py::dict& arrays);
 
 using Shape = std::vector<py::ssize_t>;

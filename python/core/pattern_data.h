@@ -31,7 +31,7 @@ struct Solving {
 };
 
 /// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
-Slack slack_of(py::handle slack, py::handle calm);
+Slack slack_of(py::handle slack, py::handle calm, const Mesh& mesh);
 
 /// A dict, or None where no branches were to be merged.
 pybind11::object merged_of(const std::optional<brindle::MergedBranches>& merged);
@@ -90,17 +90,12 @@ struct FieldOrigin {
   brindle::FieldWeight weight = {};
 };
 
-/// `directions` are of any length, a row per vertex, projected into the tangent planes: but unit
-/// tangent vectors stay as they are, so that fields that Brindle made are not rounded once more.
-/// One of `stripes` and `frequency`, a number or one per vertex where not finite means no wave, is
-/// given. Where `phases`, if there are any, are 0, there is no wave. Throws Error, as the tool
-/// does, if there is no wave at all.
+/// `directions` have a row per vertex (`DirectionsIn`). One of `stripes` and `frequency`, a number
+/// or one per vertex where not finite means no wave, is given. Where `phases`, if there are any,
+/// are 0, there is no wave. Throws Error, as the tool does, if there is no wave at all.
 WavesIn waves_of_arrays(const SurfaceData& surface, py::handle directions, py::handle stripes,
                         py::handle frequency, const FieldOrigin& origin,
                         std::span<const Complex> phases = {});
-
-/// The direction of a vector of any length; unit tangent vectors stay as they are.
-Vec3 direction_of(const Vec3& vector, const Vec3& normal);
 
 /// Frequencies of an array at the scale that the origin asks for, those that are not finite filled.
 brindle::DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,

@@ -152,10 +152,7 @@ SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neig
   std::vector<Vec3> directions;
   if (!normals.is_none()) {
     const Table table = columns_of_three(normals, "normals");
-    if (table.view.rows() != positions.view.rows()) {
-      throw Error("normals: there are " + std::to_string(table.view.rows()) + " for " +
-                  std::to_string(positions.view.rows()) + " points; give one to each, or none");
-    }
+    check_rows(table.array, positions.view.rows(), "normals", "points");
     directions = vectors_of(table.view, "normals");
   }
   SurfaceData data;
@@ -292,7 +289,7 @@ SurfacePointer moved(const SurfaceData& from, py::handle positions) {
   const Table table = columns_of_three(positions, "vertices");
   const Mesh& mesh = from.surface.mesh;
   const bool own = table.view.rows() == from.surface.own_vertex_count();
-  if (!own) check_rows(table, mesh.vertex_count(), "vertices");
+  if (!own) check_rows(table.array, mesh.vertex_count(), "vertices", "vertices");
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
     Mesh moved_mesh = make_mesh(table.view, {});

@@ -20,7 +20,7 @@ std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, p
   const Mesh& mesh = surface.surface.mesh;
   if (!frequency.is_none()) {
     const Table table = table_of(frequency, "frequency_v");
-    if (!table.is_number) check_rows(table, mesh.vertex_count(), "frequency_v");
+    if (!table.is_number) check_rows(table.array, mesh, "frequency_v");
     const std::vector<float> numbers = numbers_of(table.view, "frequency_v");
     return table.is_number ? constant_frequency_field(numbers.front(), mesh.vertex_count())
                            : numbers;
