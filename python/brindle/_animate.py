@@ -6,7 +6,8 @@ import json
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import Error, check_slack, flag, kept_property, number, whole_number, word
+from ._arguments import (Error, Running, check_slack, flag, kept_property, number, whole_number,
+                         word)
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-class Animator:
+class Animator(Running):
     """Lays stripes over one surface whose directions, frequencies and positions change.
 
     What depends on the triangles alone is built in the first frame; later ones take a few
@@ -26,6 +27,9 @@ class Animator:
     One frame at a time: a second call meanwhile, from another thread, is an Error. What raises
     leaves the animator as it was.
     """
+
+    _INSTEAD = ("pickle its surface and the last phases; a new one goes on from these by "
+                "set_last_phases")
 
     def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: str = "multilevel",
                  sweeps: int = 2, cycles: int = 0, iterations: int = 3,
@@ -101,7 +105,7 @@ class Animator:
         self._core.set_last_phases(phases)
 
 
-class TextureAnimator:
+class TextureAnimator(Running):
     """Lays a texture over one surface whose field changes from frame to frame. Triangles go on
     running as they ran, so that the seam stays where it is. ``oriented``, ``slack`` and ``calm`` as
     for ``brindle.texture``, all else as for ``Animator``."""
@@ -137,7 +141,7 @@ class TextureAnimator:
         self._core.restart()
 
 
-class PatternFrames:
+class PatternFrames(Running):
     """What a renderer of your own draws of the frames of an ``Animator``: normals of vertices that
     moved, corner phases, and the buffers that the installed shaders read (docs/gpu.md). ``phases``
     are what ``Animator.frame`` gave; ``directions``, ``frequencies`` and ``positions`` what it was
@@ -174,7 +178,7 @@ class PatternFrames:
                                         word(phase_shift, "phase_shift"), out)
 
 
-class FieldAnimator:
+class FieldAnimator(Running):
     """A smooth field on one surface whose anchors change: data, or a brush. ``symmetry``: 1
     vectors, 2 lines, 4 crosses; ``lambda_``: how strongly a frame holds on to the last one's
     field."""
@@ -198,12 +202,14 @@ class FieldAnimator:
         return self._core.frame(vertices, directions, weights, progress)
 
 
-class FieldDetail:
+class FieldDetail(Running):
     """Measured fields on one surface, one after the other, seen at the scale of their stripes: what
     depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
     lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
     many are left. ``memory``: how much the field of the frame before counts beside the data, so that
     noise does not make it jump (0: not at all; 1: as much)."""
+
+    _INSTEAD = "pickle its surface and the last field; a new one goes on from it by frame(last=)"
 
     def __init__(self, surface: Any, periods: float = 1, *, symmetry: int = 2, fill: float = 2,
                  singularities: Optional[int] = None, memory: float = 0) -> None:

@@ -48,6 +48,23 @@ else:
             super().__init__(wraps(function)(lambda owner: frozen(function(owner))))
 
 
+class Result:
+    """What copies and pickles without its cached properties, which are made again."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items()
+                if not isinstance(getattr(type(self), name, None), cached_property)}
+
+
+class Running:
+    """What depends on the calls before, and is neither copied nor pickled."""
+
+    _INSTEAD = "pickle its surface, and make a new one of it"
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"brindle.{type(self).__name__} cannot be pickled or copied; {self._INSTEAD}")
+
+
 def path_of(path: Any) -> str:
     """The path as text. Raises TypeError for anything but a string, bytes or an os.PathLike."""
     if not isinstance(path, (str, bytes, os.PathLike)):

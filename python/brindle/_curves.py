@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
 
 from . import _core
-from ._arguments import (count_and_frequency, flag, kept_property, number, one_of_both, path_of,
+from ._arguments import (Result, count_and_frequency, flag, kept_property, number, one_of_both, path_of,
                          solving, warn, whole_number)
 from ._stripes import Field, Stripes, defaults_of, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -28,7 +28,7 @@ def placed(points: Any, origin: tuple[float, float, float]) -> Any:
     return points.astype(np.float64) + np.asarray(origin)
 
 
-class Curves:
+class Curves(Result):
     """The centre lines of stripes. ``points, edges = curves`` are ready for a curve network."""
 
     def __init__(self, core: "_core.Curves", stripes: Stripes) -> None:
@@ -153,7 +153,7 @@ def curves_of(stripes: Stripes, join: bool, trim: float, fair: float, offset: fl
     return Curves(made, stripes)
 
 
-class Samples:
+class Samples(Result):
     """Points where two patterns cross. ``points, normals = samples`` are (k, 3) each."""
 
     def __init__(self, core: "_core.Samples", surface: Surface, u: Stripes, v: Stripes) -> None:

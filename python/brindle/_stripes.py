@@ -8,7 +8,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (check_scalar, count_and_frequency, described, flag, kept_property, number,
+from ._arguments import (Result, check_scalar, count_and_frequency, described, flag, kept_property, number,
                          options_of, path_of, solving, warn, whole_number, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
@@ -153,7 +153,7 @@ def defaults_of(function: Any) -> dict[str, Any]:
     return dict(function.__kwdefaults__ or {})
 
 
-class Stripes:
+class Stripes(Result):
     """Stripes over a surface: what ``brindle.stripes`` returns.
 
     Arrays share the pattern's memory where they can, are read-only, and keep it alive.
@@ -273,7 +273,7 @@ class Stripes:
     def mesh(self) -> "TexturedMesh":
         """A mesh with texture coordinates: U across the stripes, one unit a period."""
         from ._textures import TexturedMesh
-        return TexturedMesh(_core.textured_stripes(self._core), self.surface)
+        return TexturedMesh(_core.textured_stripes(self._core), self)
 
     def write(self, path: Any, *, uv: bool = False) -> None:
         """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, whole or not at

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from functools import cached_property
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
 
 from . import _core
-from ._arguments import (Error, count_and_frequency, flag, kept_property, one_of_both, path_of,
+from ._arguments import (Error, Result, count_and_frequency, flag, kept_property, one_of_both, path_of,
                          solving, warn)
 from ._curves import placed
 from ._stripes import Field, Stripes, defaults_of, fitting, frequencies_of, invocation
@@ -23,12 +23,13 @@ class TexturedMesh:
     """A mesh whose vertices have texture coordinates, for other programs. Vertices of the surface
     keep their numbers; copies and new ones follow them."""
 
-    def __init__(self, core: "_core.TexturedMesh", surface: Surface, of_crosses: bool = False,
-                 texture: "Optional[_core.Texture]" = None) -> None:
+    def __init__(self, core: "_core.TexturedMesh", of: "Union[Stripes, Texture]") -> None:
         self._core = core
-        self._of_crosses = of_crosses
-        self._texture = texture
-        self.surface = surface
+        self._of = of
+        self.surface: Surface = of.surface
+
+    def __reduce__(self) -> Any:
+        return type(self._of).mesh, (self._of,)
 
     @kept_property
     def vertices(self) -> "NDArray[np.floating]":
@@ -85,19 +86,19 @@ class TexturedMesh:
         png = b""
         if tile is not None:
             from ._pictures import tile_png
-            png = tile_png(tile, colors, self._of_crosses)
+            png = tile_png(tile, colors, isinstance(self._of, Texture) and self._of.is_cross)
         for line in _core.write_mesh(text, self._core.origin, self._core.local_vertices,
                                      self.triangles, points, cells, png):
             warn(line)
 
 
     def _cells_with(self, tile: Any, tiles: Optional[str]) -> "dict[str, NDArray[Any]]":
-        if self._texture is None or tile is None:
+        if not isinstance(self._of, Texture) or tile is None:
             if tiles is not None:
                 raise Error("tiles has no effect here: there is no tile")
             return self.cell_data
         from ._pictures import whole_tiles
-        broken = _core.triangles_with_broken_tiles(self._texture, tile, whole_tiles(tiles))
+        broken = _core.triangles_with_broken_tiles(self._of._core, tile, whole_tiles(tiles))
         if broken is None:
             return self.cell_data
         cells: "dict[str, NDArray[Any]]" = {}
@@ -108,7 +109,7 @@ class TexturedMesh:
         return cells
 
 
-class Texture:
+class Texture(Result):
     """Texture coordinates over a surface: what ``brindle.texture`` and ``brindle.crosses`` return.
 
     ``surface`` is what they belong to: the one handed over or, of crosses, that one with every
@@ -179,7 +180,7 @@ class Texture:
 
     def mesh(self) -> TexturedMesh:
         """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
-        return TexturedMesh(self._core.mesh(), self.surface, self.is_cross, self._core)
+        return TexturedMesh(self._core.mesh(), self)
 
     def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[str] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:

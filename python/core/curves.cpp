@@ -14,6 +14,7 @@
 #include "brindle/stripe_tracer.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "stored.h"
 #include "words.h"
 
 namespace brindle::python {
@@ -29,6 +30,12 @@ struct CurvesData {
   std::optional<Polylines> unshaped;   // those that are left, where these have other points
 };
 using CurvesPointer = std::shared_ptr<CurvesData>;
+
+template <Of<CurvesData> T>
+auto members(T& all) {
+  auto& [surface, curves, ends, short_curves, jogs, traced, unshaped] = all;
+  return std::tie(surface, curves, ends, short_curves, jogs, traced, unshaped);
+}
 
 void check_not_negative(float value, const char* name) {
   if (value >= 0 && std::isfinite(value)) return;
@@ -214,8 +221,9 @@ py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
 }
 
 void bind_curve_properties(py::module_& module) {
-  py::class_<CurvesData, CurvesPointer>(module, "Curves")
-      .def_property_readonly("surface", [](const CurvesData& data) { return data.surface; })
+  py::class_<CurvesData, CurvesPointer> type(module, "Curves");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const CurvesData& data) { return data.surface; })
       .def_property_readonly(
           "local_points",
           [](py::handle self) { return shared(curves_of(self).curves.lines.points, self); })
@@ -255,6 +263,12 @@ struct SamplesData {
   std::size_t doubles = 0;  // left out
 };
 using SamplesPointer = std::shared_ptr<SamplesData>;
+
+template <Of<SamplesData> T>
+auto members(T& all) {
+  auto& [surface, samples, doubles] = all;
+  return std::tie(surface, samples, doubles);
+}
 
 void check_same(const StripesData& u, const StripesData& v) {
   if (u.surface == v.surface) return;
@@ -330,8 +344,9 @@ void bind_curves(py::module_& module) {
       .def_readwrite("resample", &CurveRequest::resample);
   bind_curve_properties(module);
   module.def("curves", curves, py::arg("stripes"), py::arg("request"));
-  py::class_<SamplesData, SamplesPointer>(module, "Samples")
-      .def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
+  py::class_<SamplesData, SamplesPointer> type(module, "Samples");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
       .def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })
       .def_property_readonly("doubles", [](const SamplesData& data) { return data.doubles; })
       .def("columns", sample_columns)

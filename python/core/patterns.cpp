@@ -18,6 +18,7 @@
 #include "brindle/waves/parsed_words.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "stored.h"
 #include "words.h"
 
 namespace brindle::python {
@@ -238,8 +239,9 @@ py::object turned_of(const StripesData& data) {
 const StripesData& stripes_of(py::handle self) { return py::cast<const StripesData&>(self); }
 
 void bind_stripes(py::module_& module) {
-  py::class_<StripesData, StripesPointer>(module, "Stripes")
-      .def_property_readonly("surface", [](const StripesData& data) { return data.surface; })
+  py::class_<StripesData, StripesPointer> type(module, "Stripes");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const StripesData& data) { return data.surface; })
       .def_property_readonly("phases",
                              [](py::handle self) {
                                const auto& z = stripes_of(self).pattern.solution.z;

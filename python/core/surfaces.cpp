@@ -23,6 +23,7 @@
 #include "brindle/recipe/refusals.h"
 #include "brindle/shapes.h"
 #include "job.h"
+#include "stored.h"
 #include "surface_data.h"
 #include "words.h"
 
@@ -582,6 +583,7 @@ void bind_surfaces(py::module_& module) {
   py::class_<SurfaceData, SurfacePointer> type(module, "Surface");
   bind_properties(type);
   bind_arrays(type);
+  bind_pickle(type);
   type.def("subdivided", subdivided, py::arg("times"), py::arg("rounded"))
       .def("moved", moved, py::arg("vertices"))
       .def("curvature", curvature_of)

@@ -11,6 +11,7 @@
 #include "brindle/threads.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "stored.h"
 
 namespace brindle::python {
 namespace {
@@ -281,8 +282,9 @@ void bind_textured(py::module_& module) {
 
 void bind_textures(py::module_& module) {
   bind_textured(module);
-  py::class_<TextureData, TexturePointer>(module, "Texture")
-      .def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
+  py::class_<TextureData, TexturePointer> type(module, "Texture");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
       .def_property_readonly(
           "u", [](const TextureData& data) { return data.is_cross() ? nullptr : data.u; })
       .def_property_readonly(
