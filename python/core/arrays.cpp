@@ -249,6 +249,21 @@ std::vector<DataArray> data_arrays_of(const py::dict& arrays) {
   return result;
 }
 
+DataArrays surface_array_of(const Mesh& mesh, const std::string& name, py::handle object) {
+  DataArray array = data_array_of(name, object);
+  const std::size_t rows = array.rows();
+  if (rows == mesh.vertex_count()) return {{std::move(array)}, {}};
+  if (rows == mesh.triangle_count() && rows > 0) return {{}, {std::move(array)}};
+  throw Error("array '" + name + "': it has " + std::to_string(rows) + " rows for " +
+              std::to_string(mesh.vertex_count()) + " vertices and " +
+              std::to_string(mesh.triangle_count()) + " triangles");
+}
+
+DataArray chosen(DataArray array, bool axes) {
+  if (axes && !array.axis_bytes.empty()) array.bytes = std::move(array.axis_bytes);
+  return array;
+}
+
 py::array shared(const py::dtype& type, const void* data, const Shape& shape, py::handle owner) {
   py::array array(type, shape, {}, data, owner);
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;

@@ -83,6 +83,13 @@ DataArray data_array_of(const std::string& name, py::handle object);
 DataArray data_array_of(const std::string& name, py::handle object, const Mesh& mesh);
 std::vector<DataArray> data_arrays_of(const py::dict& arrays);
 
+/// The array among those of vertices or those of triangles, by its number of rows. Throws Error for
+/// any other.
+DataArrays surface_array_of(const Mesh& mesh, const std::string& name, py::handle object);
+
+/// The means of numbers, or those of axes.
+DataArray chosen(DataArray array, bool axes);
+
 using Shape = std::vector<py::ssize_t>;
 
 /// An array that shares memory with `owner`, which it keeps alive, and may not be written to.

@@ -8,6 +8,7 @@
 #include "brindle/curve_measures.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/mesh_data.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/recipe/report.h"
 #include "brindle/samples.h"
@@ -220,6 +221,20 @@ py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
                         owned<std::int32_t>(std::move(mesh.triangles), {count, 3}));
 }
 
+// An array of the surface, a row per vertex or triangle, at the points of curves.
+py::array carried_to_curves(const CurvesData& data, const std::string& name, py::handle array,
+                            bool axes) {
+  const Polylines& lines = data.curves.lines;
+  const Mesh& mesh = data.surface->surface.mesh;
+  const DataArrays values = surface_array_of(mesh, name, array);
+  if (lines.places.size() != lines.points.size()) {
+    throw Error(
+        "the places of these curves are not known: simplify has moved their points; carry "
+        "arrays to curves without it");
+  }
+  return array_owning(chosen(arrays_at(lines.places, mesh.triangles, values).front(), axes));
+}
+
 void bind_curve_properties(py::module_& module) {
   py::class_<CurvesData, CurvesPointer> type(module, "Curves");
   bind_pickle(type);
@@ -250,6 +265,7 @@ void bind_curve_properties(py::module_& module) {
       .def("warnings", warnings_of_curves)
       .def("measures", measures_of, py::arg("stripes"), py::arg("line_width"))
       .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))
+      .def("carried", carried_to_curves, py::arg("name"), py::arg("array"), py::arg("axes"))
       .def("write", [](const CurvesData& data, const std::string& path, const std::string& name,
                        const py::dict& arrays) {
         const NamedLines kind{name, data.curves.lines, data_arrays_of(arrays)};
@@ -319,6 +335,13 @@ py::dict sample_columns(const SamplesData& data) {
   return columns;
 }
 
+py::array carried_to_samples(const SamplesData& data, const std::string& name, py::handle array,
+                             bool axes) {
+  const Mesh& mesh = data.surface->surface.mesh;
+  const DataArrays values = surface_array_of(mesh, name, array);
+  return array_owning(chosen(arrays_at(data.samples, mesh.triangles, values).front(), axes));
+}
+
 py::dict spacing_of(const SamplesData& data) {
   const SampleSpacing spacing = until_interrupted(
       [&](const Progress& progress) { return measure_sample_spacing(data.samples, progress); });
@@ -351,6 +374,7 @@ void bind_curves(py::module_& module) {
       .def_property_readonly("doubles", [](const SamplesData& data) { return data.doubles; })
       .def("columns", sample_columns)
       .def("spacing", spacing_of)
+      .def("carried", carried_to_samples, py::arg("name"), py::arg("array"), py::arg("axes"))
       .def("write", [](const SamplesData& data, const std::string& path, const py::dict& arrays) {
         const std::vector<DataArray> carried = data_arrays_of(arrays);
         without_lock(

@@ -143,9 +143,9 @@ auto members(T& all) {
 template <Of<SurfaceData> T>
 auto members(T& all) {
   auto& [surface, name, stands_on_z, repair, point_repair, arrays, left_out, vertex_of_row,
-         partners, original_ids, kept_triangles, joined, crease_angle, load, topology] = all;
+         partners, original_ids, joined, crease_angle, load, topology] = all;
   return std::tie(surface, name, stands_on_z, repair, point_repair, arrays, left_out, vertex_of_row,
-                  partners, original_ids, kept_triangles, joined, crease_angle, load, topology);
+                  partners, original_ids, joined, crease_angle, load, topology);
 }
 
 template <Of<StripesData> T>

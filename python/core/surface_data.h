@@ -32,7 +32,6 @@ struct SurfaceData {
   /// its place, whose wave it gets; empty if there are none.
   std::vector<Index> partners;
   std::vector<std::int64_t> original_ids;  ///< numbers in the file or array; -1 of added vertices
-  std::vector<Index> kept_triangles;       ///< their numbers before repair; empty if all were kept
   std::size_t vertices_joined = 0;
   float crease_angle = 180;  ///< of the creases that have split the surface
   double load_milliseconds = 0;
