@@ -6,8 +6,8 @@ import json
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import (Error, Running, check_slack, flag, kept_property, number, whole_number,
-                         word)
+from ._arguments import (Error, FramePhaseShift, FrameSolver, PhaseShift, Running, check_slack,
+                         flag, kept_property, number, whole_number, word)
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:
@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 
 class Animator(Running):
-    """Lays stripes over one surface whose directions, frequencies and positions change.
+    """Lays stripes over one surface whose directions, frequencies and positions change. Where its
+    triangles change, too, follow the last pattern by ``brindle.stripes(..., previous=)``.
 
     What depends on the triangles alone is built in the first frame; later ones take a few
     milliseconds. ``lambda_``: how strongly a frame holds on to the last one's phases, 0 not at all.
@@ -31,9 +32,9 @@ class Animator(Running):
     _INSTEAD = ("pickle its surface and the last phases; a new one goes on from these by "
                 "set_last_phases")
 
-    def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: str = "multilevel",
+    def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: FrameSolver = "multilevel",
                  sweeps: int = 2, cycles: int = 0, iterations: int = 3,
-                 phase_shift: str = "aligned", edge_weights: "Optional[ArrayLike]" = None,
+                 phase_shift: FramePhaseShift = "aligned", edge_weights: "Optional[ArrayLike]" = None,
                  slack: Any = None, calm: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
         check_slack(slack, calm, self.surface)
@@ -65,7 +66,7 @@ class Animator(Running):
 
     @property
     def unchanged(self) -> bool:
-        """Whether the last frame's input was that of the frame before."""
+        """Whether the last frame's input was that of the frame before: then its phases are, too."""
         return self._core.unchanged
 
     @property
@@ -171,7 +172,7 @@ class PatternFrames(Running):
 
     def corner_phases(self, phases: "ArrayLike", directions: "ArrayLike",
                       frequencies: "ArrayLike", positions: "Optional[ArrayLike]" = None, *,
-                      phase_shift: str = "aligned",
+                      phase_shift: PhaseShift = "aligned",
                       out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
         """(m, 3) as ``Stripes.corner_phases``."""
         return self._core.corner_phases(phases, directions, frequencies, positions,

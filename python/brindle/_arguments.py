@@ -6,12 +6,24 @@ import numbers
 import os
 import warnings
 from functools import cached_property, wraps
-from typing import TYPE_CHECKING, Any, Mapping
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional
 
 from . import _core
 
 if TYPE_CHECKING:
     from ._surface import Surface
+
+Solver = Literal["multilevel", "relaxation", "averaged", "global"]
+FrameSolver = Literal["multilevel", "relaxation"]
+PhaseShift = Literal["aligned", "common_source", "trapezoid"]
+FramePhaseShift = Literal["aligned", "trapezoid"]
+Weights = Literal["paper", "cotangent"]
+Match = Literal["number", "position"]
+Curvature = Literal["max", "min"]
+TensorAxis = Literal["major", "minor", "max-abs", "tangent-major", "tangent-minor"]
+View = Literal["stripes", "branches", "angle_error"]
+Tiles = Literal["whole", "cut"]
+Up = Literal["y", "z"]
 
 Error = _core.Error
 Cancelled = _core.Cancelled
@@ -49,7 +61,12 @@ else:
 
 
 class Result:
-    """What copies and pickles without its cached properties, which are made again."""
+    """What a notebook shows as a picture, and what copies and pickles without its cached properties,
+    which are made again."""
+
+    def _repr_png_(self) -> Optional[bytes]:
+        from ._pictures import notebook_png
+        return notebook_png(self)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items()
@@ -60,6 +77,10 @@ class Running:
     """What depends on the calls before, and is neither copied nor pickled."""
 
     _INSTEAD = "pickle its surface, and make a new one of it"
+    surface: "Surface"
+
+    def __repr__(self) -> str:
+        return f"<brindle.{type(self).__name__} on {self.surface!r}>"
 
     def __reduce__(self) -> Any:
         raise TypeError(f"brindle.{type(self).__name__} cannot be pickled or copied; {self._INSTEAD}")

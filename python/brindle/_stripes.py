@@ -8,8 +8,9 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (Result, check_scalar, count_and_frequency, described, flag, kept_property, number,
-                         options_of, path_of, solving, warn, whole_number, word)
+from ._arguments import (Match, PhaseShift, Result, Solver, Weights, check_scalar,
+                         count_and_frequency, described, flag, kept_property, number, options_of,
+                         path_of, solving, warn, whole_number, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class Field:
     measured fields; of crosses, the ``symmetry`` is 4."""
 
     def __init__(self, surface: Surface, given: Any, along: bool,
-                 previous: "Optional[Stripes]" = None, match: Optional[str] = None,
+                 previous: "Optional[Stripes]" = None, match: Optional[Match] = None,
                  options: Optional[Mapping[str, Any]] = None, symmetry: int = 2,
                  measured: bool = True, oriented: bool = False) -> None:
         """``oriented``: vectors of a named array have signs, and opposite ones cancel each
@@ -85,7 +86,7 @@ class Field:
         _, array, is_of_cells = surface._core.array_named(weight)
         return array if is_of_cells and self._of_triangles else surface.array(weight)
 
-    def _following(self, surface: Surface, previous: "Stripes", match: Optional[str]) -> Any:
+    def _following(self, surface: Surface, previous: "Stripes", match: Optional[Match]) -> Any:
         """The smooth field that goes on from that of a pattern, before it was turned."""
         self.origin.source = "the smooth field"
         before = previous.directions
@@ -167,7 +168,14 @@ class Stripes(Result):
         self.surface = surface
 
     def __repr__(self) -> str:
-        return f"<brindle.Stripes on {self.surface!r}>"
+        branches = "" if self.surface.is_points else f"{self.report['branches']} branches, "
+        return f"<brindle.Stripes: {branches}spacing {self._spacing():.4g}, on {self.surface!r}>"
+
+    def _spacing(self) -> float:
+        """One mean period of the waves; 1 if there are none."""
+        import numpy as np
+        frequencies = self.frequency[np.any(self.directions != 0, axis=1)]
+        return 1 / float(np.mean(frequencies, dtype=np.float64)) if len(frequencies) else 1
 
     @property
     def phases(self) -> "NDArray[np.complex64]":
@@ -319,15 +327,15 @@ def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> t
 
 
 def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, along: bool = False, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            frequency: Any = None, along: bool = False, solver: Solver = "multilevel",
+            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, slack: Any = None,
             calm: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
             winding: Any = None, merge_branches: Optional[float] = None,
             merge_distance: Optional[float] = None, previous: Optional[Stripes] = None,
-            lambda_: Optional[float] = None, match: Optional[str] = None,
+            lambda_: Optional[float] = None, match: Optional[Match] = None,
             field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None, frequency_detail: Optional[float] = None,
@@ -365,7 +373,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
     are matched by "number" or "position" (``match``; by number if the triangles are the same). The
     smooth field (``directions`` None) then goes on from that pattern's field, as it was before
-    ``along`` turned it, unless ``lambda_`` is 0.
+    ``along`` turned it, unless ``lambda_`` is 0. It solves again, and so moves phases a little even
+    where the input is that of the other pattern; ``brindle.Animator`` then keeps them, and is faster,
+    for the frames of one surface. Use ``previous`` where triangles change, or for single steps.
 
     ``field_detail``: smooths measured directions over so many periods of the stripes (0: not; 1 for
     noisy data).
@@ -403,7 +413,7 @@ _DEFAULTS = defaults_of(stripes)
 
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
-                        phase_shift: str = "aligned") -> Stripes:
+                        phase_shift: PhaseShift = "aligned") -> Stripes:
     """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
     complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
     p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import (TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union)
 
 from . import _core
-from ._arguments import (Error, count_and_frequency, distance, flag, number, path_of, warn,
-                         whole_number, word)
+from ._arguments import (Curvature, Error, Match, TensorAxis, count_and_frequency, distance, flag,
+                         number, path_of, warn, whole_number, word)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,7 +37,7 @@ def _parts_of(strokes: Any) -> list[tuple[Any, float, float]]:
     return [stroke._parts() for stroke in strokes]
 
 
-def _last_field(last: Any, match: Optional[str], max_distance: Optional[float]) -> Any:
+def _last_field(last: Any, match: Optional[Match], max_distance: Optional[float]) -> Any:
     """The parts of a field before; None if there is none."""
     from ._stripes import Stripes
     if last is None:
@@ -54,12 +54,10 @@ def _last_field(last: Any, match: Optional[str], max_distance: Optional[float]) 
     return last[0]._core, last[1], distance, "" if match is None else word(match, "match")
 
 
-def _last_of_stripes(stripes: Any, directions: Any, match: Optional[str],
+def _last_of_stripes(stripes: Any, directions: Any, match: Optional[Match],
                      max_distance: Optional[float] = None) -> Any:
-    import numpy as np
     if max_distance is None:
-        frequencies = stripes.frequency[np.any(stripes.directions != 0, axis=1)]
-        max_distance = 1 / float(np.mean(frequencies, dtype=np.float64)) if len(frequencies) else 1
+        max_distance = stripes._spacing()
     return (stripes.surface._core, directions, number(max_distance, "max_distance"),
             "" if match is None else word(match, "match"))
 
@@ -129,7 +127,11 @@ class Surface:
 
     def __repr__(self) -> str:
         kind = "points" if self.is_points else f"vertices, {self.triangle_count} triangles"
-        return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}>"
+        return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}, diagonal {self.diagonal:.4g}>"
+
+    def _repr_png_(self) -> Optional[bytes]:
+        from ._pictures import notebook_png
+        return notebook_png(self)
 
     # --- what it is ---------------------------------------------------------------------------
 
@@ -244,9 +246,9 @@ class Surface:
     # --- fields -------------------------------------------------------------------------------
 
     def smooth_field(self, *, symmetry: int = 2, curvature_anchor: float = 0,
-                     curvature: str = "max", feature_anchor: float = 0, feature_angle: float = 40,
+                     curvature: Curvature = "max", feature_anchor: float = 0, feature_angle: float = 40,
                      feature_radius: float = 0, normal_radius: float = 0,
-                     strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[str] = None,
+                     strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[Match] = None,
                      max_distance: Optional[float] = None) -> "NDArray[np.float32]":
         """(n, 3) unit tangent vectors that turn as little as possible from vertex to vertex.
 
@@ -296,7 +298,7 @@ class Surface:
             raise Error("axis: expected three numbers") from error
         return _core.projected_field(self._core, x, y, z)
 
-    def curvature_field(self, which: str = "max", *, anchor: float = 0.1, raw: bool = False,
+    def curvature_field(self, which: Curvature = "max", *, anchor: float = 0.1, raw: bool = False,
                         symmetry: int = 2, feature_anchor: float = 0, feature_angle: float = 40,
                         feature_radius: float = 0,
                         normal_radius: float = 0) -> "NDArray[np.float32]":
@@ -330,7 +332,7 @@ class Surface:
         return _core.array_field(self._core, name, array)[0]
 
     def tensor_field(self, tensors: "Union[str, ArrayLike]",
-                     axis: str = "major") -> "NDArray[np.float32]":
+                     axis: TensorAxis = "major") -> "NDArray[np.float32]":
         """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
         YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
         "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface."""
@@ -410,8 +412,7 @@ class Surface:
         """An array of this surface at the vertices of another one: from the nearest place, or NaN
         where that is farther than ``max_distance``. With ``axes``, signs of vectors do not
         count."""
-        name, values = self._core.array_named(array)[:2] if isinstance(array, str) else ("array", array)
-        return self._core.carried(name, values, as_surface(to)._core,
+        return self._core.carried(*self._own_array(array), as_surface(to)._core,
                                   distance(max_distance, "max_distance"), flag(axes, "axes"))
 
     def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
@@ -428,6 +429,10 @@ class Surface:
         cells = {**self.cell_data, **(cell_data or {})}
         for line in _core.write_surface(path_of(path), self._core, points, cells, {}, {}):
             warn(line)
+
+    def _own_array(self, given: Any) -> tuple[str, Any]:
+        """The same of vertices or triangles, as it is."""
+        return self._core.array_named(given)[:2] if isinstance(given, str) else ("array", given)
 
     def _array(self, given: Any, what: str) -> tuple[str, Any]:
         """A name for messages, and the array."""

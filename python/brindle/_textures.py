@@ -8,8 +8,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
 
 from . import _core
-from ._arguments import (Error, Result, count_and_frequency, flag, kept_property, one_of_both, path_of,
-                         solving, warn)
+from ._arguments import (Error, PhaseShift, Result, Solver, Tiles, Weights, count_and_frequency,
+                         flag, kept_property, one_of_both, path_of, solving, warn, word)
 from ._curves import placed
 from ._stripes import Field, Stripes, defaults_of, fitting, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -27,6 +27,10 @@ class TexturedMesh:
         self._core = core
         self._of = of
         self.surface: Surface = of.surface
+
+    def __repr__(self) -> str:
+        return (f"<brindle.TexturedMesh: {len(self.uv)} vertices, {len(self.triangles)} triangles, of "
+                f"{self.surface!r}>")
 
     def __reduce__(self) -> Any:
         return type(self._of).mesh, (self._of,)
@@ -71,7 +75,7 @@ class TexturedMesh:
         """Named arrays of a row per triangle: branch, and those of the surface."""
         return self._arrays[1]
 
-    def write(self, path: Any, *, tile: Any = None, tiles: Optional[str] = None,
+    def write(self, path: Any, *, tile: Any = None, tiles: Optional[Tiles] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: a picture that
         goes along, by name ("checker" and so on, in ``colors``) or as an array (h, w, 3 or 4) of
@@ -92,7 +96,7 @@ class TexturedMesh:
             warn(line)
 
 
-    def _cells_with(self, tile: Any, tiles: Optional[str]) -> "dict[str, NDArray[Any]]":
+    def _cells_with(self, tile: Any, tiles: Optional[Tiles]) -> "dict[str, NDArray[Any]]":
         if not isinstance(self._of, Texture) or tile is None:
             if tiles is not None:
                 raise Error("tiles has no effect here: there is no tile")
@@ -124,7 +128,7 @@ class Texture(Result):
         self.surface = surface
 
     def __repr__(self) -> str:
-        return f"<brindle.Texture on {self.surface!r}>"
+        return f"<brindle.Texture: {self.report['branches']} branches, on {self.surface!r}>"
 
     @kept_property
     def corner_uv(self) -> "NDArray[np.float32]":
@@ -140,22 +144,24 @@ class Texture(Result):
         return self._core.is_cross
 
     @cached_property
-    def u(self) -> Optional[Stripes]:
-        """The stripes along the field; None for crosses."""
-        return self._part(self._core.u)
+    def u(self) -> Stripes:
+        """The stripes along the field. Crosses have none (AttributeError): see ``cover``."""
+        return self._part(self._core.u, "u")
 
     @cached_property
-    def v(self) -> Optional[Stripes]:
-        """The stripes across the field; None for crosses."""
-        return self._part(self._core.v)
+    def v(self) -> Stripes:
+        """The stripes across the field. Crosses have none (AttributeError): see ``cover``."""
+        return self._part(self._core.v, "v")
 
     @cached_property
-    def cover(self) -> Optional[Stripes]:
+    def cover(self) -> Stripes:
         """Of crosses: both waves, on a surface that has each vertex twice (2 i and 2 i + 1) and
-        each triangle for either wave. Its curves are both families of lines."""
+        each triangle for either wave. Its curves are both families of lines. Other textures have
+        none (AttributeError): see ``u`` and ``v``."""
         core = self._core.cover
-        return None if core is None else Stripes(core, Surface._of(core.surface), self._said,
-                                                 (self.surface, *self._also_on))
+        if core is None:
+            raise AttributeError("cover: crosses have one; this texture has u and v")
+        return Stripes(core, Surface._of(core.surface), self._said, (self.surface, *self._also_on))
 
     @property
     def merged(self) -> Optional[dict[str, float]]:
@@ -182,27 +188,32 @@ class Texture(Result):
         """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
         return TexturedMesh(self._core.mesh(), self)
 
-    def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[str] = None,
+    def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[Tiles] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with the tile, as ``brindle stripe --texture``.
         ``tiles``: as for the mesh."""
         self.mesh().write(path, tile=tile, tiles=tiles, colors=colors)
 
-    def put_on(self, mesh: Any, name: str = "uv") -> Any:
-        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as an array of its
-        triangles, six numbers each (u, v of three corners). Returns the mesh."""
-        from ._meshes import put_arrays
-        return put_arrays(mesh, self.surface, {}, {name: self.corner_uv.reshape(-1, 6)})
+    def put_on(self, mesh: Any, *, prefix: str = "") -> Any:
+        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as the array "uv" of its
+        triangles, its name after ``prefix``: six numbers each (u, v of three corners), NaN for
+        triangles that were split. Raises Error where the mesh has an array of that name. Returns
+        the mesh."""
+        from ._meshes import put_pattern
+        return put_pattern(mesh, self.surface, {}, {"uv": self.corner_uv.reshape(-1, 6)},
+                           word(prefix, "prefix"))
 
-    def _part(self, core: Any) -> Optional[Stripes]:
-        return None if core is None else Stripes(core, self.surface, self._said)
+    def _part(self, core: Any, name: str) -> Stripes:
+        if core is None:
+            raise AttributeError(f"{name}: crosses have both waves in cover")
+        return Stripes(core, self.surface, self._said)
 
 
 def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, stripes_v: Any = None, frequency_v: Any = None,
             oriented: bool = False, along: bool = False, slack: Any = None,
-            calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
+            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
@@ -238,7 +249,7 @@ _DEFAULTS = defaults_of(texture)
 
 def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, slack: Any = None, calm: "Optional[ArrayLike]" = None,
-            solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
+            solver: Solver = "multilevel", phase_shift: PhaseShift = "aligned", weights: Weights = "paper",
             epsilon: Optional[float] = None, momentum: Optional[float] = None,
             seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
@@ -265,8 +276,9 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     made = _core.crosses(surface._core, field.directions, count, frequency, field.origin,
                          options, progress)
     warn(made.warnings(field.origin.source))
-    return Texture(made, Surface._of(made.surface),
-                   invocation("crosses", surface, given, _CROSS_DEFAULTS), (surface,))
+    from ._meshes import split_source
+    split = Surface._of(made.surface, split_source(surface, made.triangle_origins))
+    return Texture(made, split, invocation("crosses", surface, given, _CROSS_DEFAULTS), (surface,))
 
 
 _CROSS_DEFAULTS = defaults_of(crosses)

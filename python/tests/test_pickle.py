@@ -47,7 +47,7 @@ def things():
 
 
 def values_of(thing):
-    """All public properties, and what they hold."""
+    """All public properties that there are, and what they hold."""
     if isinstance(thing, np.ndarray):
         return (thing.dtype.str, thing.shape, thing.tobytes(), thing.flags.writeable)
     if isinstance(thing, dict):
@@ -57,7 +57,7 @@ def values_of(thing):
     if type(thing).__module__.startswith("brindle"):
         names = [name for name in dir(type(thing)) if not name.startswith("_")
                  and not callable(getattr(type(thing), name))]
-        return {name: values_of(getattr(thing, name)) for name in names}
+        return {name: values_of(getattr(thing, name, None)) for name in names}
     return thing
 
 
