@@ -198,6 +198,19 @@ def test_frames_are_those_of_stripes(torus):
     assert animator.unchanged
 
 
+def test_equal_input(torus):
+    """Animators keep their phases; following a pattern solves again."""
+    d = torus.projected_field((0.31, 0.9, 0.27))
+    p = brindle.stripes(torus, d, frequency=4)
+    q = brindle.stripes(torus, d, frequency=4, previous=p)
+    assert 0 < np.abs(q.phases - p.phases).max() and q.report["phase_step"] > 0
+    animator = brindle.Animator(torus)
+    z = animator.frame(d, 4)
+    np.testing.assert_array_equal(animator.frame(d, 4), z)
+    assert animator.phase_step == 0 and "previous" in brindle.Animator.__doc__
+    assert "Animator" in brindle.stripes.__doc__
+
+
 def test_frames_follow(torus):
     d = torus.smooth_field()
     calm, loose = brindle.Animator(torus, lambda_=0.025), brindle.Animator(torus, lambda_=0)
