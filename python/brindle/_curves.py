@@ -91,14 +91,13 @@ class Curves(Result):
 
     @property
     def places(self) -> "tuple[NDArray[np.int32], NDArray[np.float64]]":
-        """Where the points are on the mesh: triangles (k,), barycentric coordinates (k, 3). Empty
-        for simplified curves that have lost them."""
+        """Where the points are on the mesh: triangles (k,), barycentric coordinates (k, 3)."""
         return self._core.places()
 
     def carried(self, array: "Union[str, ArrayLike]", *, axes: bool = False) -> "NDArray[Any]":
         """An array of the surface, or its name, at the points: of a row per vertex, means of the
         triangle's corners (whole numbers come from the nearest one); of a row per triangle, that
-        row. With ``axes``, signs of vectors do not count. Raises Error after ``simplify``."""
+        row. With ``axes``, signs of vectors do not count."""
         return self._core.carried(*self.stripes.surface._own_array(array), flag(axes, "axes"))
 
     @cached_property

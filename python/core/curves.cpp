@@ -224,15 +224,10 @@ py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
 // An array of the surface, a row per vertex or triangle, at the points of curves.
 py::array carried_to_curves(const CurvesData& data, const std::string& name, py::handle array,
                             bool axes) {
-  const Polylines& lines = data.curves.lines;
   const Mesh& mesh = data.surface->surface.mesh;
   const DataArrays values = surface_array_of(mesh, name, array);
-  if (lines.places.size() != lines.points.size()) {
-    throw Error(
-        "the places of these curves are not known: simplify has moved their points; carry "
-        "arrays to curves without it");
-  }
-  return array_owning(chosen(arrays_at(lines.places, mesh.triangles, values).front(), axes));
+  return array_owning(
+      chosen(arrays_at(data.curves.lines.places, mesh.triangles, values).front(), axes));
 }
 
 void bind_curve_properties(py::module_& module) {

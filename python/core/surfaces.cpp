@@ -458,9 +458,10 @@ py::array moved_to_points(const SurfaceData& data, const std::string& name, py::
 
 // The array NAME, points/NAME or cells/NAME: axes, one per vertex.
 py::array axes_named(const SurfaceData& data, const std::string& name) {
-  const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);
+  const brindle::ArrayChoice choice = brindle::choice_of(data.arrays, name, data.name);
   return array_owning(without_lock([&] {
-    return chosen(of_cells ? cells_to_points(data.surface.mesh, *array) : *array, true);
+    const DataArray& array = *choice.array;
+    return chosen(choice.of_cells ? cells_to_points(data.surface.mesh, array) : array, true);
   }));
 }
 
