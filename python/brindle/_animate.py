@@ -52,10 +52,11 @@ class Animator(Running):
         """The phases of the next frame: (n,) exp(i Phi), in a new array or in ``out``.
 
         ``directions``: (n, 3) vectors of any length, as for ``brindle.stripes`` of the surface at
-        ``positions``; zero, NaN or masked for no wave. ``frequencies``: stripes per unit length, a
-        number or (n,), NaN for no wave. ``positions``: (n, 3), where vertices have moved to. Packed
-        arrays of float32 that hold unit tangent vectors are read where they are; others are
-        converted.
+        ``positions``, except that unit vectors are not projected where vertices have moved, which
+        would take as long as the frame; zero, NaN or masked for no wave. ``frequencies``: stripes
+        per unit length, a number or (n,), NaN for no wave. ``positions``: (n, 3), where vertices
+        have moved to. Packed arrays of float32 that hold unit tangent vectors are read where they
+        are; others are converted.
         """
         return self._core.frame(directions, frequencies, positions, out, progress)
 

@@ -80,8 +80,8 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
                            py::handle positions, py::handle out, const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   const std::size_t vertices = data.surface->surface.mesh.vertex_count();
-  const FrameIn in(data.surface->surface, std::ref(data.normals), directions, frequencies,
-                   positions);
+  const FrameIn in(data.surface->surface, std::ref(data.normals), MovedNormals::left_out,
+                   directions, frequencies, positions);
   py::array_t<Complex> phases = phase_array(out, vertices);
   Complex* target = phases.mutable_data();
   FrameResult result;

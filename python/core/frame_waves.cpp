@@ -14,9 +14,10 @@ namespace {
 constexpr float kUnitSquare = 1e-5f;
 constexpr float kTangentSine = 1e-3f;
 
+bool is_unit(const Vec3& vector) { return std::abs(vector.squaredNorm() - 1) <= kUnitSquare; }
+
 bool is_direction(const Vec3& vector, const Vec3& normal) {
-  return vector.isZero(0) || (std::abs(vector.squaredNorm() - 1) <= kUnitSquare &&
-                              std::abs(vector.dot(normal)) <= kTangentSine);
+  return vector.isZero(0) || (is_unit(vector) && std::abs(vector.dot(normal)) <= kTangentSine);
 }
 
 bool is_nan(float number) { return std::isnan(number); }
@@ -36,11 +37,18 @@ Vec3 direction_of(const Vec3& vector, const Vec3& normal) {
   return tangent_direction(vector, normal);
 }
 
-DirectionsIn::DirectionsIn(py::handle given, const Mesh& mesh, std::span<const Vec3> normals)
+DirectionsIn::DirectionsIn(py::handle given, const Mesh& mesh, std::span<const Vec3> normals,
+                           const std::function<std::span<const Vec3>()>& otherwise)
     : given_(given, mesh, "directions") {
   const std::span<const Vec3> rows = given_.rows();
+  const bool units_stay = normals.empty();
   for (std::size_t v = 0; v < rows.size(); ++v) {
-    const Vec3 direction = direction_of(rows[v], normals[v]);
+    if (units_stay && (is_unit(rows[v]) || rows[v].isZero(0))) continue;
+    Vec3 direction = Vec3::Zero();
+    if (rows[v].allFinite()) {
+      if (normals.empty()) normals = otherwise();
+      direction = direction_of(rows[v], normals[v]);
+    }
     if (direction == rows[v]) continue;
     if (own_.empty()) own_.assign(rows.begin(), rows.end());
     nonfinite_ += rows[v].allFinite() ? 0 : 1;
@@ -80,12 +88,14 @@ RowsIn<Vec3> rows_if_given(py::handle given, const Mesh& mesh, const std::string
   return given.is_none() ? RowsIn<Vec3>() : RowsIn<Vec3>(given, mesh, what);
 }
 
-FrameIn::FrameIn(const Surface& surface, const NormalsAt& normals_at, py::handle directions,
-                 py::handle frequencies, py::handle positions, py::handle normals)
+FrameIn::FrameIn(const Surface& surface, const NormalsAt& normals_at, MovedNormals moved,
+                 py::handle directions, py::handle frequencies, py::handle positions,
+                 py::handle normals)
     : positions_(rows_if_given(positions, surface.mesh, "positions")),
       normals_(rows_if_given(normals, surface.mesh, "normals")),
-      input_(places(surface, normals_at)),
-      directions_(directions, surface.mesh, input_.normals),
+      input_(places(surface, normals_at, moved)),
+      directions_(directions, surface.mesh, input_.normals,
+                  [&] { return normals_at(input_.positions); }),
       frequencies_(frequencies, surface.mesh, "frequencies", directions_.rows()) {
   input_.directions = directions_.rows();
   input_.frequencies = frequencies_.rows();
@@ -93,10 +103,17 @@ FrameIn::FrameIn(const Surface& surface, const NormalsAt& normals_at, py::handle
 }
 
 // Rows that are given take the place of the surface's.
-FrameInput FrameIn::places(const Surface& surface, const NormalsAt& normals_at) const {
+FrameInput FrameIn::places(const Surface& surface, const NormalsAt& normals_at,
+                           MovedNormals moved) const {
   FrameInput input;
   input.positions = positions_.rows().empty() ? surface.mesh.positions : positions_.rows();
-  input.normals = normals_.rows().empty() ? normals_at(input.positions) : normals_.rows();
+  if (!normals_.rows().empty()) {
+    input.normals = normals_.rows();
+  } else if (std::ranges::equal(input.positions, surface.mesh.positions)) {
+    input.normals = surface.normals;
+  } else if (moved == MovedNormals::computed) {
+    input.normals = normals_at(input.positions);
+  }
   return input;
 }
 

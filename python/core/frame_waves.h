@@ -24,10 +24,13 @@ void check_numbers(float lambda, int sweeps, int cycles);
 Vec3 direction_of(const Vec3& vector, const Vec3& normal);
 
 /// A direction per vertex; zero where rows are zero, masked or not finite. The array is read where
-/// it is if `direction_of` changes none of its rows.
+/// it is if none of its rows changes.
 class DirectionsIn {
  public:
-  DirectionsIn(py::handle given, const Mesh& mesh, std::span<const Vec3> normals);
+  /// Rows become `direction_of` them. Without normals, unit vectors stay as they are, and others
+  /// are projected by `otherwise`, which is called for these alone: it takes as long as a frame.
+  DirectionsIn(py::handle given, const Mesh& mesh, std::span<const Vec3> normals,
+               const std::function<std::span<const Vec3>()>& otherwise = {});
 
   std::span<const Vec3> rows() const { return own_.empty() ? given_.rows() : own_; }
   std::size_t nonfinite() const { return nonfinite_; }  ///< rows
@@ -74,18 +77,22 @@ class MovingNormals {
 /// A row per vertex, or none of None.
 RowsIn<Vec3> rows_if_given(py::handle given, const Mesh& mesh, const std::string& what);
 
+/// Whether a frame's input has normals where vertices have moved and none are given.
+enum class MovedNormals { left_out, computed };
+
 /// The input of a frame, valid until the next call of `normals_at`.
 class FrameIn {
  public:
-  FrameIn(const Surface& surface, const NormalsAt& normals_at, py::handle directions,
-          py::handle frequencies, py::handle positions, py::handle normals = py::none());
+  FrameIn(const Surface& surface, const NormalsAt& normals_at, MovedNormals moved,
+          py::handle directions, py::handle frequencies, py::handle positions,
+          py::handle normals = py::none());
   FrameIn(const FrameIn&) = delete;
   FrameIn& operator=(const FrameIn&) = delete;
 
   const FrameInput& input() const { return input_; }
 
  private:
-  FrameInput places(const Surface& surface, const NormalsAt& normals_at) const;
+  FrameInput places(const Surface& surface, const NormalsAt& normals_at, MovedNormals moved) const;
   void drop_gaps();
 
   RowsIn<Vec3> positions_, normals_;

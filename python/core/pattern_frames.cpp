@@ -36,7 +36,7 @@ struct ShownFrame {
              py::handle frequencies, py::handle positions, py::handle normals = py::none())
       : in(
             data.surface->surface, [&](auto places) { return data.frames.normals(places); },
-            directions, frequencies, positions, normals),
+            MovedNormals::left_out, directions, frequencies, positions, normals),
         z(phases_of(phases, data.surface->surface.mesh, "phases")) {
     result.z = z;
   }

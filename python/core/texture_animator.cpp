@@ -66,8 +66,8 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
                         const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   const Mesh& mesh = data.surface->surface.mesh;
-  const FrameIn u(data.surface->surface, std::ref(data.normals), directions, frequencies, positions,
-                  normals);
+  const FrameIn u(data.surface->surface, std::ref(data.normals), MovedNormals::computed, directions,
+                  frequencies, positions, normals);
   TextureFrameInput input{u.input()};
   input.normals = u.input().normals;
   std::optional<FrequenciesIn> v;

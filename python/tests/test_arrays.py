@@ -309,6 +309,21 @@ def test_frames_take_what_patterns_take(torus, moves):
         np.testing.assert_array_equal(corners, p.corner_phases)
 
 
+def test_unit_vectors_stay_where_vertices_move(torus):
+    """Row by row, whatever the others are; these are projected there."""
+    moved = np.float32(torus.vertices * (1 + 0.2 * np.sin(3 * torus.vertices[:, :1])))
+    d, there = torus.projected_field((0.3, 1, 0.2)), torus.moved(moved)
+    z = brindle.Animator(torus).frame(d, 4, moved)
+    mixed = d.copy()
+    mixed[::7] *= 3
+    mixed[1::7] = np.nan
+    for given in (d, mixed):
+        shown = brindle.PatternFrames(torus).vertices(z, given, 4, moved)[:, 4:7]
+        units = np.isclose(np.linalg.norm(given, axis=1), 1)
+        np.testing.assert_array_equal(shown[units], given[units])
+        np.testing.assert_array_equal(shown[~units], there.array_field(given)[~units])
+
+
 def test_masked_arrays_elsewhere(torus, tmp_path):
     n = torus.vertex_count
     hidden = np.arange(n) < 7
