@@ -36,7 +36,6 @@ constexpr double kReading = 0.4, kSplit = 0.6;
 constexpr std::string_view kSearching = "nearest places";
 constexpr std::size_t kPointsBetweenLooks = 1024;  // a tenth of a second, if they are far away
 constexpr std::size_t kPointsOfTask = 32;
-constexpr const char* kCellRow = "row of the cell";  // of an array beside those of the cells
 constexpr float kNoCreases = 180;
 
 // The first `own` of so many vertices have numbers; those that were added have none.
@@ -249,10 +248,13 @@ SurfacePointer from_shape(const std::string& spec, int times, bool rounded, floa
   });
 }
 
+using CellTypes = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
 // The surface of cells, as of a VTK file with these, and of every triangle the row of its cell.
 py::tuple from_cells(py::handle points, py::handle corners, py::handle ends,
-                     const std::vector<std::uint8_t>& types, const py::dict& point_arrays,
+                     const CellTypes& cell_types, const py::dict& point_arrays,
                      const py::dict& cell_arrays) {
+  const std::vector<std::uint8_t> types(cell_types.data(), cell_types.data() + cell_types.size());
   CellArrays cells{data_array_of("points", points),
                    data_array_of("corners", corners),
                    data_array_of("ends", ends),
@@ -261,15 +263,14 @@ py::tuple from_cells(py::handle points, py::handle corners, py::handle ends,
   check_array_rows(cells.arrays, cells.points.rows(), types.size(), "cells");
   std::vector<std::int64_t> rows(types.size());
   std::iota(rows.begin(), rows.end(), std::int64_t{0});
-  cells.arrays.cells.push_back(make_data_array(kCellRow, 1, rows));
+  cells.arrays.cells.push_back(make_data_array("row", 1, rows));  // behind those of the cells
   SurfaceData data;
   data.name = "arrays";
   DataArray cell_of_triangle;
   SurfacePointer made = until_interrupted([&](const Progress& progress) {
     LoadedMesh loaded = mesh_of_cells(std::move(cells), "the mesh");
-    const auto found = std::ranges::find(loaded.arrays.cells, kCellRow, &DataArray::name);
-    cell_of_triangle = std::move(*found);
-    loaded.arrays.cells.erase(found);
+    cell_of_triangle = std::move(loaded.arrays.cells.back());
+    loaded.arrays.cells.pop_back();
     return from_loaded(std::move(loaded), std::move(data), {0, Midpoints::straight}, kNoCreases,
                        progress);
   });

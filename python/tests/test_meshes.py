@@ -245,7 +245,8 @@ def surfaces():
                                 ("triangle6", [[1, 8, 9, 11, 12, 10]]), ("triangle", [[1, 9, 2]]),
                                 ("tetra", [[0, 1, 2, 4]])],
                        point_data={"flow": np.cross(points, [0, 1, 0.3])},
-                       cell_data={"number": [[0], [1], [2, 3], [4], [5], [6]]})
+                       cell_data={"number": [[0], [1], [2, 3], [4], [5], [6]],
+                                  "row": [[7], [7], [7, 7], [7], [7], [7]]})
 
 
 def as_grid(mesh, path):
