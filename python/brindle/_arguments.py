@@ -13,6 +13,7 @@ from . import _core
 if TYPE_CHECKING:
     from ._surface import Surface
 
+# The words of arguments with choices, for editors and type checkers; the C++ side checks them.
 Solver = Literal["multilevel", "relaxation", "averaged", "global"]
 FrameSolver = Literal["multilevel", "relaxation"]
 PhaseShift = Literal["aligned", "common_source", "trapezoid"]

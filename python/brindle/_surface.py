@@ -451,7 +451,8 @@ def _flat_tensors(array: Any) -> Any:
 
 def as_surface(mesh: Any) -> Surface:
     """The surface that an object is or looks like: a Surface, a pair of arrays (V, F), and meshes of
-    pyvista, trimesh, meshio and VTK (vtkPolyData), whose polygons are cut into triangles.
+    pyvista, trimesh, meshio and VTK (vtkPolyData, vtkUnstructuredGrid), by the rules of files: polygons
+    are cut into triangles, and of volume cells alone the boundary is taken (``Surface.notes``).
 
     Vertices keep their numbers, vertices at one place are joined and triangles that cannot be used
     are dropped, as when a file is read. Point and cell data come along. Raises TypeError for
