@@ -1,6 +1,7 @@
 /// Readers and writers of meshes, points, lines, samples and strokes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -75,6 +76,19 @@ struct LoadedMesh {
 /// cannot be read, an unknown extension, a damaged file, or a file without a usable triangle.
 /// Throws Cancelled if `progress` cancels, which reports the share of the file that was read.
 LoadedMesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
+
+/// Cells over points, as VTK holds them in memory.
+struct CellArrays {
+  DataArray points;                 ///< three coordinates per point
+  DataArray corners;                ///< numbers of points, cell after cell
+  DataArray ends;                   ///< per cell the end of its corners
+  std::vector<std::uint8_t> types;  ///< per cell, as in vtkCellType.h
+  DataArrays arrays = {};           ///< a row per point and per cell
+};
+
+/// The surface that `read_mesh` makes of a VTK file with these cells. Throws Error as it does, with
+/// `name` in place of the path.
+LoadedMesh mesh_of_cells(CellArrays cells, const std::string& name);
 
 /// The files that `read_mesh` reads besides a .gltf; empty if the .gltf cannot be read.
 std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& gltf);

@@ -1,11 +1,14 @@
-/// Arrays of a mesh moved to finer meshes, from triangles to vertices, or to another mesh.
+/// Arrays of a mesh moved to finer meshes, from triangles to vertices, to places, or to another
+/// mesh.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "brindle/data_arrays.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
+#include "brindle/polylines.h"
 #include "brindle/progress.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -22,6 +25,12 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells);
 void subdivide(Mesh& mesh, DataArrays& arrays, int times = 1, const Progress& progress = {});
 void subdivide(Mesh& mesh, DataArrays& arrays, int times, Midpoints midpoints,
                const Progress& progress = {});
+
+/// Arrays at places on the mesh, such as points of curves or samples: first those with a row per
+/// vertex, as means of the corners (`blended`), then those with a row per triangle, as the
+/// triangle's row.
+std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,
+                                 std::span<const Triangle> triangles, const DataArrays& arrays);
 
 /// The rows of another mesh's arrays for every point.
 struct NearbyRows {

@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "brindle/data_arrays.h"
 #include "brindle/export.h"
+#include "brindle/mesh.h"
 #include "brindle/progress.h"
 #include "brindle/types.h"
 
@@ -22,6 +24,11 @@ struct Sample {
   Index triangle = 0;
   Vec3 barycentric;  ///< in that triangle; not negative, sums to 1
 };
+
+/// Arrays of the samples' mesh at the samples, as `arrays_at` of mesh_data.h; without triangles,
+/// the rows of the points that `triangle` numbers.
+std::vector<DataArray> arrays_at(std::span<const Sample> samples,
+                                 std::span<const Triangle> triangles, const DataArrays& arrays);
 
 inline constexpr float kDoubleShare = 0.25f;
 

@@ -6,7 +6,8 @@ import json
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core
-from ._arguments import Error, check_slack, flag, kept_property, number, whole_number, word
+from ._arguments import (Error, FramePhaseShift, FrameSolver, PhaseShift, Running, check_slack,
+                         flag, kept_property, number, whole_number, word)
 from ._surface import Progress, Surface, as_surface
 
 if TYPE_CHECKING:
@@ -14,8 +15,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 
-class Animator:
-    """Lays stripes over one surface with changing directions, frequencies and positions.
+class Animator(Running):
+    """Lays stripes over one surface whose directions, frequencies and positions change. Where its
+    triangles change, too, follow the last pattern by ``brindle.stripes(..., previous=)``.
 
     Data that depend on the triangles alone are built in the first frame; later ones take a few
     milliseconds. ``lambda_``: weight of the last frame's phases, 0 for none. ``solver``:
@@ -26,12 +28,15 @@ class Animator:
     unchanged.
     """
 
-    def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: str = "multilevel",
+    _INSTEAD = ("pickle its surface and the last phases; a new one goes on from these by "
+                "set_last_phases")
+
+    def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: FrameSolver = "multilevel",
                  sweeps: int = 2, cycles: int = 0, iterations: int = 3,
-                 phase_shift: str = "aligned", edge_weights: "Optional[ArrayLike]" = None,
+                 phase_shift: FramePhaseShift = "aligned", edge_weights: "Optional[ArrayLike]" = None,
                  slack: Any = None, calm: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, calm)
+        check_slack(slack, calm, self.surface)
         self._core = _core.Animator(self.surface._core, word(solver, "solver"),
                                     number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
                                     whole_number(cycles, "cycles"),
@@ -45,10 +50,12 @@ class Animator:
               progress: Optional[Progress] = None) -> "NDArray[np.complex64]":
         """The phases of the next frame: (n,) exp(i Phi), in a new array or in ``out``.
 
-        ``directions``: (n, 3) unit tangent vectors, or zero for no wave (``Surface.array_field``
-        converts any vectors). ``frequencies``: stripes per unit length, a number or (n,).
-        ``positions``: (n, 3), of moved vertices. Packed float32 arrays are read in place; others
-        are converted.
+        ``directions``: (n, 3) vectors of any length, as for ``brindle.stripes`` of the surface at
+        ``positions``, except that unit vectors are not projected where vertices have moved, which
+        would take as long as the frame; zero, NaN or masked for no wave. ``frequencies``: stripes
+        per unit length, a number or (n,), NaN for no wave. ``positions``: (n, 3), where vertices
+        have moved to. Packed arrays of float32 that hold unit tangent vectors are read where they
+        are; others are converted.
         """
         return self._core.frame(directions, frequencies, positions, out, progress)
 
@@ -59,7 +66,7 @@ class Animator:
 
     @property
     def unchanged(self) -> bool:
-        """Whether the last frame's input equalled that of the frame before."""
+        """Whether the last frame's input was that of the frame before: then its phases are, too."""
         return self._core.unchanged
 
     @property
@@ -100,16 +107,16 @@ class Animator:
         self._core.set_last_phases(phases)
 
 
-class TextureAnimator:
-    """Lays a texture over one surface with a changing field. Triangles keep their orientation, so
-    that the seam stays in place. ``oriented``, ``slack`` and ``calm`` as for ``brindle.texture``,
-    other arguments as for ``Animator``."""
+class TextureAnimator(Running):
+    """Lays a texture over one surface whose field changes from frame to frame. Triangles go on
+    running as they ran, so that the seam stays where it is. ``oriented``, ``slack`` and ``calm`` as
+    for ``brindle.texture``, all else as for ``Animator``."""
 
     def __init__(self, surface: Any, *, oriented: bool = False, lambda_: float = 0.025,
                  sweeps: int = 2, cycles: int = 0, slack: Any = None,
                  calm: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, calm)
+        check_slack(slack, calm, self.surface)
         self._core = _core.TextureAnimator(self.surface._core, flag(oriented, "oriented"),
                                            number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
                                            whole_number(cycles, "cycles"), slack, calm)
@@ -120,8 +127,8 @@ class TextureAnimator:
               normals: "Optional[ArrayLike]" = None,
               progress: Optional[Progress] = None) -> "NDArray[np.float32]":
         """The next frame's coordinates at the corners of triangles, (m, 3, 2), as
-        ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's
-        (default: U's), ``normals`` (n, 3) those of moved positions."""
+        ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's unless U's
+        are wanted; ``normals`` (n, 3) left out: those of ``positions``."""
         return self._core.frame(directions, frequencies, positions, frequencies_v, normals,
                                 progress)
 
@@ -136,12 +143,12 @@ class TextureAnimator:
         self._core.restart()
 
 
-class PatternFrames:
-    """Buffers for your own renderer of the frames of an ``Animator``: normals of moved vertices,
-    corner phases, and the buffers of the installed shaders (docs/gpu.md). ``phases`` are from
-    ``Animator.frame``; ``directions``, ``frequencies`` and ``positions`` are its input; with
-    ``slack``, pass ``Animator.frequencies``. Packed float32 arrays are read in place, and ``out``
-    avoids allocations. One call at a time."""
+class PatternFrames(Running):
+    """What a renderer of your own draws of the frames of an ``Animator``: normals of vertices that
+    moved, corner phases, and the buffers that the installed shaders read (docs/gpu.md). ``phases``
+    are what ``Animator.frame`` gave; ``directions``, ``frequencies`` and ``positions`` what it was
+    given, with slack ``Animator.frequencies``. Packed arrays of float32 are read where they are, and
+    ``out`` spares the result's allocation. One call at a time."""
 
     def __init__(self, surface: Any) -> None:
         self.surface: Surface = as_surface(surface)
@@ -166,16 +173,17 @@ class PatternFrames:
 
     def corner_phases(self, phases: "ArrayLike", directions: "ArrayLike",
                       frequencies: "ArrayLike", positions: "Optional[ArrayLike]" = None, *,
-                      phase_shift: str = "aligned",
+                      phase_shift: PhaseShift = "aligned",
                       out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
         """(m, 3) as ``Stripes.corner_phases``."""
         return self._core.corner_phases(phases, directions, frequencies, positions,
                                         word(phase_shift, "phase_shift"), out)
 
 
-class FieldAnimator:
-    """A smooth field on one surface with changing anchors: data, or a brush. ``symmetry``: 1
-    vectors, 2 lines, 4 crosses; ``lambda_``: weight of the last frame's field."""
+class FieldAnimator(Running):
+    """A smooth field on one surface whose anchors change: data, or a brush. ``symmetry``: 1
+    vectors, 2 lines, 4 crosses; ``lambda_``: how strongly a frame holds on to the last one's
+    field."""
 
     def __init__(self, surface: Any, *, symmetry: int = 2, lambda_: float = 0.05,
                  sweeps: int = 2) -> None:
@@ -196,12 +204,14 @@ class FieldAnimator:
         return self._core.frame(vertices, directions, weights, progress)
 
 
-class FieldDetail:
-    """Smooths measured fields on one surface, frame by frame; data that depend on the surface
-    alone are built once. ``periods``: the smoothing length. ``symmetry``: 1 arrows, 2 lines, 4
-    crosses. ``fill``: distance over which holes are filled, in periods. ``singularities``: the
-    largest number to keep. ``memory``: temporal smoothing, the weight of the last frame's field
-    relative to the data (0: none; 1: equal)."""
+class FieldDetail(Running):
+    """Measured fields on one surface, one after the other, seen at the scale of their stripes: what
+    depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
+    lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
+    many are left. ``memory``: how much the field of the frame before counts beside the data, so that
+    noise does not make it jump (0: not at all; 1: as much)."""
+
+    _INSTEAD = "pickle its surface and the last field; a new one goes on from it by frame(last=)"
 
     def __init__(self, surface: Any, periods: float = 1, *, symmetry: int = 2, fill: float = 2,
                  singularities: Optional[int] = None, memory: float = 0) -> None:

@@ -6,9 +6,25 @@ import numbers
 import os
 import warnings
 from functools import cached_property, wraps
-from typing import TYPE_CHECKING, Any, Mapping
+from typing import TYPE_CHECKING, Any, Literal, Mapping, Optional
 
 from . import _core
+
+if TYPE_CHECKING:
+    from ._surface import Surface
+
+# The words of arguments with choices, for editors and type checkers; the C++ side checks them.
+Solver = Literal["multilevel", "relaxation", "averaged", "global"]
+FrameSolver = Literal["multilevel", "relaxation"]
+PhaseShift = Literal["aligned", "common_source", "trapezoid"]
+FramePhaseShift = Literal["aligned", "trapezoid"]
+Weights = Literal["paper", "cotangent"]
+Match = Literal["number", "position"]
+Curvature = Literal["max", "min"]
+TensorAxis = Literal["major", "minor", "max-abs", "tangent-major", "tangent-minor"]
+View = Literal["stripes", "branches", "angle_error"]
+Tiles = Literal["whole", "cut"]
+Up = Literal["y", "z"]
 
 Error = _core.Error
 Cancelled = _core.Cancelled
@@ -43,6 +59,32 @@ else:
 
         def __init__(self, function):
             super().__init__(wraps(function)(lambda owner: frozen(function(owner))))
+
+
+class Result:
+    """What a notebook shows as a picture, and what copies and pickles without its cached properties,
+    which are made again."""
+
+    def _repr_png_(self) -> Optional[bytes]:
+        from ._pictures import notebook_png
+        return notebook_png(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items()
+                if not isinstance(getattr(type(self), name, None), cached_property)}
+
+
+class Running:
+    """What depends on the calls before, and is neither copied nor pickled."""
+
+    _INSTEAD = "pickle its surface, and make a new one of it"
+    surface: "Surface"
+
+    def __repr__(self) -> str:
+        return f"<brindle.{type(self).__name__} on {self.surface!r}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"brindle.{type(self).__name__} cannot be pickled or copied; {self._INSTEAD}")
 
 
 def path_of(path: Any) -> str:
@@ -125,11 +167,11 @@ def check_slack_type(slack: Any) -> None:
         raise TypeError(f"slack: expected a number or an array, got {slack!r}")
 
 
-def check_slack(slack: Any, calm: Any) -> None:
+def check_slack(slack: Any, calm: Any, surface: "Surface") -> None:
     """The same; Error for calm without slack."""
     check_slack_type(slack)
     made = _core.Solving()
-    made.set_slack(slack, calm)
+    made.set_slack(slack, calm, surface._core)
     made.check(options_of({"calm": calm}), False)
 
 
@@ -151,9 +193,9 @@ def options_of(given: Mapping[str, Any]) -> set[str]:
 _UNLESS_GIVEN = {"weights": "paper", "phase_shift": "aligned", "solver": "multilevel"}
 
 
-def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
-    """Options of the solver, on a mesh or points. None is the default; options without effect are
-    rejected."""
+def solving(given: Mapping[str, Any], surface: "Surface") -> "_core.Solving":
+    """How to solve what is asked for, on a surface. Options that are None have their
+    defaults; those that would change nothing are refused."""
     options = {name: value for name, value in given.items() if value is not None}
     made = _core.Solving()
     for name in ("solver", "phase_shift", "weights"):
@@ -164,7 +206,7 @@ def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
     made.threads = whole_number(options.get("threads", 0), "threads")
     check_slack_type(options.get("slack"))
     check_scalar("slack", options.get("slack"))
-    made.set_slack(options.get("slack"), options.get("calm"))
+    made.set_slack(options.get("slack"), options.get("calm"), surface._core)
     if "winding" in options:
         set_windings(made, options["winding"])
     for names, converted in ((_NUMBERS, number), (_WHOLE_NUMBERS, whole_number)):
@@ -173,7 +215,7 @@ def solving(given: Mapping[str, Any], points: bool) -> "_core.Solving":
                 check_scalar(name, options[name])
                 value = converted(options[name], name)
                 setattr(made, name, in_range(name, value, options[name]))
-    made.check(options_of(options), points)
+    made.check(options_of(options), surface.is_points)
     return made
 
 

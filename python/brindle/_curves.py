@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional, Union
 
 from . import _core
-from ._arguments import (count_and_frequency, flag, kept_property, number, one_of_both, path_of,
-                         solving, warn, whole_number)
+from ._arguments import (PhaseShift, Result, Solver, Weights, count_and_frequency, flag,
+                         kept_property, number, one_of_both, path_of, solving, warn, whole_number)
 from ._stripes import Field, Stripes, defaults_of, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
 
@@ -28,8 +28,8 @@ def placed(points: Any, origin: tuple[float, float, float]) -> Any:
     return points.astype(np.float64) + np.asarray(origin)
 
 
-class Curves:
-    """The centre lines of stripes. ``points, edges = curves`` fit a curve network."""
+class Curves(Result):
+    """The centre lines of stripes. ``points, edges = curves`` are ready for a curve network."""
 
     def __init__(self, core: "_core.Curves", stripes: Stripes) -> None:
         self._core = core
@@ -39,7 +39,8 @@ class Curves:
         return iter((self.points, self.edges))
 
     def __repr__(self) -> str:
-        return f"<brindle.Curves: {self.count} curves of {len(self.points)} points>"
+        return (f"<brindle.Curves: {self.count} curves of {len(self.points)} points, length "
+                f"{self.lengths.sum():.4g}, on {self.stripes.surface!r}>")
 
     @property
     def count(self) -> int:
@@ -90,9 +91,14 @@ class Curves:
 
     @property
     def places(self) -> "tuple[NDArray[np.int32], NDArray[np.float64]]":
-        """Positions of the points on the mesh: triangles (k,), barycentric coordinates (k, 3).
-        Empty for simplified curves without them."""
+        """Where the points are on the mesh: triangles (k,), barycentric coordinates (k, 3)."""
         return self._core.places()
+
+    def carried(self, array: "Union[str, ArrayLike]", *, axes: bool = False) -> "NDArray[Any]":
+        """An array of the surface, or its name, at the points: of a row per vertex, means of the
+        triangle's corners (whole numbers come from the nearest one); of a row per triangle, that
+        row. With ``axes``, signs of vectors do not count."""
+        return self._core.carried(*self.stripes.surface._own_array(array), flag(axes, "axes"))
 
     @cached_property
     def report(self) -> dict[str, Any]:
@@ -153,8 +159,8 @@ def curves_of(stripes: Stripes, join: bool, trim: float, fair: float, offset: fl
     return Curves(made, stripes)
 
 
-class Samples:
-    """Crossings of two patterns. ``points, normals = samples`` are (k, 3) each."""
+class Samples(Result):
+    """Points where two patterns cross. ``points, normals = samples`` are (k, 3) each."""
 
     def __init__(self, core: "_core.Samples", surface: Surface, u: Stripes, v: Stripes) -> None:
         self._core = core
@@ -167,7 +173,8 @@ class Samples:
         return iter((self.points, self.normals))
 
     def __repr__(self) -> str:
-        return f"<brindle.Samples: {self.count}>"
+        spacing = " x ".join(f"{each.mean():.4g}" for each in self.spacings) if self.count else "none"
+        return f"<brindle.Samples: {self.count} samples, spacing {spacing}, on {self.surface!r}>"
 
     @kept_property
     def _columns(self) -> "dict[str, NDArray[Any]]":
@@ -203,6 +210,10 @@ class Samples:
         """Positions of the samples on the mesh: triangles (k,), barycentric coordinates (k, 3)."""
         return self._columns["triangles"], self._columns["barycentric"]
 
+    def carried(self, array: "Union[str, ArrayLike]", *, axes: bool = False) -> "NDArray[Any]":
+        """An array of the surface at the samples, as ``Curves.carried``."""
+        return self._core.carried(*self.surface._own_array(array), flag(axes, "axes"))
+
     @cached_property
     def report(self) -> dict[str, Any]:
         """The samples' own metrics of ``brindle sample --report``."""
@@ -220,8 +231,8 @@ class Samples:
 def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, directions_v: "Optional[ArrayLike]" = None,
             stripes_v: Any = None, frequency_v: Any = None, min_distance: float = 0.25,
-            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
+            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None,
@@ -240,7 +251,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     field = Field(surface, directions, False, options=given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     frequency_v = frequencies_of(surface, frequency_v)

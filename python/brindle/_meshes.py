@@ -11,33 +11,45 @@ from . import _core
 from ._arguments import Error
 from ._surface import Surface
 
-_CORNERS = {"triangle": 3, "quad": 4, "triangle6": 3, "triangle7": 3, "quad8": 4, "quad9": 4}
+# VTK's numbers of the types of cells that meshio names.
+_VTK_TYPES = {"vertex": 1, "line": 3, "triangle": 5, "polygon": 7, "pixel": 8, "quad": 9, "tetra": 10,
+              "hexahedron": 12, "wedge": 13, "pyramid": 14, "penta_prism": 15, "hexa_prism": 16,
+              "line3": 21, "triangle6": 22, "quad8": 23, "tetra10": 24, "hexahedron20": 25,
+              "wedge15": 26, "pyramid13": 27, "quad9": 28, "hexahedron27": 29, "quad6": 30,
+              "wedge12": 31, "wedge18": 32, "hexahedron24": 33, "triangle7": 34, "line4": 35}
+_POINT_TYPES = (0, 1, 2)
+_POLYGON, _UNKNOWN = 7, 255
 
 
-class Polygons:
-    """Vertices, polygons, and named arrays with a row per vertex and per polygon."""
+class Cells:
+    """Points, cells of VTK's types over them, and named arrays of a row per point and per cell."""
 
-    def __init__(self, vertices: Any, offsets: Any, corners: Any, point_data: Mapping[str, Any],
-                 cell_data: Mapping[str, Any], cell_rows: Any = None, cell_count: int = 0) -> None:
-        self.vertices = _core.unmasked(vertices)
-        if self.vertices.ndim == 2 and self.vertices.shape[1] == 2:
-            self.vertices = np.pad(self.vertices, ((0, 0), (0, 1)))
-        self.offsets = offsets
+    def __init__(self, points: Any, types: Any, ends: Any, corners: Any,
+                 point_data: Mapping[str, Any], cell_data: Mapping[str, Any]) -> None:
+        self.points = _core.unmasked(points)
+        if self.points.ndim == 2 and self.points.shape[1] == 2:
+            self.points = np.pad(self.points, ((0, 0), (0, 1)))
+        self.types = types
+        self.ends = ends
         self.corners = corners
         self.point_data = numbers_of(point_data)
         self.cell_data = numbers_of(cell_data)
-        # The row of each polygon among all cells of the mesh, and their number.
-        polygons = len(offsets) - 1
-        self.cell_rows = np.arange(polygons) if cell_rows is None else cell_rows
-        self.cell_count = cell_count or polygons
 
 
 class Source:
     """The mesh cell of each triangle of the surface."""
 
-    def __init__(self, cell_of_triangle: Any, cell_count: int) -> None:
+    def __init__(self, cell_of_triangle: Any, vertex_count: int, cell_count: int) -> None:
         self.cell_of_triangle = cell_of_triangle
+        self.vertex_count = vertex_count
         self.cell_count = cell_count
+
+
+def split_source(surface: Surface, triangle_origins: Any) -> Source:
+    """Of a surface whose triangles are those of another one, or parts of them."""
+    source = surface._source or Source(np.arange(surface.triangle_count), surface.vertex_count,
+                                       surface.triangle_count)
+    return Source(source.cell_of_triangle[triangle_origins], source.vertex_count, source.cell_count)
 
 
 def numbers_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
@@ -53,49 +65,42 @@ def numbers_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def rows_alike(faces: Any) -> tuple[Any, Any]:
-    """Offsets and corners of faces with equal numbers of corners."""
+    """Ends and corners of cells that all have as many corners."""
     faces = np.asarray(faces)
-    if faces.ndim != 2 or faces.shape[1] < 3:
-        raise Error(f"faces: expected rows of three corners or more, got the shape {faces.shape}")
+    if faces.ndim != 2 or faces.shape[1] < 1:
+        raise Error(f"faces: expected rows of corners, got the shape {faces.shape}")
     if faces.size and faces.dtype.kind not in "iu":
         raise TypeError(f"faces: expected whole numbers, got {faces.dtype}")
-    return np.arange(0, faces.size + 1, faces.shape[1]), faces.ravel()
+    return np.arange(1, len(faces) + 1) * faces.shape[1], faces.ravel()
 
 
 def padded(faces: Any) -> tuple[Any, Any]:
-    """Offsets and corners of a sequence of faces, each after its number of corners: VTK's old
-    layout."""
+    """Ends and corners of faces that stand one after the other, each after its number of corners:
+    VTK's old layout."""
     faces = np.asarray(faces).ravel()
     kept = np.ones(len(faces), bool)
-    offsets, at = [0], 0
+    ends, at = [], 0
     while at < len(faces):
         if faces[at] < 0 or at + 1 + faces[at] > len(faces):
             raise Error(f"faces: the number of corners at {at} leads beyond the end")
         kept[at] = False
         at += 1 + int(faces[at])
-        offsets.append(at - len(offsets))
-    return np.asarray(offsets), faces[kept]
+        ends.append(at - len(ends) - 1)
+    return np.asarray(ends, np.int64), faces[kept]
 
 
 def surface_of(mesh: Any) -> Surface:
     """As `as_surface`, for meshes of other packages."""
-    polygons = polygons_of(mesh)
-    if len(polygons.offsets) < 2:
-        points = Surface._of(_core.surface_of_points(polygons.vertices, None, 8, polygons.point_data))
-        return points
-    triangles, polygon, crossed = _core.triangles_of_polygons(polygons.vertices, polygons.offsets,
-                                                              polygons.corners)
-    rows = polygons.cell_rows[polygon]
-    surface = Surface(polygons.vertices, triangles, repair=True, point_data=polygons.point_data,
-                      cell_data={name: array[rows] for name, array in polygons.cell_data.items()})
-    surface._core.left_out = crossed
-    kept = surface._core.kept_triangles
-    surface._source = Source(rows[kept] if len(kept) else rows, polygons.cell_count)
-    return surface
+    cells = cells_of(mesh)
+    if np.isin(cells.types, _POINT_TYPES).all():
+        return Surface._of(_core.surface_of_points(cells.points, None, 8, cells.point_data))
+    core, rows = _core.surface_of_cells(cells.points, cells.corners, cells.ends, cells.types,
+                                        cells.point_data, cells.cell_data)
+    return Surface._of(core, Source(rows, len(cells.points), len(cells.types)))
 
 
-def polygons_of(mesh: Any) -> Polygons:
-    if hasattr(mesh, "GetPolys") and hasattr(mesh, "GetPointData"):
+def cells_of(mesh: Any) -> Cells:
+    if hasattr(mesh, "GetPointData") and (hasattr(mesh, "GetPolys") or hasattr(mesh, "GetCellTypesArray")):
         return of_vtk(mesh)
     if hasattr(mesh, "points") and hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
         return of_meshio(mesh)
@@ -104,66 +109,74 @@ def polygons_of(mesh: Any) -> Polygons:
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return of_trimesh(mesh)
     raise TypeError(f"{type(mesh).__name__} is no surface: give a brindle.Surface, arrays (V, F), or "
-                    "a mesh of pyvista, trimesh, meshio or VTK (vtkPolyData; of other data sets "
-                    "extract the surface first)")
+                    "a mesh of pyvista, trimesh, meshio or VTK (vtkPolyData or vtkUnstructuredGrid; of "
+                    "other data sets extract the surface first)")
 
 
-def of_pyvista(mesh: Any) -> Polygons:
+def of_polygons(points: Any, ends_and_corners: tuple[Any, Any], point_data: Any, cell_data: Any) -> Cells:
+    ends, corners = ends_and_corners
+    return Cells(points, np.full(len(ends), _POLYGON, np.uint8), ends, corners, point_data, cell_data)
+
+
+def of_pyvista(mesh: Any) -> Cells:
     try:
-        offsets, corners = rows_alike(mesh.regular_faces)
+        faces = rows_alike(mesh.regular_faces)
     except (AttributeError, ValueError):
-        offsets, corners = padded(mesh.faces)
-    return Polygons(mesh.points, offsets, corners, getattr(mesh, "point_data", {}),
-                    getattr(mesh, "cell_data", {}))
+        faces = padded(mesh.faces)
+    return of_polygons(mesh.points, faces, getattr(mesh, "point_data", {}),
+                       getattr(mesh, "cell_data", {}))
 
 
-def of_trimesh(mesh: Any) -> Polygons:
-    return Polygons(mesh.vertices, *rows_alike(mesh.faces),
-                    getattr(mesh, "vertex_attributes", None) or {},
-                    getattr(mesh, "face_attributes", None) or {})
+def of_trimesh(mesh: Any) -> Cells:
+    return of_polygons(mesh.vertices, rows_alike(mesh.faces),
+                       getattr(mesh, "vertex_attributes", None) or {},
+                       getattr(mesh, "face_attributes", None) or {})
 
 
-def of_meshio(mesh: Any) -> Polygons:
-    offsets, corners, rows, row = [np.zeros(1, np.int64)], [], [], 0
-    blocks = [(cells.type, cells.data) if hasattr(cells, "type") else tuple(cells)
-              for cells in mesh.cells]
-    for kind, data in blocks:
-        size = _CORNERS.get(kind)
-        if size is not None or kind == "polygon":
-            data = np.asarray(data)
-            begin, ends = rows_alike(data[:, :size] if size else data)
-            offsets.append(begin[1:] + offsets[-1][-1])
-            corners.append(ends)
-            rows.append(np.arange(row, row + len(data)))
-        row += len(data)
-    if not corners and any(kind not in ("vertex", "line") for kind, _ in blocks):
-        raise Error(f"the mesh has no faces, but {', '.join(kind for kind, _ in blocks)}: extract "
-                    "its surface first")
-    cells = {name: np.concatenate([np.asarray(block) for block in arrays])
-             for name, arrays in (getattr(mesh, "cell_data", None) or {}).items()}
-    nothing = np.zeros(0, np.int64)
-    return Polygons(mesh.points, np.concatenate(offsets), np.concatenate(corners or [nothing]),
-                    getattr(mesh, "point_data", None) or {}, cells,
-                    np.concatenate(rows or [nothing]), row)
+def of_meshio(mesh: Any) -> Cells:
+    types, ends, corners, end = [], [], [], 0
+    for cells in mesh.cells:
+        kind, data = (cells.type, cells.data) if hasattr(cells, "type") else tuple(cells)
+        known = kind in _VTK_TYPES
+        if kind == "wedge":  # whose triangles VTK winds the other way round
+            data = np.asarray(data)[:, [0, 2, 1, 3, 5, 4]]
+        # Cells of other types have no corners here, and are counted.
+        begin, rows = rows_alike(data) if known and len(data) else (np.zeros(len(data), np.int64),
+                                                                    np.zeros(0, np.int64))
+        types.append(np.full(len(data), _VTK_TYPES.get(kind, _UNKNOWN), np.uint8))
+        ends.append(end + begin)
+        corners.append(rows)
+        end += len(rows)
+    cell_data = {name: np.concatenate([np.asarray(block) for block in arrays])
+                 for name, arrays in (getattr(mesh, "cell_data", None) or {}).items()}
+    return Cells(mesh.points, joined(types, np.uint8), joined(ends, np.int64), joined(corners, np.int64),
+                 getattr(mesh, "point_data", None) or {}, cell_data)
 
 
-def of_vtk(mesh: Any) -> Polygons:
+def joined(parts: list[Any], kind: Any) -> Any:
+    return np.concatenate(parts) if parts else np.zeros(0, kind)
+
+
+def of_vtk(mesh: Any) -> Cells:
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    points = mesh.GetPoints()
-    if points is None:
-        raise Error("the vtkPolyData has no points")
-    if mesh.GetNumberOfStrips() > 0:
-        raise Error("the vtkPolyData has triangle strips: let vtkTriangleFilter make triangles")
-    polys = mesh.GetPolys()
-    offsets = vtk_to_numpy(polys.GetOffsetsArray())
-    corners = vtk_to_numpy(polys.GetConnectivityArray())
-    if len(offsets) == 0:
-        offsets = np.zeros(1, np.int64)
-    first = mesh.GetNumberOfVerts() + mesh.GetNumberOfLines()
-    rows = first + np.arange(len(offsets) - 1)
-    return Polygons(vtk_to_numpy(points.GetData()), offsets, corners,
-                    vtk_arrays(mesh.GetPointData()), vtk_arrays(mesh.GetCellData()), rows,
-                    mesh.GetNumberOfCells())
+    if mesh.GetPoints() is None:
+        raise Error(f"the {mesh.GetClassName()} has no points")
+    if hasattr(mesh, "GetPolys"):
+        groups = [(mesh.GetVerts(), 2), (mesh.GetLines(), 4), (mesh.GetPolys(), 7), (mesh.GetStrips(), 6)]
+        types = np.repeat(np.uint8([kind for _, kind in groups]),
+                          [cells.GetNumberOfCells() for cells, _ in groups])
+    else:
+        groups = [(mesh.GetCells(), 0)] if mesh.GetNumberOfCells() else []
+        types = vtk_to_numpy(mesh.GetCellTypesArray()) if groups else np.zeros(0, np.uint8)
+    ends, corners, end = [], [], 0
+    for cells, _ in groups:
+        if cells.GetNumberOfCells() == 0:
+            continue
+        ends.append(end + vtk_to_numpy(cells.GetOffsetsArray())[1:])
+        corners.append(vtk_to_numpy(cells.GetConnectivityArray()))
+        end += len(corners[-1])
+    return Cells(vtk_to_numpy(mesh.GetPoints().GetData()), types, joined(ends, np.int64),
+                 joined(corners, np.int64), vtk_arrays(mesh.GetPointData()), vtk_arrays(mesh.GetCellData()))
 
 
 def vtk_arrays(data: Any) -> dict[str, Any]:
@@ -181,13 +194,18 @@ def vtk_arrays(data: Any) -> dict[str, Any]:
 
 def put_arrays(mesh: Any, surface: Surface, points: Mapping[str, Any],
                cells: Mapping[str, Any]) -> Any:
-    """Puts named arrays on a mesh."""
+    """Puts arrays on a mesh, by their names. Those of triangles are left out where it is not known
+    which cells these are; Error if that leaves nothing."""
     vertices, cell_count = counts_of(mesh)
-    if vertices != surface.vertex_count:
-        raise Error(f"the mesh has {vertices} vertices, the pattern {surface.vertex_count}: it was "
-                    "made for another one")
-    cells = {name: spread(array, surface, cell_count) for name, array in cells.items()}
-    cells = {name: array for name, array in cells.items() if array is not None}
+    own = (surface._source or surface).vertex_count
+    if vertices != own:
+        raise Error(f"the mesh has {vertices} vertices, the surface of the pattern {own}: it was made "
+                    "for another one")
+    spread_out = {name: spread(array, surface, cell_count) for name, array in cells.items()}
+    cells = {name: array for name, array in spread_out.items() if array is not None}
+    if not points and not cells:
+        raise Error(f"the mesh has {cell_count} cells, the surface of the pattern "
+                    f"{surface.triangle_count} triangles: it was made for another one")
     put = put_on_vtk if hasattr(mesh, "GetPointData") and not hasattr(mesh, "point_data") else put_on_dicts
     put(mesh, points, cells)
     return mesh
@@ -201,7 +219,7 @@ def put_pattern(mesh: Any, surface: Surface, points: Mapping[str, Any], cells: M
     cells = {prefix + name: array for name, array in cells.items()}
     of_points, of_cells = array_names(mesh)
     taken = sorted((of_points & set(points)) | (of_cells & set(cells)))
-    if taken and prefix + "sin_phase" not in of_points:
+    if taken and prefix + "sin_phase" not in of_points & set(points):
         raise Error(f"the mesh has arrays {', '.join(taken)} already, which would be replaced; keep them "
                     "with prefix=\"stripes_\"")
     return put_arrays(mesh, surface, points, cells)
@@ -221,8 +239,8 @@ def array_names(mesh: Any) -> tuple[set[str], set[str]]:
 def counts_of(mesh: Any) -> tuple[int, int]:
     if hasattr(mesh, "GetNumberOfPoints"):
         return mesh.GetNumberOfPoints(), mesh.GetNumberOfCells()
-    polygons = polygons_of(mesh)
-    return len(polygons.vertices), polygons.cell_count
+    cells = cells_of(mesh)
+    return len(cells.points), len(cells.types)
 
 
 def spread(array: Any, surface: Surface, cell_count: int) -> Any:

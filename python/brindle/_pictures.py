@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 
 from . import _core
-from ._arguments import Error, flag, number, path_of, whole_number, word
+from ._arguments import Error, Tiles, Up, View, flag, number, path_of, whole_number, word
 from ._curves import Curves, Samples
 from ._stripes import Stripes
 from ._surface import Surface, as_surface
@@ -26,7 +26,7 @@ has_opengl: bool = _core.has_opengl
 
 
 def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
-               camera: Sequence[float] = (30, 20), up: Optional[str] = None,
+               camera: Sequence[float] = (30, 20), up: Optional[Up] = None,
                colors: Optional[Sequence[str]] = None,
                light_from: Optional[Sequence[float]] = None, slice: Optional[str] = None,
                **unknown: Any) -> "_core.Picture":
@@ -61,9 +61,9 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
 
 
 def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 900),
-           camera: Sequence[float] = (30, 20), up: Optional[str] = None,
-           colors: Optional[Sequence[str]] = None, view: Optional[str] = None,
-           stripe_width: Optional[float] = None, tile: Any = None, tiles: Optional[str] = None,
+           camera: Sequence[float] = (30, 20), up: Optional[Up] = None,
+           colors: Optional[Sequence[str]] = None, view: Optional[View] = None,
+           stripe_width: Optional[float] = None, tile: Any = None, tiles: Optional[Tiles] = None,
            tube_radius: Optional[float] = None, transparent: bool = False,
            shading: bool = True, light_from: Optional[Sequence[float]] = None,
            slice: Optional[str] = None) -> "NDArray[np.uint8]":
@@ -111,8 +111,20 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     return _core.render(surface._core, None if pattern is None else pattern._core, picture)
 
 
-def whole_tiles(tiles: Optional[str]) -> Optional[bool]:
-    """Whether ``tiles`` requests whole tiles; None: the tile's default."""
+def notebook_png(thing: Any) -> Optional[bytes]:
+    """A small picture, for notebooks; None, so that they show the text, where none can be drawn."""
+    if not has_opengl:
+        return None
+    surface = thing.stripes.surface if isinstance(thing, Curves) else getattr(thing, "surface", thing)
+    try:
+        image = render(surface, None if surface is thing else thing, size=(480, 360))
+    except Error:
+        return None
+    return _core.tile_png(image, _core.Picture(), False)
+
+
+def whole_tiles(tiles: Optional[Tiles]) -> Optional[bool]:
+    """What ``tiles`` asks for; None: what suits the tile."""
     if tiles is None:
         return None
     if word(tiles, "tiles") not in ("whole", "cut"):

@@ -8,8 +8,9 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any, Mapping, Optional
 
 from . import _core
-from ._arguments import (check_scalar, count_and_frequency, described, flag, kept_property, number,
-                         options_of, path_of, solving, warn, whole_number, word)
+from ._arguments import (Match, PhaseShift, Result, Solver, Weights, check_scalar,
+                         count_and_frequency, described, flag, kept_property, number, options_of,
+                         path_of, solving, warn, whole_number, word)
 from ._surface import Progress, Surface, _flat_tensors, _last_of_stripes, as_surface
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class Field:
     the ``symmetry`` of crosses is 4."""
 
     def __init__(self, surface: Surface, given: Any, along: bool,
-                 previous: "Optional[Stripes]" = None, match: Optional[str] = None,
+                 previous: "Optional[Stripes]" = None, match: Optional[Match] = None,
                  options: Optional[Mapping[str, Any]] = None, symmetry: int = 2,
                  measured: bool = True, oriented: bool = False) -> None:
         """``oriented``: vectors of a named array have signs: opposite ones cancel."""
@@ -84,8 +85,8 @@ class Field:
         _, array, is_of_cells = surface._core.array_named(weight)
         return array if is_of_cells and self._of_triangles else surface.array(weight)
 
-    def _following(self, surface: Surface, previous: "Stripes", match: Optional[str]) -> Any:
-        """The smooth field that continues that of a pattern, before it was turned."""
+    def _following(self, surface: Surface, previous: "Stripes", match: Optional[Match]) -> Any:
+        """The smooth field that goes on from that of a pattern, before it was turned."""
         self.origin.source = "the smooth field"
         before = previous.directions
         if previous._core.turn_deg != 0:
@@ -152,8 +153,8 @@ def defaults_of(function: Any) -> dict[str, Any]:
     return dict(function.__kwdefaults__ or {})
 
 
-class Stripes:
-    """Stripes over a surface, from ``brindle.stripes``.
+class Stripes(Result):
+    """Stripes over a surface: what ``brindle.stripes`` returns.
 
     Arrays share the pattern's memory if possible, are read-only, and keep it alive.
     """
@@ -166,7 +167,14 @@ class Stripes:
         self.surface = surface
 
     def __repr__(self) -> str:
-        return f"<brindle.Stripes on {self.surface!r}>"
+        branches = "" if self.surface.is_points else f"{self.report['branches']} branches, "
+        return f"<brindle.Stripes: {branches}spacing {self._spacing():.4g}, on {self.surface!r}>"
+
+    def _spacing(self) -> float:
+        """One mean period of the waves; 1 if there are none."""
+        import numpy as np
+        frequencies = self.frequency[np.any(self.directions != 0, axis=1)]
+        return 1 / float(np.mean(frequencies, dtype=np.float64)) if len(frequencies) else 1
 
     @property
     def phases(self) -> "NDArray[np.complex64]":
@@ -272,7 +280,7 @@ class Stripes:
     def mesh(self) -> "TexturedMesh":
         """A mesh with texture coordinates: U across the stripes, one unit per period."""
         from ._textures import TexturedMesh
-        return TexturedMesh(_core.textured_stripes(self._core), self.surface)
+        return TexturedMesh(_core.textured_stripes(self._core), self)
 
     def write(self, path: Any, *, uv: bool = False) -> None:
         """Writes .vtp, .ply, .gltf, .glb or .obj as ``brindle stripe --output``, atomically: the
@@ -318,15 +326,15 @@ def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> t
 
 
 def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, along: bool = False, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            frequency: Any = None, along: bool = False, solver: Solver = "multilevel",
+            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, slack: Any = None,
             calm: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
             winding: Any = None, merge_branches: Optional[float] = None,
             merge_distance: Optional[float] = None, previous: Optional[Stripes] = None,
-            lambda_: Optional[float] = None, match: Optional[str] = None,
+            lambda_: Optional[float] = None, match: Optional[Match] = None,
             field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None, frequency_detail: Optional[float] = None,
@@ -361,10 +369,12 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     within 1 + this share of its value before; 0: only pairs that lower it. ``merge_distance``:
     greatest distance within a pair, in periods (default 10).
 
-    ``previous``: stays near to the phases of another pattern by the weight ``lambda_`` (default
-    0.025). ``match``: vertices are matched by "number" or "position" (default: by number if the
-    triangles are the same). The smooth field (``directions`` None) then starts from that
-    pattern's field before ``along`` turned it, unless ``lambda_`` is 0.
+    ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
+    are matched by "number" or "position" (``match``; by number if the triangles are the same). The
+    smooth field (``directions`` None) then goes on from that pattern's field, as it was before
+    ``along`` turned it, unless ``lambda_`` is 0. It solves again, and so moves phases a little even
+    where the input is that of the other pattern; ``brindle.Animator`` then keeps them, and is faster,
+    for the frames of one surface. Use ``previous`` where triangles change, or for single steps.
 
     ``field_detail``: smooths measured directions over this many periods and fills holes (default
     0: not; 1 for noisy data). ``field_weight``: confidence of each datum, 0 or NaN for none: an
@@ -386,7 +396,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given.pop("progress")
     if previous is not None and not isinstance(previous, Stripes):
         raise TypeError(f"previous: expected brindle.Stripes, got {type(previous).__name__}")
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     field = Field(surface, directions, flag(along, "along"),
                   None if options.lambda_ == 0 else previous, match, given)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
@@ -402,16 +412,16 @@ _DEFAULTS = defaults_of(stripes)
 
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
-                        phase_shift: str = "aligned") -> Stripes:
-    """The pattern of known phases, such as those of ``Animator.frame`` or of a file: complex
-    (n,), exp(i Phi) per vertex; 0 or NaN for no wave (``np.exp(1j * p.point_data["phase"])``).
-    Directions and frequencies are those of the phases. Lifts the phases to the triangles and
-    measures them like those of any pattern."""
+                        phase_shift: PhaseShift = "aligned") -> Stripes:
+    """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
+    complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
+    p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.
+    Lifted to the triangles and measured like any other."""
     given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency}
     surface = as_surface(surface)
     field = Field(surface, directions, False)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
     made = _core.stripes_from_phases(surface._core, phases, field.directions, count, frequency,
-                                     field.origin, solving({"phase_shift": phase_shift}, surface.is_points))
+                                     field.origin, solving({"phase_shift": phase_shift}, surface))
     return Stripes(made, surface, invocation("stripes_from_phases", surface, given,
                                              defaults_of(stripes_from_phases)))

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import (TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union)
 
 from . import _core
-from ._arguments import (Error, count_and_frequency, distance, flag, number, path_of, warn,
-                         whole_number, word)
+from ._arguments import (Curvature, Error, Match, TensorAxis, count_and_frequency, distance, flag,
+                         number, path_of, warn, whole_number, word)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,8 +37,8 @@ def _parts_of(strokes: Any) -> list[tuple[Any, float, float]]:
     return [stroke._parts() for stroke in strokes]
 
 
-def _last_field(last: Any, match: Optional[str], max_distance: Optional[float]) -> Any:
-    """The parts of the last field; None without one."""
+def _last_field(last: Any, match: Optional[Match], max_distance: Optional[float]) -> Any:
+    """The parts of a field before; None if there is none."""
     from ._stripes import Stripes
     if last is None:
         for name, value in (("match", match), ("max_distance", max_distance)):
@@ -54,12 +54,10 @@ def _last_field(last: Any, match: Optional[str], max_distance: Optional[float]) 
     return last[0]._core, last[1], distance, "" if match is None else word(match, "match")
 
 
-def _last_of_stripes(stripes: Any, directions: Any, match: Optional[str],
+def _last_of_stripes(stripes: Any, directions: Any, match: Optional[Match],
                      max_distance: Optional[float] = None) -> Any:
-    import numpy as np
     if max_distance is None:
-        frequencies = stripes.frequency[np.any(stripes.directions != 0, axis=1)]
-        max_distance = 1 / float(np.mean(frequencies, dtype=np.float64)) if len(frequencies) else 1
+        max_distance = stripes._spacing()
     return (stripes.surface._core, directions, number(max_distance, "max_distance"),
             "" if match is None else word(match, "match"))
 
@@ -129,7 +127,11 @@ class Surface:
 
     def __repr__(self) -> str:
         kind = "points" if self.is_points else f"vertices, {self.triangle_count} triangles"
-        return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}>"
+        return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}, diagonal {self.diagonal:.4g}>"
+
+    def _repr_png_(self) -> Optional[bytes]:
+        from ._pictures import notebook_png
+        return notebook_png(self)
 
     # --- properties ---------------------------------------------------------------------------
 
@@ -243,9 +245,9 @@ class Surface:
     # --- fields -------------------------------------------------------------------------------
 
     def smooth_field(self, *, symmetry: int = 2, curvature_anchor: float = 0,
-                     curvature: str = "max", feature_anchor: float = 0, feature_angle: float = 40,
+                     curvature: Curvature = "max", feature_anchor: float = 0, feature_angle: float = 40,
                      feature_radius: float = 0, normal_radius: float = 0,
-                     strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[str] = None,
+                     strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[Match] = None,
                      max_distance: Optional[float] = None) -> "NDArray[np.float32]":
         """(n, 3) unit tangent vectors of the smoothest field.
 
@@ -294,7 +296,7 @@ class Surface:
             raise Error("axis: expected three numbers") from error
         return _core.projected_field(self._core, x, y, z)
 
-    def curvature_field(self, which: str = "max", *, anchor: float = 0.1, raw: bool = False,
+    def curvature_field(self, which: Curvature = "max", *, anchor: float = 0.1, raw: bool = False,
                         symmetry: int = 2, feature_anchor: float = 0, feature_angle: float = 40,
                         feature_radius: float = 0,
                         normal_radius: float = 0) -> "NDArray[np.float32]":
@@ -327,10 +329,10 @@ class Surface:
         return _core.array_field(self._core, name, array)[0]
 
     def tensor_field(self, tensors: "Union[str, ArrayLike]",
-                     axis: str = "major") -> "NDArray[np.float32]":
-        """(n, 3): eigenvectors of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY, YZ,
-        XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor", "max-abs",
-        or "tangent-major" or "tangent-minor" of the tangential part."""
+                     axis: TensorAxis = "major") -> "NDArray[np.float32]":
+        """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
+        YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
+        "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface."""
         name, array = self._array(tensors, "tensors")
         return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"))[0]
 
@@ -403,10 +405,10 @@ class Surface:
 
     def carried(self, array: "Union[str, ArrayLike]", to: Any,
                 max_distance: float = float("inf"), *, axes: bool = False) -> "NDArray[Any]":
-        """An array of this surface at the vertices of another one, from the nearest points; NaN
-        beyond ``max_distance``. ``axes``: for vectors up to sign."""
-        name, values = self._core.array_named(array)[:2] if isinstance(array, str) else ("array", array)
-        return self._core.carried(name, values, as_surface(to)._core,
+        """An array of this surface at the vertices of another one: from the nearest place, or NaN
+        where that is farther than ``max_distance``. With ``axes``, signs of vectors do not
+        count."""
+        return self._core.carried(*self._own_array(array), as_surface(to)._core,
                                   distance(max_distance, "max_distance"), flag(axes, "axes"))
 
     def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
@@ -424,6 +426,10 @@ class Surface:
         for line in _core.write_surface(path_of(path), self._core, points, cells, {}, {}):
             warn(line)
 
+    def _own_array(self, given: Any) -> tuple[str, Any]:
+        """The same of vertices or triangles, as it is."""
+        return self._core.array_named(given)[:2] if isinstance(given, str) else ("array", given)
+
     def _array(self, given: Any, what: str) -> tuple[str, Any]:
         """A name for messages, and the array."""
         if isinstance(given, str):
@@ -440,8 +446,9 @@ def _flat_tensors(array: Any) -> Any:
 
 
 def as_surface(mesh: Any) -> Surface:
-    """Converts to a Surface: a pair of arrays (V, F), or a mesh of pyvista, trimesh, meshio or
-    VTK (vtkPolyData), whose polygons are triangulated.
+    """The surface that an object is or looks like: a Surface, a pair of arrays (V, F), and meshes of
+    pyvista, trimesh, meshio and VTK (vtkPolyData, vtkUnstructuredGrid), by the rules of files: polygons
+    are cut into triangles, and of volume cells alone the boundary is taken (``Surface.notes``).
 
     Vertices keep their numbers. Meshes are repaired as when reading a file: vertices at one
     position are joined and invalid triangles dropped. Point and cell data are kept. Raises

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 from functools import cached_property
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
 
 from . import _core
-from ._arguments import (Error, count_and_frequency, flag, kept_property, one_of_both, path_of,
-                         solving, warn)
+from ._arguments import (Error, PhaseShift, Result, Solver, Tiles, Weights, count_and_frequency,
+                         flag, kept_property, one_of_both, path_of, solving, warn, word)
 from ._curves import placed
 from ._stripes import Field, Stripes, defaults_of, fitting, frequencies_of, invocation
 from ._surface import Progress, Surface, as_surface
@@ -23,12 +23,17 @@ class TexturedMesh:
     """A mesh with texture coordinates at vertices, for other programs. Vertices of the surface
     keep their numbers; copies and new ones follow."""
 
-    def __init__(self, core: "_core.TexturedMesh", surface: Surface, of_crosses: bool = False,
-                 texture: "Optional[_core.Texture]" = None) -> None:
+    def __init__(self, core: "_core.TexturedMesh", of: "Union[Stripes, Texture]") -> None:
         self._core = core
-        self._of_crosses = of_crosses
-        self._texture = texture
-        self.surface = surface
+        self._of = of
+        self.surface: Surface = of.surface
+
+    def __repr__(self) -> str:
+        return (f"<brindle.TexturedMesh: {len(self.uv)} vertices, {len(self.triangles)} triangles, of "
+                f"{self.surface!r}>")
+
+    def __reduce__(self) -> Any:
+        return type(self._of).mesh, (self._of,)
 
     @kept_property
     def vertices(self) -> "NDArray[np.floating]":
@@ -71,7 +76,7 @@ class TexturedMesh:
         """Named arrays with a row per triangle: branch, and those of the surface."""
         return self._arrays[1]
 
-    def write(self, path: Any, *, tile: Any = None, tiles: Optional[str] = None,
+    def write(self, path: Any, *, tile: Any = None, tiles: Optional[Tiles] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with texture coordinates. ``tile``: an image, by
         name ("checker" and so on, in ``colors``) or as an array (h, w, 3 or 4) of uint8; embedded
@@ -86,19 +91,19 @@ class TexturedMesh:
         png = b""
         if tile is not None:
             from ._pictures import tile_png
-            png = tile_png(tile, colors, self._of_crosses)
+            png = tile_png(tile, colors, isinstance(self._of, Texture) and self._of.is_cross)
         for line in _core.write_mesh(text, self._core.origin, self._core.local_vertices,
                                      self.triangles, points, cells, png):
             warn(line)
 
 
-    def _cells_with(self, tile: Any, tiles: Optional[str]) -> "dict[str, NDArray[Any]]":
-        if self._texture is None or tile is None:
+    def _cells_with(self, tile: Any, tiles: Optional[Tiles]) -> "dict[str, NDArray[Any]]":
+        if not isinstance(self._of, Texture) or tile is None:
             if tiles is not None:
                 raise Error("tiles has no effect here: there is no tile")
             return self.cell_data
         from ._pictures import whole_tiles
-        broken = _core.triangles_with_broken_tiles(self._texture, tile, whole_tiles(tiles))
+        broken = _core.triangles_with_broken_tiles(self._of._core, tile, whole_tiles(tiles))
         if broken is None:
             return self.cell_data
         cells: "dict[str, NDArray[Any]]" = {}
@@ -109,8 +114,8 @@ class TexturedMesh:
         return cells
 
 
-class Texture:
-    """Texture coordinates over a surface, from ``brindle.texture`` and ``brindle.crosses``.
+class Texture(Result):
+    """Texture coordinates over a surface: what ``brindle.texture`` and ``brindle.crosses`` return.
 
     ``surface`` is their surface: the given one or, for crosses, that with every singular triangle
     split in three at its barycentre.
@@ -124,7 +129,7 @@ class Texture:
         self.surface = surface
 
     def __repr__(self) -> str:
-        return f"<brindle.Texture on {self.surface!r}>"
+        return f"<brindle.Texture: {self.report['branches']} branches, on {self.surface!r}>"
 
     @kept_property
     def corner_uv(self) -> "NDArray[np.float32]":
@@ -140,22 +145,24 @@ class Texture:
         return self._core.is_cross
 
     @cached_property
-    def u(self) -> Optional[Stripes]:
-        """The stripes along the field; None for crosses."""
-        return self._part(self._core.u)
+    def u(self) -> Stripes:
+        """The stripes along the field. Crosses have none (AttributeError): see ``cover``."""
+        return self._part(self._core.u, "u")
 
     @cached_property
-    def v(self) -> Optional[Stripes]:
-        """The stripes across the field; None for crosses."""
-        return self._part(self._core.v)
+    def v(self) -> Stripes:
+        """The stripes across the field. Crosses have none (AttributeError): see ``cover``."""
+        return self._part(self._core.v, "v")
 
     @cached_property
-    def cover(self) -> Optional[Stripes]:
-        """For crosses: both waves, on a surface with each vertex twice (2 i and 2 i + 1) and each
-        triangle once per wave. Its curves are both families of lines."""
+    def cover(self) -> Stripes:
+        """Of crosses: both waves, on a surface that has each vertex twice (2 i and 2 i + 1) and
+        each triangle for either wave. Its curves are both families of lines. Other textures have
+        none (AttributeError): see ``u`` and ``v``."""
         core = self._core.cover
-        return None if core is None else Stripes(core, Surface._of(core.surface), self._said,
-                                                 (self.surface, *self._also_on))
+        if core is None:
+            raise AttributeError("cover: crosses have one; this texture has u and v")
+        return Stripes(core, Surface._of(core.surface), self._said, (self.surface, *self._also_on))
 
     @property
     def merged(self) -> Optional[dict[str, float]]:
@@ -179,30 +186,35 @@ class Texture:
         return json.loads(self._core.report(self._said))
 
     def mesh(self) -> TexturedMesh:
-        """A mesh with texture coordinates per vertex; vertices are split where necessary."""
-        return TexturedMesh(self._core.mesh(), self.surface, self.is_cross, self._core)
+        """A mesh with texture coordinates per vertex, with vertices split where it needs that."""
+        return TexturedMesh(self._core.mesh(), self)
 
-    def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[str] = None,
+    def write(self, path: Any, *, tile: Any = "checker", tiles: Optional[Tiles] = None,
               colors: Optional[tuple[str, ...]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb with the tile, as ``brindle stripe --texture``.
         ``tiles``: as in ``TexturedMesh.write``."""
         self.mesh().write(path, tile=tile, tiles=tiles, colors=colors)
 
-    def put_on(self, mesh: Any, name: str = "uv") -> Any:
-        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as a triangle array
-        of six numbers (u, v of three corners). Returns the mesh."""
-        from ._meshes import put_arrays
-        return put_arrays(mesh, self.surface, {}, {name: self.corner_uv.reshape(-1, 6)})
+    def put_on(self, mesh: Any, *, prefix: str = "") -> Any:
+        """Puts the coordinates on a mesh of pyvista, trimesh, meshio or VTK as the array "uv" of its
+        triangles, its name after ``prefix``: six numbers each (u, v of three corners), NaN for
+        triangles that were split. Raises Error where the mesh has an array of that name. Returns
+        the mesh."""
+        from ._meshes import put_pattern
+        return put_pattern(mesh, self.surface, {}, {"uv": self.corner_uv.reshape(-1, 6)},
+                           word(prefix, "prefix"))
 
-    def _part(self, core: Any) -> Optional[Stripes]:
-        return None if core is None else Stripes(core, self.surface, self._said)
+    def _part(self, core: Any, name: str) -> Stripes:
+        if core is None:
+            raise AttributeError(f"{name}: crosses have both waves in cover")
+        return Stripes(core, self.surface, self._said)
 
 
 def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, stripes_v: Any = None, frequency_v: Any = None,
             oriented: bool = False, along: bool = False, slack: Any = None,
-            calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
+            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
@@ -222,7 +234,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     oriented = flag(oriented, "oriented")
     field = Field(surface, directions, flag(along, "along"), options=given, oriented=oriented)
     count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
@@ -238,7 +250,7 @@ _DEFAULTS = defaults_of(texture)
 
 def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, slack: Any = None, calm: "Optional[ArrayLike]" = None,
-            solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
+            solver: Solver = "multilevel", phase_shift: PhaseShift = "aligned", weights: Weights = "paper",
             epsilon: Optional[float] = None, momentum: Optional[float] = None,
             seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
@@ -253,7 +265,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given = dict(locals())
     surface = as_surface(given.pop("surface"))
     given.pop("progress")
-    options = solving(given, surface.is_points)
+    options = solving(given, surface)
     begin = perf_counter()
     field = Field(surface, surface.smooth_field(symmetry=4) if directions is None else directions,
                   False, options=given, symmetry=4, measured=directions is not None)
@@ -264,8 +276,9 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     made = _core.crosses(surface._core, field.directions, count, frequency, field.origin,
                          options, progress)
     warn(made.warnings(field.origin.source))
-    return Texture(made, Surface._of(made.surface),
-                   invocation("crosses", surface, given, _CROSS_DEFAULTS), (surface,))
+    from ._meshes import split_source
+    split = Surface._of(made.surface, split_source(surface, made.triangle_origins))
+    return Texture(made, split, invocation("crosses", surface, given, _CROSS_DEFAULTS), (surface,))
 
 
 _CROSS_DEFAULTS = defaults_of(crosses)

@@ -21,8 +21,8 @@ namespace {
 struct AnimatorData {
   SurfacePointer surface;
   StripeAnimator animator;
-  std::vector<float> everywhere;   // a single frequency, expanded to all vertices
-  std::vector<float> frequencies;  // of the last frame, with a spacing tolerance
+  MovingNormals normals;
+  std::vector<float> frequencies;  // of the last frame, with slack
   double phase_step = 0;
   bool unchanged = false;
   FrameMilliseconds milliseconds;
@@ -30,7 +30,7 @@ struct AnimatorData {
   std::atomic<bool> busy{false};
 
   AnimatorData(SurfacePointer on, StripeAnimator with)
-      : surface(std::move(on)), animator(std::move(with)) {}
+      : surface(std::move(on)), animator(std::move(with)), normals(surface->surface) {}
 };
 
 std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
@@ -54,29 +54,16 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
   if (!kind) throw Error("phase_shift: '" + phase_shift + "' is neither aligned nor trapezoid");
   options.phase_shift = *kind;
   if (!edge_weights.is_none()) {
-    options.edge_weights = numbers_of(table_of(edge_weights, "edge_weights").view, "edge_weights");
-    if (options.edge_weights.size() != surface->surface.neighborhood->directed_edge_count()) {
-      throw Error("edge_weights: give one to each of " +
-                  std::to_string(surface->surface.neighborhood->directed_edge_count()) +
-                  " directed edges");
-    }
+    const Table table = table_of(edge_weights, "edge_weights");
+    check_rows(table.array, surface->surface.neighborhood->directed_edge_count(), "edge_weights",
+               "directed edges");
+    options.edge_weights = numbers_of(table.view, "edge_weights");
   }
-  options.slack = slack_of(slack, calm);
+  options.slack = slack_of(slack, calm, surface->surface.mesh);
   return std::make_unique<AnimatorData>(surface, StripeAnimator(surface->surface, options));
 }
 
-// A single frequency, expanded to all vertices; the vector is reused.
-std::span<const float> everywhere(AnimatorData& data, const Table& table) {
-  const float frequency = numbers_of(table.view, "frequencies").front();
-  const std::size_t vertices = data.surface->surface.mesh.vertex_count();
-  if (data.everywhere.size() != vertices ||
-      (vertices > 0 && data.everywhere.front() != frequency)) {
-    data.everywhere.assign(vertices, frequency);
-  }
-  return data.everywhere;
-}
-
-// The array of phases: `out` if given, else a new one.
+// The array for the phases: `out`, if there is one, or a new one.
 py::array_t<Complex> phase_array(py::handle out, std::size_t count) {
   if (out.is_none()) return py::array_t<Complex>(static_cast<py::ssize_t>(count));
   if (!py::isinstance<py::array_t<Complex, py::array::c_style>>(out)) {
@@ -93,23 +80,13 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
                            py::handle positions, py::handle out, const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   const std::size_t vertices = data.surface->surface.mesh.vertex_count();
-  const RowsIn<Vec3> directions_in(directions, "directions");
-  const RowsIn<Vec3> positions_in = rows_if_given(positions, "positions");
-  const Table frequency_table = table_of(frequencies, "frequencies");
-  const RowsIn<float> frequencies_in = frequency_table.is_number
-                                           ? RowsIn<float>()
-                                           : RowsIn<float>(frequency_table.array, "frequencies");
+  const FrameIn in(data.surface->surface, std::ref(data.normals), MovedNormals::left_out,
+                   directions, frequencies, positions);
   py::array_t<Complex> phases = phase_array(out, vertices);
-  const FrameWaves waves(directions_in.rows(), frequencies_in.rows());
-  const FrameInput input{
-      positions.is_none() ? std::span<const Vec3>(data.surface->surface.mesh.positions)
-                          : positions_in.rows(),
-      waves.directions(),
-      frequency_table.is_number ? everywhere(data, frequency_table) : waves.frequencies()};
   Complex* target = phases.mutable_data();
   FrameResult result;
   Job(progress).run([&](const Progress& reports) {
-    result = data.animator.frame(input, reports);
+    result = data.animator.frame(in.input(), reports);
     std::copy(result.z.begin(), result.z.end(), target);
   });
   // Under the GIL, which readers hold.
@@ -137,9 +114,13 @@ py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle d
   const OneAtATime alone(data.busy, "this animator");
   refuse_masked(vertices, "vertices");
   const Table numbers = table_of(vertices, "vertices");
-  const std::vector<Vec3> vectors =
-      vectors_of(table_of(directions, "directions").view, "directions");
+  const std::size_t count = numbers.is_number ? 1 : numbers.view.rows();
+  const Table ways = table_of(directions, "directions");
   const Table strengths = table_of(weights, "weights");
+  for (const auto& [table, what] : {std::pair(&ways, "directions"), {&strengths, "weights"}}) {
+    if (!table->is_number) check_rows(table->array, count, what, "anchors (vertices)");
+  }
+  const std::vector<Vec3> vectors = vectors_of(ways.view, "directions");
   const std::vector<float> weight = numbers_of(strengths.view, "weights");
   const auto kind = numbers.array.dtype().kind();
   if (kind == 'f' && numbers.view.rows() > 0) {
@@ -150,10 +131,6 @@ py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle d
   if (numbers.array.ndim() > 1) {
     throw Error("vertices: expected an array (k,), got one of " +
                 std::to_string(numbers.array.ndim()) + " dimensions");
-  }
-  const std::size_t count = numbers.is_number ? 1 : numbers.view.rows();
-  if (vectors.size() != count || (!strengths.is_number && weight.size() != count)) {
-    throw Error("anchors: vertices, directions and weights must have as many rows");
   }
   const auto all = static_cast<std::int64_t>(data.surface->surface.mesh.vertex_count());
   std::vector<FieldAnchor> anchors;
@@ -216,7 +193,7 @@ void bind_animator(py::module_& module) {
            })
       .def("set_last_phases", [](AnimatorData& data, py::handle z) {
         const OneAtATime alone(data.busy, "this animator");
-        data.animator.set_last_phases(phases_of(z, "phases"));
+        data.animator.set_last_phases(phases_of(z, data.surface->surface.mesh, "phases"));
       });
 }
 

@@ -83,12 +83,22 @@ py::array array_of(py::handle object, const std::string& what) {
   }
 }
 
-std::string type_name(const py::dtype& type) {
-  return py::cast<std::string>(type.attr("__str__")());
+std::string text_of(const py::object& object) { return py::cast<std::string>(py::str(object)); }
+
+bool has_rows(const py::array& array, std::size_t rows) {
+  return array.ndim() > 0 && static_cast<std::size_t>(array.shape(0)) == rows;
+}
+
+// Signs of vectors need not agree from triangle to triangle, as those of fibres do not.
+std::string remedy_of_cells(const py::array& array, const Mesh& mesh, const std::string& what) {
+  if (!has_rows(array, mesh.triangle_count())) return "";
+  const bool vectors = array.ndim() == 2 && (array.shape(1) == 2 || array.shape(1) == 3);
+  return ", a row per triangle; give surface.moved_to_points(" + what +
+         (vectors ? ", axes=True)" : ")");
 }
 
 [[noreturn]] void refuse_type(const std::string& what, const py::dtype& type) {
-  throw py::type_error(what + ": expected real numbers, got " + type_name(type));
+  throw py::type_error(what + ": expected real numbers, got " + text_of(type));
 }
 
 template <class Row>
@@ -161,20 +171,22 @@ void check_not_empty(std::size_t rows, const std::string& what) {
   throw Error(what + ": the array is empty; leave it out, or give a row to each");
 }
 
-std::vector<float> some_numbers_of(const Table& table, const std::string& what) {
-  check_not_empty(table.view.rows(), what);
-  return numbers_of(table.view, what);
+void check_rows(const py::array& array, std::size_t rows, const std::string& what,
+                const std::string& of, const std::string& remedy) {
+  if (has_rows(array, rows)) return;
+  check_not_empty(static_cast<std::size_t>(array.size()), what);
+  throw Error(what + ": expected a row for each of " + std::to_string(rows) + " " + of +
+              ", got the shape " + text_of(array.attr("shape")) + remedy);
 }
 
-void check_rows(const Table& table, std::size_t rows, const std::string& what) {
-  if (table.view.rows() == rows && !table.is_number) return;
-  throw Error(what + ": there are " + std::to_string(table.view.rows()) + " for " +
-              std::to_string(rows) + " vertices; give one to each");
+void check_rows(const py::array& array, const Mesh& mesh, const std::string& what) {
+  check_rows(array, mesh.vertex_count(), what, "vertices", remedy_of_cells(array, mesh, what));
 }
 
 template <class Row>
-RowsIn<Row>::RowsIn(py::handle object, const std::string& what) {
+RowsIn<Row>::RowsIn(py::handle object, const Mesh& mesh, const std::string& what) {
   Table table = table_of(object, what);
+  check_rows(table.array, mesh, what);
   if (is_packed<Row>(table)) {
     rows_ = {static_cast<const Row*>(table.array.data()), table.view.rows()};
   } else {
@@ -187,11 +199,12 @@ RowsIn<Row>::RowsIn(py::handle object, const std::string& what) {
 template class RowsIn<Vec3>;
 template class RowsIn<float>;
 
-std::vector<Complex> phases_of(py::handle object, const std::string& what) {
+std::vector<Complex> phases_of(py::handle object, const Mesh& mesh, const std::string& what) {
   const py::array array = array_of(object, what);
   if (array.dtype().kind() != 'c') {
-    throw py::type_error(what + ": expected complex numbers, got " + type_name(array.dtype()));
+    throw py::type_error(what + ": expected complex numbers, got " + text_of(array.dtype()));
   }
+  check_rows(array, mesh, what);
   if (array.ndim() != 1) throw Error(what + ": expected one number per vertex");
   const py::array_t<Complex, py::array::c_style | py::array::forcecast> numbers(array);
   std::vector<Complex> phases(numbers.data(), numbers.data() + numbers.size());
@@ -221,6 +234,12 @@ DataArray data_array_of(const std::string& name, py::handle object) {
   return array;
 }
 
+DataArray data_array_of(const std::string& name, py::handle object, const Mesh& mesh) {
+  const py::array array = array_of(object, name);
+  check_rows(array, mesh, name);
+  return data_array_of(name, array);
+}
+
 std::vector<DataArray> data_arrays_of(const py::dict& arrays) {
   std::vector<DataArray> result;
   for (const auto& [name, array] : arrays) {
@@ -228,6 +247,21 @@ std::vector<DataArray> data_arrays_of(const py::dict& arrays) {
     result.push_back(data_array_of(py::cast<std::string>(name), array));
   }
   return result;
+}
+
+DataArrays surface_array_of(const Mesh& mesh, const std::string& name, py::handle object) {
+  DataArray array = data_array_of(name, object);
+  const std::size_t rows = array.rows();
+  if (rows == mesh.vertex_count()) return {{std::move(array)}, {}};
+  if (rows == mesh.triangle_count() && rows > 0) return {{}, {std::move(array)}};
+  throw Error("array '" + name + "': it has " + std::to_string(rows) + " rows for " +
+              std::to_string(mesh.vertex_count()) + " vertices and " +
+              std::to_string(mesh.triangle_count()) + " triangles");
+}
+
+DataArray chosen(DataArray array, bool axes) {
+  if (axes && !array.axis_bytes.empty()) array.bytes = std::move(array.axis_bytes);
+  return array;
 }
 
 py::array shared(const py::dtype& type, const void* data, const Shape& shape, py::handle owner) {

@@ -13,6 +13,7 @@
 
 #include "brindle/arrays.h"
 #include "brindle/data_arrays.h"
+#include "brindle/mesh.h"
 #include "brindle/types.h"
 
 namespace brindle::python {
@@ -44,11 +45,13 @@ void refuse_masked(py::handle object, const std::string& what);
 /// Throws Error for an array without rows, which the library would treat as missing.
 void check_not_empty(std::size_t rows, const std::string& what);
 
-/// The numbers of a non-empty table, one per row.
-std::vector<float> some_numbers_of(const Table& table, const std::string& what);
+/// Throws Error, with the array's shape and the remedy, unless it has so many rows: one for each of
+/// `of`.
+void check_rows(const py::array& array, std::size_t rows, const std::string& what,
+                const std::string& of, const std::string& remedy = "");
 
-/// Throws Error unless there is a row per vertex.
-void check_rows(const Table& table, std::size_t rows, const std::string& what);
+/// The same for a row per vertex. For arrays with a row per triangle, the message names the remedy.
+void check_rows(const py::array& array, const Mesh& mesh, const std::string& what);
 
 /// Rows of packed floats, valid during a call: in place if the array has that form, else a
 /// converted copy.
@@ -56,7 +59,8 @@ template <class Row>
 class RowsIn {
  public:
   RowsIn() = default;
-  RowsIn(py::handle object, const std::string& what);
+  /// Throws Error unless there is a row per vertex.
+  RowsIn(py::handle object, const Mesh& mesh, const std::string& what);
 
   std::span<const Row> rows() const { return rows_; }
 
@@ -68,14 +72,23 @@ class RowsIn {
 extern template class RowsIn<Vec3>;
 extern template class RowsIn<float>;
 
-/// Phases exp(i Phi), one per vertex, from complex numbers of either precision; a copy. 0 for
-/// masked entries and NaN.
-std::vector<Complex> phases_of(py::handle object, const std::string& what);
+/// Phases exp(i Phi), one per vertex, of complex numbers of either precision; a copy. 0 where they
+/// are masked or not a number.
+std::vector<Complex> phases_of(py::handle object, const Mesh& mesh, const std::string& what);
 
 /// A named array with a row per vertex or triangle; a copy. True and False become 1 and 0, tensors
 /// (n, 3, 3) rows of nine numbers.
 DataArray data_array_of(const std::string& name, py::handle object);
+/// The same of vertices: throws Error for another number of rows.
+DataArray data_array_of(const std::string& name, py::handle object, const Mesh& mesh);
 std::vector<DataArray> data_arrays_of(const py::dict& arrays);
+
+/// The array among those of vertices or those of triangles, by its number of rows. Throws Error for
+/// any other.
+DataArrays surface_array_of(const Mesh& mesh, const std::string& name, py::handle object);
+
+/// The means of numbers, or those of axes.
+DataArray chosen(DataArray array, bool axes);
 
 using Shape = std::vector<py::ssize_t>;
 

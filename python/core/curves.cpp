@@ -8,12 +8,14 @@
 #include "brindle/curve_measures.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/mesh_data.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/recipe/report.h"
 #include "brindle/samples.h"
 #include "brindle/stripe_tracer.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "stored.h"
 #include "words.h"
 
 namespace brindle::python {
@@ -29,6 +31,12 @@ struct CurvesData {
   std::optional<Polylines> unshaped;               // the remaining curves, if they were reshaped
 };
 using CurvesPointer = std::shared_ptr<CurvesData>;
+
+template <Of<CurvesData> T>
+auto members(T& all) {
+  auto& [surface, curves, ends, short_curves, jogs, traced, unshaped] = all;
+  return std::tie(surface, curves, ends, short_curves, jogs, traced, unshaped);
+}
 
 void check_not_negative(float value, const char* name) {
   if (value >= 0 && std::isfinite(value)) return;
@@ -213,9 +221,19 @@ py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
                         owned<std::int32_t>(std::move(mesh.triangles), {count, 3}));
 }
 
+// An array of the surface, a row per vertex or triangle, at the points of curves.
+py::array carried_to_curves(const CurvesData& data, const std::string& name, py::handle array,
+                            bool axes) {
+  const Mesh& mesh = data.surface->surface.mesh;
+  const DataArrays values = surface_array_of(mesh, name, array);
+  return array_owning(
+      chosen(arrays_at(data.curves.lines.places, mesh.triangles, values).front(), axes));
+}
+
 void bind_curve_properties(py::module_& module) {
-  py::class_<CurvesData, CurvesPointer>(module, "Curves")
-      .def_property_readonly("surface", [](const CurvesData& data) { return data.surface; })
+  py::class_<CurvesData, CurvesPointer> type(module, "Curves");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const CurvesData& data) { return data.surface; })
       .def_property_readonly(
           "local_points",
           [](py::handle self) { return shared(curves_of(self).curves.lines.points, self); })
@@ -242,6 +260,7 @@ void bind_curve_properties(py::module_& module) {
       .def("warnings", warnings_of_curves)
       .def("measures", measures_of, py::arg("stripes"), py::arg("line_width"))
       .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))
+      .def("carried", carried_to_curves, py::arg("name"), py::arg("array"), py::arg("axes"))
       .def("write", [](const CurvesData& data, const std::string& path, const std::string& name,
                        const py::dict& arrays) {
         const NamedLines kind{name, data.curves.lines, data_arrays_of(arrays)};
@@ -255,6 +274,12 @@ struct SamplesData {
   std::size_t doubles = 0;  // number left out
 };
 using SamplesPointer = std::shared_ptr<SamplesData>;
+
+template <Of<SamplesData> T>
+auto members(T& all) {
+  auto& [surface, samples, doubles] = all;
+  return std::tie(surface, samples, doubles);
+}
 
 void check_same(const StripesData& u, const StripesData& v) {
   if (u.surface == v.surface) return;
@@ -305,6 +330,13 @@ py::dict sample_columns(const SamplesData& data) {
   return columns;
 }
 
+py::array carried_to_samples(const SamplesData& data, const std::string& name, py::handle array,
+                             bool axes) {
+  const Mesh& mesh = data.surface->surface.mesh;
+  const DataArrays values = surface_array_of(mesh, name, array);
+  return array_owning(chosen(arrays_at(data.samples, mesh.triangles, values).front(), axes));
+}
+
 py::dict spacing_of(const SamplesData& data) {
   const SampleSpacing spacing = until_interrupted(
       [&](const Progress& progress) { return measure_sample_spacing(data.samples, progress); });
@@ -330,12 +362,14 @@ void bind_curves(py::module_& module) {
       .def_readwrite("resample", &CurveRequest::resample);
   bind_curve_properties(module);
   module.def("curves", curves, py::arg("stripes"), py::arg("request"));
-  py::class_<SamplesData, SamplesPointer>(module, "Samples")
-      .def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
+  py::class_<SamplesData, SamplesPointer> type(module, "Samples");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
       .def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })
       .def_property_readonly("doubles", [](const SamplesData& data) { return data.doubles; })
       .def("columns", sample_columns)
       .def("spacing", spacing_of)
+      .def("carried", carried_to_samples, py::arg("name"), py::arg("array"), py::arg("axes"))
       .def("write", [](const SamplesData& data, const std::string& path, const py::dict& arrays) {
         const std::vector<DataArray> carried = data_arrays_of(arrays);
         without_lock(

@@ -14,6 +14,7 @@
 #include "brindle/measured_field.h"
 #include "brindle/recipe/json_text.h"
 #include "brindle/recipe/report.h"
+#include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -50,17 +51,21 @@ std::unique_ptr<FieldDetailData> make_field_detail(const SurfacePointer& surface
 MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::handle confidence) {
   const Mesh& mesh = surface.surface.mesh;
   MeasuredField measured;
-  measured.directions = vectors_of(table_of(vectors, "vectors").view, "vectors");
-  measured.of_triangles = measured.directions.size() != mesh.vertex_count() &&
-                          measured.directions.size() == mesh.triangle_count();
+  const Table data = table_of(vectors, "vectors");
+  measured.of_triangles =
+      data.view.rows() != mesh.vertex_count() && data.view.rows() == mesh.triangle_count();
+  if (!measured.of_triangles) check_rows(data.array, mesh, "vectors");
+  measured.directions = vectors_of(data.view, "vectors");
   const std::vector<Vec3>& normals = surface.surface.normals;
   for (std::size_t i = 0; i < measured.directions.size(); ++i) {
     Vec3& vector = measured.directions[i];
-    vector = measured.of_triangles || i >= normals.size() ? Vec3(vector.stableNormalized())
-                                                          : direction_of(vector, normals[i]);
+    vector =
+        measured.of_triangles ? Vec3(vector.stableNormalized()) : direction_of(vector, normals[i]);
   }
   if (confidence.is_none()) return measured;
-  measured.confidence = some_numbers_of(table_of(confidence, "confidence"), "confidence");
+  const Table weights = table_of(confidence, "confidence");
+  check_rows(weights.array, measured.directions.size(), "confidence", "vectors");
+  measured.confidence = numbers_of(weights.view, "confidence");
   for (float& number : measured.confidence) {
     if (!std::isfinite(number)) number = 0;
   }
@@ -70,19 +75,19 @@ MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::ha
 py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::handle frequencies,
                              py::handle confidence, py::handle last, const py::object& progress) {
   const OneAtATime alone(data.busy, "this detail");
-  const std::size_t vertices = data.surface->surface.mesh.vertex_count();
+  const Mesh& mesh = data.surface->surface.mesh;
   const MeasuredField measured = measured_of(*data.surface, vectors, confidence);
   const Table table = table_of(frequencies, "frequencies");
+  if (!table.is_number) check_rows(table.array, mesh, "frequencies");
   FrequencyField waves = numbers_of(table.view, "frequencies");
-  if (table.is_number) waves.assign(vertices, waves.front());
+  if (table.is_number) waves.assign(mesh.vertex_count(), waves.front());
   for (float& frequency : waves) {
     if (!std::isfinite(frequency)) frequency = 0;
   }
   MeasuredField before{data.last, {}};
   if (!last.is_none()) {
-    const Table table_of_last = table_of(last, "last");
-    check_not_empty(table_of_last.view.rows(), "last");
-    before.directions = vectors_of(table_of_last.view, "last");
+    const RowsIn<Vec3> rows(last, mesh, "last");
+    before.directions.assign(rows.rows().begin(), rows.rows().end());
   }
   DetailedField seen;
   Job(progress).run(

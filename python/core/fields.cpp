@@ -92,11 +92,7 @@ using LastTuple = std::tuple<SurfacePointer, py::object, double, std::string>;
 
 DirectionField last_directions_of(const LastTuple& last) {
   const Surface& surface = std::get<0>(last)->surface;
-  const RowsIn<Vec3> rows(std::get<1>(last), "last");
-  if (rows.rows().size() != surface.mesh.vertex_count()) {
-    throw Error("last: there are " + std::to_string(rows.rows().size()) + " directions for " +
-                std::to_string(surface.mesh.vertex_count()) + " vertices; give one to each");
-  }
+  const RowsIn<Vec3> rows(std::get<1>(last), surface.mesh, "last");
   return tangent_directions(rows.rows(), surface.normals);
 }
 
@@ -192,24 +188,20 @@ py::array raw_curvature_field(const SurfaceData& data, const std::string& which)
 }
 
 py::tuple array_field(const SurfaceData& data, const std::string& name, py::handle vectors) {
-  const DataArray array = data_array_of(name, vectors);
+  const DataArray array = data_array_of(name, vectors, data.surface.mesh);
   return py::make_tuple(owned(direction_field_of(data.surface, array)), nonfinite_rows(array));
 }
 
 py::tuple tensor_field(const SurfaceData& data, const std::string& name, py::handle tensors,
                        const std::string& axis) {
-  const DataArray array = data_array_of(name, tensors);
+  const DataArray array = data_array_of(name, tensors, data.surface.mesh);
   TensorField field = tensor_field_of(data.surface, array, tensor_axis(axis));
   return py::make_tuple(owned(std::move(field.directions)), nonfinite_rows(array),
                         field.near_normal, field.isotropic, field.not_symmetric);
 }
 
 py::array turned_field(const SurfaceData& data, py::handle directions, float degrees) {
-  const RowsIn<Vec3> rows(directions, "directions");
-  if (rows.rows().size() != data.surface.mesh.vertex_count()) {
-    throw Error("directions: there are " + std::to_string(rows.rows().size()) + " for " +
-                std::to_string(data.surface.mesh.vertex_count()) + " vertices; give one to each");
-  }
+  const RowsIn<Vec3> rows(directions, data.surface.mesh, "directions");
   if (!std::isfinite(degrees))
     throw Error("degrees: give a finite number, not " + std::to_string(degrees));
   const float radians = degrees * std::numbers::pi_v<float> / 180;
@@ -218,13 +210,13 @@ py::array turned_field(const SurfaceData& data, py::handle directions, float deg
 
 py::array frequencies_by_array(const SurfaceData& data, const std::string& name, py::handle array,
                                float frequency, std::pair<float, float> range, bool inverse) {
-  return owned(frequencies_by(data.surface, data_array_of(name, array), frequency,
-                              {range.first, range.second, inverse}));
+  return owned(frequencies_by(data.surface, data_array_of(name, array, data.surface.mesh),
+                              frequency, {range.first, range.second, inverse}));
 }
 
 py::array vectors_on_globe(const SurfaceData& data, py::handle east_north) {
   const DataArray vectors = brindle::globe_vectors(
-      data.surface.mesh, data_array_of("east_north", table_of(east_north, "east_north").array));
+      data.surface.mesh, data_array_of("east_north", east_north, data.surface.mesh));
   return owned(vectors_of(vectors.view(), "vectors"));
 }
 

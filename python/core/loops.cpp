@@ -35,10 +35,7 @@ py::dict windings_of(const StripesData& data) {
 
 py::tuple waves_round_loop(const SurfaceData& data, py::handle reference, const std::string& loop,
                            int periods) {
-  const RowsIn<Vec3> rows(reference, "reference");
-  if (rows.rows().size() != data.surface.mesh.vertex_count()) {
-    throw Error("reference: give a direction to each vertex");
-  }
+  const RowsIn<Vec3> rows(reference, data.surface.mesh, "reference");
   const DirectionField directions(rows.rows().begin(), rows.rows().end());
   WaveSet waves = without_lock([&] {
     return waves_round(data.surface, directions, {loop, periods});

@@ -30,9 +30,8 @@ struct Solving {
   brindle::MakingOptions making;
 };
 
-/// The spacing tolerance, a number or an array per vertex, and weights of branch avoidance; None
-/// for none.
-Slack slack_of(py::handle slack, py::handle calm);
+/// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
+Slack slack_of(py::handle slack, py::handle calm, const Mesh& mesh);
 
 /// A dict, or None without cancelled branch pairs.
 pybind11::object merged_of(const std::optional<brindle::MergedBranches>& merged);
@@ -90,18 +89,14 @@ struct FieldOrigin {
   brindle::FieldWeight weight = {};
 };
 
-/// `directions` have a row per vertex, of any length, and are projected into the tangent planes;
-/// unit tangent vectors are kept, so that Brindle's own fields are not rounded again. Exactly one
-/// of `stripes` and `frequency` is given, a number or one per vertex, not finite for no wave. Zeros
-/// of optional `phases` mean no wave. Throws Error, as the tool does, if there is no wave.
+/// `directions` have a row per vertex (`DirectionsIn`). One of `stripes` and `frequency`, a number
+/// or one per vertex where not finite means no wave, is given. Where `phases`, if there are any,
+/// are 0, there is no wave. Throws Error, as the tool does, if there is no wave at all.
 WavesIn waves_of_arrays(const SurfaceData& surface, py::handle directions, py::handle stripes,
                         py::handle frequency, const FieldOrigin& origin,
                         std::span<const Complex> phases = {});
 
-/// The direction of a vector of any length; unit tangent vectors are kept.
-Vec3 direction_of(const Vec3& vector, const Vec3& normal);
-
-/// Frequencies of an array, smoothed by the options of the origin, with filled gaps.
+/// Frequencies of an array at the scale that the origin asks for, those that are not finite filled.
 brindle::DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                               const FieldOrigin& origin);
 

@@ -26,34 +26,20 @@ struct PatternFramesData {
         frames(without_lock([&] { return PatternFrames(surface->surface); })) {}
 };
 
-// Input and output of an animator's frame. The arrays must outlive this object.
-class FrameIn {
- public:
-  FrameIn(const PatternFramesData& data, py::handle phases, py::handle directions,
-          py::handle frequencies, py::handle positions)
-      : z_(phases_of(phases, "phases")),
-        directions_(directions, "directions"),
-        positions_(rows_if_given(positions, "positions")),
-        frequencies_(frequencies, data.surface->surface.mesh.vertex_count(), "frequencies"),
-        waves_(directions_.rows(), frequencies_.array()) {
-    input_.positions = positions.is_none()
-                           ? std::span<const Vec3>(data.surface->surface.mesh.positions)
-                           : positions_.rows();
-    input_.directions = waves_.directions();
-    input_.frequencies = frequencies_.array().empty() ? frequencies_.rows() : waves_.frequencies();
-    result_.z = z_;
+// A frame as an animator had it and gave it. The arrays must stay.
+struct ShownFrame {
+  FrameIn in;
+  std::vector<Complex> z;
+  FrameResult result;
+
+  ShownFrame(PatternFramesData& data, py::handle phases, py::handle directions,
+             py::handle frequencies, py::handle positions, py::handle normals = py::none())
+      : in(
+            data.surface->surface, [&](auto places) { return data.frames.normals(places); },
+            MovedNormals::left_out, directions, frequencies, positions, normals),
+        z(phases_of(phases, data.surface->surface.mesh, "phases")) {
+    result.z = z;
   }
-
-  FrameInput& input() { return input_; }
-  const FrameResult& result() const { return result_; }
-
- private:
-  std::vector<Complex> z_;
-  RowsIn<Vec3> directions_, positions_;
-  FrequenciesIn frequencies_;
-  FrameWaves waves_;
-  FrameInput input_;
-  FrameResult result_;
 };
 
 // `out` if given, else a new array.
@@ -76,14 +62,12 @@ py::array vertices_of(PatternFramesData& data, py::handle phases, py::handle dir
                       py::handle frequencies, py::handle positions, py::handle normals,
                       py::handle out) {
   const OneAtATime alone(data.busy, "this object");
-  FrameIn frame(data, phases, directions, frequencies, positions);
-  const RowsIn<Vec3> normals_in = rows_if_given(normals, "normals");
-  frame.input().normals = normals_in.rows();
+  const ShownFrame frame(data, phases, directions, frequencies, positions, normals);
   const std::size_t count = data.surface->surface.mesh.vertex_count();
   py::array_t<float> array = float_array(out, count, 12);
   // A PatternVertex is twelve floats, and has the alignment of float.
   const std::span vertices(reinterpret_cast<PatternVertex*>(array.mutable_data()), count);
-  without_lock([&] { data.frames.fill(frame.input(), frame.result(), vertices); });
+  without_lock([&] { data.frames.fill(frame.in.input(), frame.result, vertices); });
   return array;
 }
 
@@ -93,12 +77,12 @@ py::array corner_phases_of(PatternFramesData& data, py::handle phases, py::handl
   const OneAtATime alone(data.busy, "this object");
   const auto kind = parse_phase_shift_kind(phase_shift);
   if (!kind) throw Error("phase_shift: '" + phase_shift + "' is none");
-  FrameIn frame(data, phases, directions, frequencies, positions);
+  const ShownFrame frame(data, phases, directions, frequencies, positions);
   py::array_t<float> array = float_array(out, data.surface->surface.mesh.triangle_count(), 3);
   float* next = array.mutable_data();
   without_lock([&] {
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-    for (const CornerPhases& corners : data.frames.corners(frame.input(), frame.result(), *kind)) {
+    for (const CornerPhases& corners : data.frames.corners(frame.in.input(), frame.result, *kind)) {
       for (const float phase : corners.phase) *next++ = is_lifted(corners.kind) ? phase : kNone;
     }
   });
@@ -107,7 +91,7 @@ py::array corner_phases_of(PatternFramesData& data, py::handle phases, py::handl
 
 py::array normals_of(PatternFramesData& data, py::handle positions) {
   const OneAtATime alone(data.busy, "this object");
-  const RowsIn<Vec3> positions_in(positions, "positions");
+  const RowsIn<Vec3> positions_in(positions, data.surface->surface.mesh, "positions");
   return owned(without_lock([&] {
     const std::span<const Vec3> normals = data.frames.normals(positions_in.rows());
     return std::vector<Vec3>(normals.begin(), normals.end());

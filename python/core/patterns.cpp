@@ -18,6 +18,7 @@
 #include "brindle/waves/parsed_words.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "stored.h"
 #include "words.h"
 
 namespace brindle::python {
@@ -101,7 +102,7 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
 StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle phases,
                                    py::handle directions, py::handle count, py::handle frequency,
                                    const FieldOrigin& origin, const Solving& solving) {
-  std::vector<Complex> z = phases_of(phases, "phases");
+  std::vector<Complex> z = phases_of(phases, surface->surface.mesh, "phases");
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin, z);
   StripeOptions options = solving.stripes;
   options.solve = [&](const PhaseGraph& graph, const SolverOptions&, const Progress&,
@@ -238,8 +239,9 @@ py::object turned_of(const StripesData& data) {
 const StripesData& stripes_of(py::handle self) { return py::cast<const StripesData&>(self); }
 
 void bind_stripes(py::module_& module) {
-  py::class_<StripesData, StripesPointer>(module, "Stripes")
-      .def_property_readonly("surface", [](const StripesData& data) { return data.surface; })
+  py::class_<StripesData, StripesPointer> type(module, "Stripes");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const StripesData& data) { return data.surface; })
       .def_property_readonly("phases",
                              [](py::handle self) {
                                const auto& z = stripes_of(self).pattern.solution.z;
@@ -292,18 +294,23 @@ py::object merged_of(const std::optional<MergedBranches>& merged) {
   return result;
 }
 
-Slack slack_of(py::handle slack, py::handle calm) {
+Slack slack_of(py::handle slack, py::handle calm, const Mesh& mesh) {
   Slack result;
   if (!slack.is_none()) {
     const Table table = table_of(slack, "slack");
-    std::vector<float> numbers = some_numbers_of(table, "slack");
+    if (!table.is_number) check_rows(table.array, mesh, "slack");
+    std::vector<float> numbers = numbers_of(table.view, "slack");
     if (table.is_number) {
       result.everywhere = numbers.front();
     } else {
       result.by_vertex = std::move(numbers);
     }
   }
-  if (!calm.is_none()) result.calm = some_numbers_of(table_of(calm, "calm"), "calm");
+  if (!calm.is_none()) {
+    const Table table = table_of(calm, "calm");
+    check_rows(table.array, mesh, "calm");
+    result.calm = numbers_of(table.view, "calm");
+  }
   return result;
 }
 
@@ -356,7 +363,8 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
-    origin.weight.values = some_numbers_of(table_of(weight, "field_weight"), "field_weight");
+    origin.weight.values = numbers_of(table_of(weight, "field_weight").view, "field_weight");
+    check_not_empty(origin.weight.values.size(), "field_weight");
   }
 }
 
@@ -385,10 +393,10 @@ void bind_solving(py::module_& module) {
           [](Solving& s, std::optional<float> periods) { s.making.merge_distance = periods; })
       .def(
           "set_slack",
-          [](Solving& s, py::handle slack, py::handle calm) {
-            s.stripes.slack = slack_of(slack, calm);
+          [](Solving& s, py::handle slack, py::handle calm, const SurfaceData& surface) {
+            s.stripes.slack = slack_of(slack, calm, surface.surface.mesh);
           },
-          py::arg("slack"), py::arg("calm"))
+          py::arg("slack"), py::arg("calm"), py::arg("surface"))
       .def(
           "add_winding",
           [](Solving& s, const std::string& loop, int periods) {

@@ -32,7 +32,6 @@ struct SurfaceData {
   /// empty without joined vertices.
   std::vector<Index> partners;
   std::vector<std::int64_t> original_ids;  ///< numbers in the file or array; -1 of added vertices
-  std::vector<Index> kept_triangles;       ///< numbers before the repair; empty if all were kept
   std::size_t vertices_joined = 0;
   float crease_angle = 180;  ///< of the creases that split the surface
   double load_milliseconds = 0;

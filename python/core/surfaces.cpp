@@ -23,6 +23,7 @@
 #include "brindle/recipe/refusals.h"
 #include "brindle/shapes.h"
 #include "job.h"
+#include "stored.h"
 #include "surface_data.h"
 #include "words.h"
 
@@ -35,6 +36,7 @@ constexpr double kReading = 0.4, kSplit = 0.6;
 constexpr std::string_view kSearching = "nearest places";
 constexpr std::size_t kPointsBetweenLooks = 1024;  // a tenth of a second, for distant points
 constexpr std::size_t kPointsOfTask = 32;
+constexpr float kNoCreases = 180;
 
 // The first `own` vertices have numbers; added ones have none.
 void number_vertices(SurfaceData& data, std::size_t count, std::size_t own) {
@@ -63,7 +65,8 @@ SurfacePointer finished(SurfaceData&& data, Mesh&& mesh, float crease_angle,
   return finished(std::move(data), std::move(mesh), std::move(creases), progress);
 }
 
-void check_array_rows(const DataArrays& arrays, std::size_t vertices, std::size_t triangles) {
+void check_array_rows(const DataArrays& arrays, std::size_t vertices, std::size_t cells,
+                      const char* of_cells = "triangles") {
   const auto check = [](const std::vector<DataArray>& list, std::size_t rows, const char* of) {
     for (const DataArray& array : list) {
       if (array.rows() == rows) continue;
@@ -72,7 +75,7 @@ void check_array_rows(const DataArrays& arrays, std::size_t vertices, std::size_
     }
   };
   check(arrays.points, vertices, "vertices");
-  check(arrays.cells, triangles, "triangles");
+  check(arrays.cells, cells, of_cells);
 }
 
 Table columns_of_three(py::handle object, const char* what) {
@@ -99,7 +102,6 @@ Mesh take_repaired(RepairedMesh&& repaired, SurfaceData& data) {
   if (!repaired.kept_triangles.empty() || repaired.mesh.triangles.empty()) {
     data.arrays.cells = rows_of(data.arrays.cells, repaired.kept_triangles);
   }
-  data.kept_triangles = std::move(repaired.kept_triangles);
   return std::move(repaired.mesh);
 }
 
@@ -152,10 +154,7 @@ SurfacePointer from_point_arrays(py::handle points, py::handle normals, int neig
   std::vector<Vec3> directions;
   if (!normals.is_none()) {
     const Table table = columns_of_three(normals, "normals");
-    if (table.view.rows() != positions.view.rows()) {
-      throw Error("normals: there are " + std::to_string(table.view.rows()) + " for " +
-                  std::to_string(positions.view.rows()) + " points; give one to each, or none");
-    }
+    check_rows(table.array, positions.view.rows(), "normals", "points");
     directions = vectors_of(table.view, "normals");
   }
   SurfaceData data;
@@ -181,10 +180,9 @@ Splitting splitting(int times, bool rounded) {
   return {times, rounded ? Midpoints::rounded : Midpoints::straight};
 }
 
-SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, const Splitting& split,
-                              float crease_angle, const Progress& progress) {
+SurfacePointer from_loaded(LoadedMesh&& loaded, SurfaceData&& data, const Splitting& split,
+                           float crease_angle, const Progress& progress) {
   Stopwatch watch;
-  LoadedMesh loaded = file.mesh(progress.part(0, kReading));
   const std::size_t own = loaded.mesh.vertex_count();
   if (split.times > 0) {
     subdivide(loaded.mesh, loaded.arrays, split.times, split.midpoints,
@@ -195,7 +193,7 @@ SurfacePointer from_mesh_file(SurfaceFile& file, SurfaceData&& data, const Split
   data.arrays = std::move(loaded.arrays);
   data.left_out = std::move(loaded.left_out);
   if (!loaded.renumbered) data.partners = loaded.vertex_of_row;
-  data.load_milliseconds = watch.lap();
+  data.load_milliseconds += watch.lap();
   number_vertices(data, loaded.mesh.vertex_count(), loaded.renumbered ? 0 : own);
   if (loaded.renumbered) {
     for (std::size_t row = loaded.vertex_of_row.size(); row-- > 0;) {
@@ -217,7 +215,10 @@ SurfacePointer from_file(const std::filesystem::path& path, std::optional<bool> 
     SurfaceFile file(path);
     const auto is_cloud = [&] { return file.is_point_cloud(progress); };
     if (!(points ? *points : saying_in_pythons_words(is_cloud))) {
-      return from_mesh_file(file, std::move(data), split, crease_angle, progress);
+      Stopwatch watch;
+      LoadedMesh loaded = file.mesh(progress.part(0, kReading));
+      data.load_milliseconds = watch.lap();
+      return from_loaded(std::move(loaded), std::move(data), split, crease_angle, progress);
     }
     if (split.times > 0)
       throw Error(shown(path.native()) + ": points have no triangles to subdivide");
@@ -247,7 +248,36 @@ SurfacePointer from_shape(const std::string& spec, int times, bool rounded, floa
   });
 }
 
-// The data that a surface keeps when its mesh changes.
+using CellTypes = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
+// The surface of cells, as of a VTK file with these, and of every triangle the row of its cell.
+py::tuple from_cells(py::handle points, py::handle corners, py::handle ends,
+                     const CellTypes& cell_types, const py::dict& point_arrays,
+                     const py::dict& cell_arrays) {
+  const std::vector<std::uint8_t> types(cell_types.data(), cell_types.data() + cell_types.size());
+  CellArrays cells{data_array_of("points", points),
+                   data_array_of("corners", corners),
+                   data_array_of("ends", ends),
+                   types,
+                   {data_arrays_of(point_arrays), data_arrays_of(cell_arrays)}};
+  check_array_rows(cells.arrays, cells.points.rows(), types.size(), "cells");
+  std::vector<std::int64_t> rows(types.size());
+  std::iota(rows.begin(), rows.end(), std::int64_t{0});
+  cells.arrays.cells.push_back(make_data_array("row", 1, rows));  // behind those of the cells
+  SurfaceData data;
+  data.name = "arrays";
+  DataArray cell_of_triangle;
+  SurfacePointer made = until_interrupted([&](const Progress& progress) {
+    LoadedMesh loaded = mesh_of_cells(std::move(cells), "the mesh");
+    cell_of_triangle = std::move(loaded.arrays.cells.back());
+    loaded.arrays.cells.pop_back();
+    return from_loaded(std::move(loaded), std::move(data), {0, Midpoints::straight}, kNoCreases,
+                       progress);
+  });
+  return py::make_tuple(made, array_owning(std::move(cell_of_triangle)));
+}
+
+// What stays with a surface whose mesh changes.
 SurfaceData data_along_with(const SurfaceData& from) {
   SurfaceData data;
   data.name = from.name;
@@ -292,7 +322,7 @@ SurfacePointer moved(const SurfaceData& from, py::handle positions) {
   const Table table = columns_of_three(positions, "vertices");
   const Mesh& mesh = from.surface.mesh;
   const bool own = table.view.rows() == from.surface.own_vertex_count();
-  if (!own) check_rows(table, mesh.vertex_count(), "vertices");
+  if (!own) check_rows(table.array, mesh.vertex_count(), "vertices", "vertices");
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
     Mesh moved_mesh = make_mesh(table.view, {});
@@ -408,27 +438,14 @@ py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_
                         owned(std::move(distances)));
 }
 
-// Means of numbers, or of axes.
-DataArray chosen(DataArray array, bool axes) {
-  if (axes && !array.axis_bytes.empty()) array.bytes = std::move(array.axis_bytes);
-  return array;
-}
-
-// Transfers an array to the vertices of another surface.
+// An array of one surface at the vertices of another.
 py::array carried(const SurfaceData& from, const std::string& name, py::handle array,
                   const SurfaceData& to, double max_distance, bool axes) {
-  const DataArray values = data_array_of(name, array);
-  const Mesh& mesh = from.surface.mesh;
-  if (values.rows() != mesh.vertex_count() && values.rows() != mesh.triangle_count()) {
-    throw Error("array '" + name + "': it has " + std::to_string(values.rows()) + " rows for " +
-                std::to_string(mesh.vertex_count()) + " vertices and " +
-                std::to_string(mesh.triangle_count()) + " triangles");
-  }
-  const bool cells = !from.is_points() && values.rows() == from.surface.mesh.triangle_count() &&
-                     values.rows() != from.surface.mesh.vertex_count();
+  const DataArrays values = surface_array_of(from.surface.mesh, name, array);
   return array_owning(until_interrupted([&](const Progress& progress) {
     const NearbyRows rows = nearby_rows(from.surface.mesh, to.surface.mesh, max_distance, progress);
-    return chosen(cells ? carried_from_cells(values, rows) : carried_from_points(values, rows),
+    return chosen(values.points.empty() ? carried_from_cells(values.cells.front(), rows)
+                                        : carried_from_points(values.points.front(), rows),
                   axes);
   }));
 }
@@ -442,49 +459,14 @@ py::array moved_to_points(const SurfaceData& data, const std::string& name, py::
 
 // The array NAME, points/NAME or cells/NAME as axes, one per vertex.
 py::array axes_named(const SurfaceData& data, const std::string& name) {
-  const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);
+  const brindle::ArrayChoice choice = brindle::choice_of(data.arrays, name, data.name);
   return array_owning(without_lock([&] {
-    return chosen(of_cells ? cells_to_points(data.surface.mesh, *array) : *array, true);
+    const DataArray& array = *choice.array;
+    return chosen(choice.of_cells ? cells_to_points(data.surface.mesh, array) : array, true);
   }));
 }
 
-// Triangulates polygons `corners[offsets[i]] .. corners[offsets[i + 1] - 1]`; returns the polygon
-// of each triangle, and a line about those that intersect themselves.
-py::tuple triangles_of_polygons(py::handle vertices, py::handle offsets, py::handle corners) {
-  const Table positions = columns_of_three(vertices, "vertices");
-  const Mesh placed = unchecked_points(positions.view);
-  using Numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-  const Numbers rows(py::reinterpret_borrow<py::object>(offsets));
-  const Numbers ends(py::reinterpret_borrow<py::object>(corners));
-  std::vector<Index> polygon;
-  std::vector<Triangle> triangles;
-  std::vector<std::int32_t> origins;
-  CrossedPolygons crossed;
-  for (py::ssize_t i = 0; i + 1 < rows.size(); ++i) {
-    if (rows.at(i) < 0 || rows.at(i) > rows.at(i + 1) || rows.at(i + 1) > ends.size()) {
-      throw Error("polygons: the offsets of polygon " + std::to_string(i) + " name no corners");
-    }
-    polygon.clear();
-    for (std::int64_t k = rows.at(i); k < rows.at(i + 1); ++k) {
-      if (ends.at(k) < 0 || ends.at(k) >= static_cast<std::int64_t>(placed.vertex_count())) {
-        throw Error("polygons: polygon " + std::to_string(i) + " has the corner " +
-                    std::to_string(ends.at(k)) + ", but there are " +
-                    std::to_string(placed.vertex_count()) + " vertices, numbered from 0");
-      }
-      polygon.push_back(static_cast<Index>(ends.at(k)));
-    }
-    if (!triangulate_polygon(placed.positions, polygon, triangles)) {
-      crossed.add(static_cast<std::size_t>(i));
-    }
-    origins.resize(triangles.size(), static_cast<std::int32_t>(i));
-  }
-  const auto count = static_cast<py::ssize_t>(triangles.size());
-  return py::make_tuple(owned<std::int32_t>(std::move(triangles), {count, 3}),
-                        owned(std::move(origins)), describe(crossed));
-}
-
-// The array NAME, points/NAME or cells/NAME: its name, its numbers, and whether rows are those of
-// triangles.
+// The array NAME, points/NAME or cells/NAME: its own name, itself, and whether it is of triangles.
 py::tuple array_named(py::handle self, const std::string& name) {
   const SurfaceData& data = data_of(self);
   const auto [array, of_cells] = brindle::choice_of(data.arrays, name, data.name);
@@ -496,7 +478,7 @@ void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
       .def_property_readonly("stands_on_z",
                              [](const SurfaceData& data) { return data.stands_on_z; })
       .def_property_readonly("is_points", &SurfaceData::is_points)
-      .def_readwrite("left_out", &SurfaceData::left_out)
+      .def_readonly("left_out", &SurfaceData::left_out)
       .def_property_readonly(
           "vertex_count", [](const SurfaceData& data) { return data.surface.mesh.vertex_count(); })
       .def_property_readonly(
@@ -568,11 +550,6 @@ void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
                                return indices(copied, {static_cast<py::ssize_t>(copied.size())},
                                               self);
                              })
-      .def_property_readonly("kept_triangles",
-                             [](py::handle self) {
-                               const auto& rows = data_of(self).kept_triangles;
-                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
-                             })
       .def_property_readonly(
           "point_data",
           [](py::handle self) { return arrays_of(data_of(self).arrays.points, self); })
@@ -586,6 +563,7 @@ void bind_surfaces(py::module_& module) {
   py::class_<SurfaceData, SurfacePointer> type(module, "Surface");
   bind_properties(type);
   bind_arrays(type);
+  bind_pickle(type);
   type.def("subdivided", subdivided, py::arg("times"), py::arg("rounded"))
       .def("moved", moved, py::arg("vertices"))
       .def("curvature", curvature_of)
@@ -609,8 +587,8 @@ void bind_surfaces(py::module_& module) {
       },
       py::arg("path"), py::arg("points"), py::arg("neighbors"), py::arg("subdivide"),
       py::arg("rounded"), py::arg("crease_angle"), py::arg("progress"));
-  module.def("triangles_of_polygons", triangles_of_polygons, py::arg("vertices"),
-             py::arg("offsets"), py::arg("corners"));
+  module.def("surface_of_cells", from_cells, py::arg("points"), py::arg("corners"), py::arg("ends"),
+             py::arg("types"), py::arg("point_data"), py::arg("cell_data"));
   module.def("shape", from_shape, py::arg("spec"), py::arg("subdivide"), py::arg("rounded"),
              py::arg("crease_angle"));
   module.def("shape_names", shape_names);

@@ -21,13 +21,15 @@ struct TextureAnimatorData {
   SurfacePointer surface;
   PhaseShiftKind phase_shift;
   TextureAnimator animator;
+  MovingNormals normals;
   py::dict figures;
   std::atomic<bool> busy{false};
 
   TextureAnimatorData(SurfacePointer on, const TextureAnimatorOptions& options)
       : surface(std::move(on)),
         phase_shift(options.stripes.phase_shift),
-        animator(surface->surface, options) {}
+        animator(surface->surface, options),
+        normals(surface->surface) {}
 };
 
 std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer& surface,
@@ -40,7 +42,7 @@ std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer&
   options.stripes.lambda = lambda;
   options.stripes.sweeps = sweeps;
   options.stripes.cycles = cycles;
-  options.stripes.slack = slack_of(slack, calm);
+  options.stripes.slack = slack_of(slack, calm, surface->surface.mesh);
   return std::make_unique<TextureAnimatorData>(surface, options);
 }
 
@@ -64,19 +66,15 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
                         const py::object& progress) {
   const OneAtATime alone(data.busy, "this animator");
   const Mesh& mesh = data.surface->surface.mesh;
-  const RowsIn<Vec3> directions_in(directions, "directions");
-  const RowsIn<Vec3> positions_in = rows_if_given(positions, "positions");
-  const RowsIn<Vec3> normals_in = rows_if_given(normals, "normals");
-  const FrequenciesIn u(frequencies, mesh.vertex_count(), "frequencies");
-  const FrequenciesIn v(frequencies_v, mesh.vertex_count(), "frequencies_v");
-  const FrameWaves waves(directions_in.rows(), u.array());
-  TextureFrameInput input;
-  input.u.positions =
-      positions.is_none() ? std::span<const Vec3>(mesh.positions) : positions_in.rows();
-  input.u.directions = waves.directions();
-  input.u.frequencies = u.array().empty() ? u.rows() : waves.frequencies();
-  input.frequencies_v = v.rows();
-  input.normals = normals_in.rows();
+  const FrameIn u(data.surface->surface, std::ref(data.normals), MovedNormals::computed, directions,
+                  frequencies, positions, normals);
+  TextureFrameInput input{u.input()};
+  input.normals = u.input().normals;
+  std::optional<FrequenciesIn> v;
+  if (!frequencies_v.is_none()) {
+    v.emplace(frequencies_v, mesh, "frequencies_v", u.input().directions);
+    input.frequencies_v = v->rows();
+  }
   std::vector<float> uv;
   std::optional<TextureFrameResult> result;
   Job(progress).run([&](const Progress& reports) {

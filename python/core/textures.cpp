@@ -11,6 +11,7 @@
 #include "brindle/threads.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "stored.h"
 
 namespace brindle::python {
 namespace {
@@ -20,7 +21,7 @@ std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, p
   const Mesh& mesh = surface.surface.mesh;
   if (!frequency.is_none()) {
     const Table table = table_of(frequency, "frequency_v");
-    if (!table.is_number) check_rows(table, mesh.vertex_count(), "frequency_v");
+    if (!table.is_number) check_rows(table.array, mesh, "frequency_v");
     const std::vector<float> numbers = numbers_of(table.view, "frequency_v");
     return table.is_number ? constant_frequency_field(numbers.front(), mesh.vertex_count())
                            : numbers;
@@ -281,8 +282,9 @@ void bind_textured(py::module_& module) {
 
 void bind_textures(py::module_& module) {
   bind_textured(module);
-  py::class_<TextureData, TexturePointer>(module, "Texture")
-      .def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
+  py::class_<TextureData, TexturePointer> type(module, "Texture");
+  bind_pickle(type);
+  type.def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
       .def_property_readonly(
           "u", [](const TextureData& data) { return data.is_cross() ? nullptr : data.u; })
       .def_property_readonly(

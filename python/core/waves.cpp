@@ -10,6 +10,7 @@
 #include "brindle/error.h"
 #include "brindle/measured_field.h"
 #include "brindle/waves_of.h"
+#include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -17,38 +18,14 @@
 namespace brindle::python {
 namespace {
 
-constexpr float kUnitSquare = 1e-5f;
-constexpr float kTangentSine = 1e-3f;
-
-bool is_direction(const Vec3& vector, const Vec3& normal) {
-  return vector.isZero(0) || (std::abs(vector.squaredNorm() - 1) <= kUnitSquare &&
-                              std::abs(vector.dot(normal)) <= kTangentSine);
-}
-
-DirectionField directions_of(const SurfaceData& data, py::handle given,
+DirectionField directions_of(const Surface& surface, py::handle given,
                              brindle::PreparationFigures& prepared) {
-  const RowsIn<Vec3> in(given, "directions");
-  const std::span<const Vec3> vectors = in.rows();
-  const std::vector<Vec3>& normals = data.surface.normals;
-  if (vectors.size() != normals.size()) {
-    throw Error("directions: there are " + std::to_string(vectors.size()) + " for " +
-                std::to_string(normals.size()) + " vertices; give one to each");
-  }
-  DirectionField directions(vectors.size());
-  std::size_t nonfinite = 0;
-  for (std::size_t v = 0; v < vectors.size(); ++v) {
-    nonfinite += vectors[v].allFinite() ? 0 : 1;
-    directions[v] = direction_of(vectors[v], normals[v]);
-  }
-  if (nonfinite > 0) prepared.field_rows_nonfinite = nonfinite;
-  return directions;
+  const DirectionsIn in(given, surface.mesh, surface.normals);
+  if (in.nonfinite() > 0) prepared.field_rows_nonfinite = in.nonfinite();
+  return {in.rows().begin(), in.rows().end()};
 }
 
 void drop_waves_without_phase(std::span<const Complex> phases, DirectionField& directions) {
-  if (phases.size() != directions.size()) {
-    throw Error("phases: there are " + std::to_string(phases.size()) + " for " +
-                std::to_string(directions.size()) + " vertices; give one to each");
-  }
   if (std::ranges::all_of(phases, [](const Complex& z) { return z == Complex(0); })) {
     throw Error("phases: there is none at any vertex; give exp(i Phi) where there is a wave");
   }
@@ -69,6 +46,12 @@ void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepare
 MeasuredField measured_of(const Surface& surface, const FieldOrigin& origin,
                           const DirectionField& directions) {
   brindle::FieldWeight weight = origin.weight;
+  const std::size_t weights = weight.values.size(), vertices = surface.mesh.vertex_count();
+  const std::size_t data = origin.data.of_triangles ? surface.mesh.triangle_count() : vertices;
+  if (weights != 0 && weights != vertices && weights != data) {
+    throw Error("field_weight: expected a row for each of " + std::to_string(vertices) +
+                " vertices, got " + std::to_string(weights));
+  }
   if (origin.data.of_triangles && weight.values.size() == surface.mesh.vertex_count()) {
     weight.values = brindle::corner_means(surface.mesh, weight.values);
   }
@@ -78,23 +61,17 @@ MeasuredField measured_of(const Surface& surface, const FieldOrigin& origin,
 /// A number, or a row per vertex, possibly with gaps.
 void find_frequencies(const Surface& surface, py::handle stripes, py::handle frequency,
                       brindle::WaveInput& found) {
-  const std::size_t count = surface.mesh.vertex_count();
   if (frequency.is_none()) {
     const Table table = table_of(stripes, "stripes");
     if (!table.is_number) throw Error("stripes: expected one number; frequency may be an array");
     found.frequencies = constant_frequency_field(
-        frequency_of_stripes(number_of(table), bounding_box(surface.mesh).diagonal()), count);
+        frequency_of_stripes(number_of(table), bounding_box(surface.mesh).diagonal()),
+        surface.mesh.vertex_count());
     return;
   }
-  const Table table = table_of(frequency, "frequency");
-  if (table.is_number) {
-    found.frequencies = constant_frequency_field(number_of(table), count);
-    return;
-  }
-  const DataArray array = data_array_of("frequency", table.array);
-  check_rows(table, count, "frequency");
-  found.frequencies = frequencies_of(array, found.directions);
-  found.may_have_gaps = true;
+  const FrequenciesIn in(frequency, surface.mesh, "frequency", found.directions);
+  found.frequencies.assign(in.rows().begin(), in.rows().end());
+  found.may_have_gaps = !in.is_number();
 }
 
 /// Frequency smoothing is for arrays only; fields without smoothing are turned here.
@@ -106,11 +83,6 @@ brindle::WaveRequest request_of(const FieldOrigin& origin, bool array_of_frequen
 }
 
 }  // namespace
-
-Vec3 direction_of(const Vec3& vector, const Vec3& normal) {
-  if (is_direction(vector, normal) && !normal.isZero(0)) return vector;
-  return tangent_direction(vector, normal);
-}
 
 DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                      const FieldOrigin& origin) {
@@ -129,7 +101,7 @@ WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::hand
   in.prepared.load_milliseconds = data.load_milliseconds;
   in.prepared.topology_milliseconds = data.topology_milliseconds;
   brindle::WaveInput found;
-  found.directions = directions_of(data, directions, in.prepared);
+  found.directions = directions_of(surface, directions, in.prepared);
   if (!phases.empty()) drop_waves_without_phase(phases, found.directions);
   find_frequencies(surface, stripes, frequency, found);
   if (origin.tensor) {

@@ -315,6 +315,48 @@ def test_samples(tool):
         assert value == expected[key], key
 
 
+def arrays_of_places(tmp_path):
+    """A file whose arrays have all that is told apart: numbers, labels, vectors, a row per triangle."""
+    s = brindle.shape("torus", resolution=40)
+    n, m = s.vertex_count, s.triangle_count
+    s.write(tmp_path / "in.vtp", point_data={"height": s.vertices[:, 2], "label": np.arange(n) // 7,
+                                             "flow": np.cross([0, 0, 1], s.vertices)},
+            cell_data={"number": np.arange(m)})
+    return brindle.read(tmp_path / "in.vtp", crease_angle=180)
+
+
+def test_arrays_at_curves_and_samples(tmp_path):
+    """As the tool's files of curves and samples have them, of meshes and of points."""
+    s = arrays_of_places(tmp_path)
+    points = brindle.points(s.vertices, s.normals, point_data=s.point_data)
+    s.write(tmp_path / "points.vtp")
+    p = brindle.stripes(s, stripes=12)
+    for shaped in ({}, {"resample": 0.05}, {"trim": 0.6, "fair": 0.25},
+                   {"resample": 0.05, "simplify": 0.01}):
+        words = [word for name, value in shaped.items() for word in (f"--{name}", str(value))]
+        run_tool("curves", tmp_path / "in.vtp", "--stripes", "12", *words, "--output", tmp_path / "c.ply")
+        written = read_vertices(tmp_path / "c.ply")
+        curves = p.curves(**shaped)
+        for name in ("height", "label", "number"):
+            np.testing.assert_array_equal(curves.carried(name), written[name], name)
+        np.testing.assert_array_equal(curves.carried("flow"), written["flow"])
+    run_tool("sample", tmp_path / "in.vtp", "--stripes", "12", "--output", tmp_path / "s.ply")
+    written, samples = read_vertices(tmp_path / "s.ply"), brindle.samples(s, stripes=12)
+    for name in ("height", "label", "number", "flow"):
+        np.testing.assert_array_equal(samples.carried(name), written[name], name)
+    np.testing.assert_array_equal(samples.carried(s.point_data["height"]), samples.carried("height"))
+    of_points = brindle.samples(points, stripes=12)
+    assert set(of_points.carried("label")) <= set(points.point_data["label"])
+    with pytest.raises(brindle.Error, match="5 rows for"):
+        samples.carried(np.ones(5))
+    assert np.ptp(p.curves().carried(s.vertices[:, 2]) - p.curves().points[:, 2]) < 1e-6
+
+
+def read_vertices(path):
+    """The arrays of a .ply of lines or samples."""
+    return brindle.read(path, points=True).point_data
+
+
 def test_points(tool, tmp_path):
     torus = brindle.shape("torus", resolution=100)
     rows = np.concatenate([torus.vertices, torus.normals], axis=1)

@@ -282,6 +282,48 @@ def test_masked_numbers_are_no_wave(torus):
                                   brindle.stripes(torus, d, frequency=4).phases)
 
 
+@pytest.mark.parametrize("moves", [False, True])
+def test_frames_take_what_patterns_take(torus, moves):
+    """Vectors of any length, in and out of the surface; zero, NaN or masked for no wave; frequencies
+    that are vectors."""
+    n = torus.vertex_count
+    positions = np.float32(torus.vertices * (1 + 0.2 * np.sin(3 * torus.vertices[:, :1]))) if moves else None
+    there = torus.moved(positions) if moves else torus
+    chance = np.random.default_rng(2)
+    vectors = np.array(there.projected_field((0.3, 1, 0.2)), float)
+    vectors[::3] = 5 * vectors[::3] + chance.normal(size=vectors[::3].shape)
+    vectors[4:9], vectors[20:25] = np.nan, 0
+    frequency = chance.uniform(3, 5, (n, 3))
+    frequency[40:44] = np.nan
+    hidden = np.arange(n) // 6 == 9
+    masked = np.ma.masked_array(vectors, np.repeat(hidden[:, None], 3, axis=1))
+    for directions in (vectors, masked):
+        p = brindle.stripes(there, directions, frequency=frequency)
+        z = brindle.Animator(torus).frame(directions, frequency, positions)
+        np.testing.assert_array_equal(z, p.phases)
+        uv = brindle.TextureAnimator(torus).frame(directions, frequency, positions)
+        same = brindle.TextureAnimator(torus).frame(p.directions, p.frequency, positions, normals=there.normals)
+        np.testing.assert_array_equal(uv, same)
+        drawn = brindle.PatternFrames(torus)
+        corners = drawn.corner_phases(z, directions, frequency, positions)
+        np.testing.assert_array_equal(corners, p.corner_phases)
+
+
+def test_unit_vectors_stay_where_vertices_move(torus):
+    """Row by row, whatever the others are; these are projected there."""
+    moved = np.float32(torus.vertices * (1 + 0.2 * np.sin(3 * torus.vertices[:, :1])))
+    d, there = torus.projected_field((0.3, 1, 0.2)), torus.moved(moved)
+    z = brindle.Animator(torus).frame(d, 4, moved)
+    mixed = d.copy()
+    mixed[::7] *= 3
+    mixed[1::7] = np.nan
+    for given in (d, mixed):
+        shown = brindle.PatternFrames(torus).vertices(z, given, 4, moved)[:, 4:7]
+        units = np.isclose(np.linalg.norm(given, axis=1), 1)
+        np.testing.assert_array_equal(shown[units], given[units])
+        np.testing.assert_array_equal(shown[~units], there.array_field(given)[~units])
+
+
 def test_masked_arrays_elsewhere(torus, tmp_path):
     n = torus.vertex_count
     hidden = np.arange(n) < 7

@@ -88,14 +88,16 @@ def test_triangles_that_no_mesh_has(triangles):
 
 
 @pytest.mark.parametrize("arguments, message", [
-    ({"directions": np.ones((3, 3))}, "3 for"),
-    ({"directions": np.ones(7)}, "column"),
+    ({"directions": np.ones((3, 3))}, r"directions: expected a row for each of \d+ vertices, got the shape \(3, 3\)"),
+    ({"directions": np.ones(7)}, r"directions: expected .* got the shape \(7,\)"),
     ({"directions": np.full((1, 3), np.nan)}, "for"),
     ({"frequency": 0}, "above zero"),
     ({"frequency": -1}, "above zero"),
     ({"frequency": np.nan}, "finite"),
     ({"frequency": np.inf}, "finite"),
-    ({"frequency": [1, 2, 3]}, "3 for"),
+    ({"frequency": [1, 2, 3]}, r"frequency: expected a row for each of \d+ vertices, got the shape \(3,\)"),
+    ({"slack": [0.1, 0.2]}, r"slack: expected .* got the shape \(2,\)"),
+    ({"slack": 0.1, "calm": np.ones(5)}, r"calm: expected .* got the shape \(5,\)"),
     ({"stripes": 0}, "above zero"),
     ({"stripes": [1, 2]}, "one number"),
     ({"stripes": 3, "frequency": 3}, "exclude"),
@@ -209,22 +211,48 @@ def test_animator(torus):
     with pytest.raises(brindle.Error):
         animator.energy
     expected = brindle.Animator(torus).frame(d, 4)
-    for arguments in ((d[:5], 4), (d, np.ones(3)), (d, 0), (d, np.nan), (2 * d, 4), (d, 4, d[:2]),
-                      (d, 4, nan_at(torus.vertices, 7))):
-        with pytest.raises(brindle.Error):
+    for arguments, message in (((d[:5], 4), r"directions: expected .* got the shape \(5, 3\)"),
+                               ((d, np.ones(3)), r"frequencies: expected .* got the shape \(3,\)"),
+                               ((d, 0), "above zero"), ((d, np.nan), "above zero"),
+                               ((d, 4, d[:2]), r"positions: expected .* got the shape \(2, 3\)"),
+                               ((d, 4, nan_at(torus.vertices, 7)), "vertex 7")):
+        with pytest.raises(brindle.Error, match=message) as error:
             animator.frame(*arguments)
+        assert "tangent_directions" not in str(error.value), "a name of the C++ side"
     for out in (np.empty(n - 1, "c8"), torus.vertices[0], np.empty(n, "c16"), np.empty(2 * n, "c8")[::2]):
         with pytest.raises((brindle.Error, TypeError)):
             animator.frame(d, 4, out=out)
     np.testing.assert_array_equal(animator.frame(d, 4), expected)
     with pytest.raises(brindle.Error):
         animator.set_last_phases(np.full(n, 2, "c8"))
+    with pytest.raises(brindle.Error, match=r"phases: expected .* got the shape \(7,\)"):
+        animator.set_last_phases(np.full(7, 1, "c8"))
+    with pytest.raises(brindle.Error, match=r"edge_weights: expected .* directed edges, got the shape \(3,\)"):
+        brindle.Animator(torus, edge_weights=[1, 2, 3])
     with pytest.raises(TypeError):
         animator.set_last_phases(np.zeros(n))
     with pytest.raises(brindle.Error):
         brindle.Animator(torus, solver="global")
     with pytest.raises(brindle.Error):
         brindle.Animator(torus, lambda_=-1)
+
+
+def test_rows_of_triangles(torus):
+    """The message names what moves them to the vertices."""
+    vectors, numbers = np.ones((torus.triangle_count, 3)), np.ones(torus.triangle_count)
+    d = torus.smooth_field()
+    for call in (lambda: brindle.stripes(torus, vectors), lambda: torus.array_field(vectors),
+                 lambda: torus.turned_field(vectors), lambda: brindle.Animator(torus).frame(vectors, 4),
+                 lambda: torus.smooth_field(last=(torus, vectors))):
+        with pytest.raises(brindle.Error, match=r"surface.moved_to_points\(\w+, axes=True\)"):
+            call()
+    for call in (lambda: brindle.stripes(torus, frequency=numbers), lambda: torus.frequencies_by(numbers),
+                 lambda: brindle.Animator(torus).frame(d, numbers)):
+        with pytest.raises(brindle.Error, match=r"surface.moved_to_points\(\w+\)"):
+            call()
+    assert brindle.stripes(torus, torus.moved_to_points(vectors, axes=True)).report["branches"] >= 0
+    with pytest.raises(brindle.Error, match="field_weight: expected .* vertices, got 5"):
+        brindle.stripes(torus, d, field_detail=1, field_weight=np.ones(5))
 
 
 def test_empty_arrays_are_not_left_out(torus):
@@ -271,6 +299,8 @@ def test_field_animator(torus):
                                  ([0, 1], [[1, 0, 0]]), ([0], [[np.nan, 0, 0]])):
         with pytest.raises(brindle.Error):
             animator.frame(vertices, directions)
+    with pytest.raises(brindle.Error, match=r"weights: expected .* each of 2 .* got the shape \(3,\)"):
+        animator.frame([0, 1], [[1, 0, 0], [0, 1, 0]], [1, 2, 3])
     with pytest.raises(TypeError):
         animator.frame([0.5], [[1, 0, 0]])
     with pytest.raises(brindle.Error, match="2 dimensions"):

@@ -1,4 +1,4 @@
-"""The examples of docs/python.md, and the tour, run as they stand."""
+"""The examples of the pages, and the tour, run as they stand."""
 
 import os
 import pathlib
@@ -15,7 +15,8 @@ import brindle
 from conftest import ROOT, run_tool
 
 PAGE = (ROOT / "docs/python.md").read_text()
-BLOCKS = re.findall(r"^```python\n(.*?)^```", PAGE, re.DOTALL | re.MULTILINE)
+MOVING = (ROOT / "docs/animate.md").read_text()
+BLOCKS = re.findall(r"^```python\n(.*?)^```", PAGE + MOVING, re.DOTALL | re.MULTILINE)
 TOUR = sorted((ROOT / "python/tour").glob("*.py"))
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import brindle
+from brindle import _core
 
 meshio = pytest.importorskip("meshio")
 
@@ -109,6 +110,29 @@ def test_results_are_put_back(make, square, data):
     uv = arrays_on(mesh)[1]["uv"]
     uv = uv[1] if isinstance(uv, list) else uv
     np.testing.assert_array_equal(uv, t.corner_uv.reshape(-1, 6))
+    with pytest.raises(brindle.Error, match="arrays uv already.*prefix="):
+        t.put_on(mesh)  # whoever's it is
+    t.put_on(mesh, prefix="tile_")
+    assert {"uv", "tile_uv"} <= set(arrays_on(mesh)[1])
+
+
+@pytest.mark.parametrize("make", MAKERS.values(), ids=MAKERS)
+def test_crosses_are_put_back(make, square, data):
+    """Triangles that were split have no corners of their own: NaN, as parts of polygons."""
+    angle = 2 * np.arctan2(square[0][:, 1] - 0.42, square[0][:, 0] - 0.37) / 4
+    field = np.c_[np.cos(angle), np.sin(angle), 0 * angle]
+    mesh = make(square, data)
+    c = brindle.crosses(mesh, field, stripes=10)
+    assert len(c.singular) > 0 and c.surface.vertex_count > len(square[0])
+    assert c.put_on(mesh) is mesh
+    uv = arrays_on(mesh)[1]["uv"]
+    uv = uv[1] if isinstance(uv, list) else uv
+    whole = ~np.isin(c.triangle_origins, c.singular)
+    np.testing.assert_array_equal(uv[c.triangle_origins[whole]], c.corner_uv.reshape(-1, 6)[whole])
+    assert np.isnan(uv[c.singular]).all()
+    other = make((square[0], square[1][1:]), {"points": {}, "cells": {}})
+    with pytest.raises(brindle.Error, match="cells.*made for another"):
+        c.put_on(other)
 
 
 @pytest.mark.parametrize("make", MAKERS.values(), ids=MAKERS)
@@ -169,10 +193,98 @@ def test_damaged_polygons():
         mesh = types.SimpleNamespace(points=vertices, faces=np.array(faces))
         with pytest.raises(brindle.Error):
             brindle.as_surface(mesh)
-    with pytest.raises(brindle.Error, match="tetra"):
-        brindle.as_surface(meshio.Mesh(np.eye(4, 3), [("tetra", [[0, 1, 2, 3]])]))
+    with pytest.raises(brindle.Error, match="1 volume cells.*types whose faces"):
+        of_types([42])
+    with pytest.raises(brindle.Error, match="types that|Tessellate"):
+        of_types([99])
+    with pytest.raises(brindle.Error, match="no triangles"):
+        brindle.as_surface(meshio.Mesh(np.eye(4, 3), [("line", [[0, 1]])]))
+    for corners in ([0, 1, 4], [0, 1, -1], [0, 1, 2**40]):
+        with pytest.raises(brindle.Error, match="points that do not exist: there are 4"):
+            brindle.as_surface(meshio.Mesh(np.eye(4, 3), [("triangle", [corners])]))
+    with pytest.raises(brindle.Error, match="cell of 0 points.*asks for 4"):
+        of_types([8])
     with pytest.raises(brindle.Error):
         brindle.as_surface(types.SimpleNamespace(vertices=np.zeros((3, 3)), faces=[[0, 1]]))
+
+
+def of_types(types):
+    """Cells of VTK's types without corners."""
+    return _core.surface_of_cells(np.eye(4, 3), np.zeros(0, int), np.zeros(len(types), int), types, {}, {})
+
+
+def solids():
+    """A row of bricks, some cut into other solids; the last one bends."""
+    x, y, z = np.meshgrid(np.arange(7.0), [0.0, 1], [0.0, 1], indexing="ij")
+    points = np.c_[x.ravel(), y.ravel(), z.ravel()]
+    brick = np.array([0, 4, 6, 2, 1, 5, 7, 3])
+    tetra, wedge, pyramid = brick + 4, brick + 8, brick + 12
+    tip = len(points)
+    points = np.r_[points, [[3.5, 0.5, 0.5]]]
+    faces = [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+    cells = [("hexahedron", [brick, brick + 16]),
+             ("tetra", tetra[[(0, 1, 3, 4), (1, 2, 3, 6), (1, 4, 5, 6), (3, 4, 6, 7), (1, 3, 4, 6)]]),
+             ("wedge", wedge[[(0, 1, 3, 4, 5, 7), (1, 2, 3, 5, 6, 7)]]),
+             ("pyramid", [[*pyramid[list(face)], tip] for face in faces])]
+    middles = [(a, b) for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5),
+                                   (2, 6), (3, 7))]
+    bent = brick + 20
+    added = np.array([points[bent[list(pair)]].mean(axis=0) + [0, 0, 0.1] for pair in middles])
+    cells.append(("hexahedron20", [[*bent, *range(tip + 1, tip + 13)]]))
+    points = np.r_[points, added]
+    count = sum(len(block) for _, block in cells)
+    return meshio.Mesh(points, cells, point_data={"flow": np.cross(points, [0, 1, 0.3])},
+                       cell_data={"number": np.split(np.arange(count), np.cumsum([len(b) for _, b in cells])[:-1])})
+
+
+def surfaces():
+    """Curved faces, and a cell of each kind that is none."""
+    points = np.array([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 0, 0.1], [2, 1, 0.1], [1, 2, 0.1], [0, 1, 0.1],
+                       [4, 0, 0], [4, 2, 0], [3, 1, 0.2], [3, 0, 0.1], [4, 1, 0.1]], float)
+    return meshio.Mesh(points, [("vertex", [[0]]), ("quad8", [[0, 1, 2, 3, 4, 5, 6, 7]]), ("line", [[0, 1], [1, 2]]),
+                                ("triangle6", [[1, 8, 9, 11, 12, 10]]), ("triangle", [[1, 9, 2]]),
+                                ("tetra", [[0, 1, 2, 4]])],
+                       point_data={"flow": np.cross(points, [0, 1, 0.3])},
+                       cell_data={"number": [[0], [1], [2, 3], [4], [5], [6]],
+                                  "row": [[7], [7], [7, 7], [7], [7], [7]]})
+
+
+def as_grid(mesh, path):
+    """The same as a vtkUnstructuredGrid."""
+    vtk = pytest.importorskip("vtk")
+    mesh.write(path)
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+@pytest.mark.parametrize("make", [solids, surfaces])
+@pytest.mark.parametrize("package", ["meshio", "vtk"])
+def test_cells_are_those_of_files(make, package, tmp_path):
+    """Volumes give their boundary, curved cells their middle points, as the reader of .vtu has it."""
+    mesh = make()
+    mesh.write(tmp_path / "cells.vtu")
+    expected = brindle.read(tmp_path / "cells.vtu", crease_angle=180)
+    if package == "vtk":
+        mesh = as_grid(mesh, tmp_path / "cells.vtu")
+    s = brindle.as_surface(mesh)
+    np.testing.assert_array_equal(s.vertices, expected.vertices)
+    np.testing.assert_array_equal(s.triangles, expected.triangles)
+    assert s.notes == expected.notes and s.triangle_count > 0
+    for own, read in ((s.point_data, expected.point_data), (s.cell_data, expected.cell_data)):
+        assert list(own) == list(read)
+        for name in own:
+            np.testing.assert_array_equal(own[name], read[name])
+    p = brindle.stripes(mesh, "flow", stripes=5)
+    np.testing.assert_array_equal(p.point_data["original_id"], np.arange(s.vertex_count))
+    p.put_on(mesh)
+    points, cells = arrays_on(mesh)
+    np.testing.assert_array_equal(points["phase"], p.point_data["phase"])
+    branch = cells["branch"]
+    branch = np.concatenate(branch) if isinstance(branch, list) else branch
+    number = s.cell_data["number"]
+    assert set(np.flatnonzero(branch)) == set(number[p.branches == 1])
 
 
 def test_points_of_a_plane(square):

@@ -175,7 +175,7 @@ std::string xml_volume(const VtkXmlStyle& style, const Volume& volume) {
 }
 
 struct VtkVolume : VtkFile {
-  /// The volume in every form that VTK's files have.
+  /// The volume in every form that VTK's files have, and in memory.
   std::vector<LoadedMesh> forms(const Volume& volume) const {
     std::vector<LoadedMesh> loaded;
     for (const bool binary : {false, true}) {
@@ -189,6 +189,10 @@ struct VtkVolume : VtkFile {
       loaded.push_back(read("a.vtu", xml_volume(style, volume)));
     }
 #endif
+    loaded.push_back(mesh_of_cells(
+        {make_data_array("", 3, volume.places), make_data_array("", 1, volume.cells.points),
+         make_data_array("", 1, volume.cells.ends), volume.types, volume.arrays},
+        "cells"));
     return loaded;
   }
 };

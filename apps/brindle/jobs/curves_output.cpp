@@ -9,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
+#include "brindle/mesh_data.h"
 #include "outputs/carried_arrays.h"
 #include "outputs/outputs.h"
 #include "pictures/drawing_file.h"

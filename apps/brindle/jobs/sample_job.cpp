@@ -110,24 +110,7 @@ const std::vector<std::string> kSampleColumns = {"normal",      "direction_u", "
                                                  "spacing_u",   "spacing_v",   "triangle",
                                                  "barycentric", "frequency_u", "frequency_v"};
 
-std::vector<TrianglePoint> places_of(std::span<const Sample> samples) {
-  std::vector<TrianglePoint> places;
-  for (const Sample& sample : samples) {
-    const Eigen::Vector3d shares = sample.barycentric.cast<double>();
-    const Eigen::Vector3d b = shares / shares.sum();
-    places.push_back({sample.triangle, {b[0], b[1], b[2]}});
-  }
-  return places;
-}
-
-// For samples of point clouds, which have point numbers as triangles.
-std::vector<Index> points_of(std::span<const Sample> samples) {
-  std::vector<Index> points;
-  for (const Sample& sample : samples) points.push_back(sample.triangle);
-  return points;
-}
-
-// The inverse of the samples' spacings.
+// What samples have as spacings.
 DataArray frequencies_of(const char* name, std::span<const Sample> samples,
                          float Sample::*spacing) {
   std::vector<float> frequencies;
@@ -146,9 +129,7 @@ void write_all_samples(const std::string& path, const Mesh& mesh, const DataArra
                        std::span<const Sample> samples, JobListener& listener) {
   std::vector<DataArray> arrays = frequency_arrays(samples);
   const DataArrays held = held_beside(kSampleColumns, path, input, listener);
-  std::vector<DataArray> carried = mesh.triangles.empty()
-                                       ? rows_of(held.points, points_of(samples))
-                                       : arrays_at(places_of(samples), mesh.triangles, held);
+  std::vector<DataArray> carried = arrays_at(samples, mesh.triangles, held);
   std::move(carried.begin(), carried.end(), std::back_inserter(arrays));
   write_samples(path, samples, mesh.origin, arrays, listener.progress());
 }

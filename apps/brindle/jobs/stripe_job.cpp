@@ -68,7 +68,7 @@ FollowedReport followed_report(const StripeArguments& arguments, const CarriedPa
                                const std::optional<FieldStep>& field_step) {
   const PhaseStep step = phase_step(pattern.waves, pattern.solution.z, carried.z);
   FollowedReport followed{arguments.previous, arguments.solving.stripes.lambda,
-                          name_of(carried.matched_by), carried.unmatched, step.mean};
+                          std::string(name_of(carried.matched_by)), carried.unmatched, step.mean};
   if (field_step) followed.field_turned_deg = field_step->mean_deg;
   return followed;
 }

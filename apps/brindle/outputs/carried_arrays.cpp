@@ -42,17 +42,4 @@ DataArrays held_beside(std::span<const std::string> own, const std::filesystem::
   return held;
 }
 
-std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,
-                                 std::span<const Triangle> triangles, const DataArrays& arrays) {
-  std::vector<RowBlend> blends;
-  std::vector<Index> rows;
-  for (const TrianglePoint& place : places) {
-    blends.push_back({triangles[place.triangle], place.barycentric});
-    rows.push_back(place.triangle);
-  }
-  std::vector<DataArray> result = blended(arrays.points, blends);
-  for (DataArray& array : rows_of(arrays.cells, rows)) result.push_back(std::move(array));
-  return result;
-}
-
 }  // namespace brindle::tool

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "brindle/data_arrays.h"
-#include "brindle/mesh.h"
-#include "brindle/polylines.h"
 #include "cli/job_listener.h"
 
 namespace brindle::tool {
@@ -22,9 +20,5 @@ DataArrays fitted(const std::filesystem::path& path, DataArrays own, const DataA
 /// and triangle arrays with one name, those of points. Notes left-out arrays, then renamed ones.
 DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
                        const DataArrays& arrays, JobListener& listener);
-
-/// A row per position: interpolated point arrays (`blended`), then rows of triangle arrays.
-std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,
-                                 std::span<const Triangle> triangles, const DataArrays& arrays);
 
 }  // namespace brindle::tool

@@ -241,12 +241,14 @@ void InputFile::fail(const std::string& message) const {
   fail_at(line_, message);
 }
 
+std::string InputFile::name() const { return shown(path_.string()); }
+
 void InputFile::fail_at(std::size_t line, const std::string& message) const {
-  throw Error(shown(path_.string()) + ":" + std::to_string(line) + ": " + message);
+  throw Error(name() + ":" + std::to_string(line) + ": " + message);
 }
 
 void InputFile::fail_whole(const std::string& message) const {
-  throw Error(shown(path_.string()) + ": " + message);
+  throw Error(name() + ": " + message);
 }
 
 std::string_view take_word(std::string_view& line) {

@@ -98,6 +98,9 @@ class InputFile {
   /// Bytes not returned yet.
   std::uint64_t remaining() const { return remaining_; }
 
+  /// The path, for messages.
+  std::string name() const;
+
   /// Throws Error("path:line: message") or, where no line has been read, Error("path: message").
   [[noreturn]] void fail(const std::string& message) const;
 

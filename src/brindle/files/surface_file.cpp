@@ -12,6 +12,7 @@
 #include "brindle/files/gltf/gltf_file.h"
 #include "brindle/files/mesh_formats.h"
 #include "brindle/files/vtk/vtk_file.h"
+#include "brindle/files/vtk/vtk_surface.h"
 
 namespace brindle {
 namespace {
@@ -30,13 +31,13 @@ auto with_memory(const fs::path& path, const char* what, const Read& read) {
 constexpr const char* kReadable =
     "it reads .vtp, .vtu, .vtk, .ply, .obj, .stl, .off, .gltf and .glb";
 
-/// Lets triangles use one of the vertices at each position. STL files have no vertex numbers, so
-/// there the others are removed.
-void join(const fs::path& path, LoadedMesh& loaded) {
+/// Lets triangles use one of the vertices at one place, and removes the others from meshes that
+/// have no numbers.
+void join(bool renumbers, LoadedMesh& loaded) {
   std::vector<Index> first = first_at_each_place(loaded.mesh.positions);
   loaded.repair.vertices_joined = join_vertices(loaded.mesh, first);
   if (loaded.repair.vertices_joined == 0) return;
-  if (lower_extension(path) == ".stl") {
+  if (renumbers) {
     const std::vector<Index> number = drop_unreferenced_vertices(loaded.mesh);
     for (Index& v : first) v = number[v];
     loaded.renumbered = true;
@@ -53,9 +54,9 @@ void repair(LoadedMesh& loaded) {
   if (kept.size() < count) loaded.arrays.cells = rows_of(loaded.arrays.cells, kept);
 }
 
-void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::string& why_empty) {
+void check_usable(const std::string& name, const LoadedMesh& loaded, const std::string& why_empty) {
   if (!loaded.mesh.triangles.empty()) return;
-  if (!why_empty.empty()) throw Error(shown(path.string()) + ": " + why_empty);
+  if (!why_empty.empty()) throw Error(name + ": " + why_empty);
   const MeshRepair& repair = loaded.repair;
   std::string why = "has no triangles";
   if (repair.triangles_not_finite > 0) {
@@ -65,8 +66,7 @@ void check_usable(const fs::path& path, const LoadedMesh& loaded, const std::str
   } else if (repair.triangles_degenerate > 0) {
     why = "has no usable triangle: none has an area";
   }
-  throw Error(shown(path.string()) + ": " + why +
-              "; export the mesh again, as a surface with faces");
+  throw Error(name + ": " + why + "; export the mesh again, as a surface with faces");
 }
 
 RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
@@ -87,14 +87,16 @@ RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
                       shown(path.extension().string()) + "'; " + kReadable);
 }
 
-LoadedMesh mesh_of(const fs::path& path, RawMesh raw) {
+bool has_no_numbers(const fs::path& path) { return lower_extension(path) == ".stl"; }
+
+LoadedMesh mesh_of(const std::string& name, bool renumbers, RawMesh raw) {
   LoadedMesh loaded;
   loaded.mesh = std::move(raw.mesh);
   loaded.arrays = std::move(raw.arrays);
   loaded.left_out = raw.taken + raw.left_out;
-  join(path, loaded);
+  join(renumbers, loaded);
   repair(loaded);
-  check_usable(path, loaded, raw.why_empty);
+  check_usable(name, loaded, raw.why_empty);
   return loaded;
 }
 
@@ -185,8 +187,9 @@ LoadedMesh SurfaceFile::mesh(const Progress& progress) {
   const std::string stage = "loading " + shown(path().string());
   JobStages stages(progress, {{stage, 1}});
   const Progress loading = stages.begin(stage);
-  LoadedMesh loaded =
-      with_memory(path(), "this mesh", [&] { return mesh_of(path(), content_->take(loading)); });
+  LoadedMesh loaded = with_memory(path(), "this mesh", [&] {
+    return mesh_of(shown(path().string()), has_no_numbers(path()), content_->take(loading));
+  });
   stages.finish();
   return loaded;
 }
@@ -203,13 +206,27 @@ Mesh read_vertices(const fs::path& path) {
   return with_memory(path, "this mesh", [&] {
     LoadedMesh loaded;
     loaded.mesh = read_raw_mesh(path, {}).mesh;
-    join(path, loaded);
+    join(has_no_numbers(path), loaded);
     return std::move(loaded.mesh);
   });
 }
 
 LoadedMesh read_mesh(const fs::path& path, const Progress& progress) {
   return SurfaceFile(path).mesh(progress);
+}
+
+LoadedMesh mesh_of_cells(CellArrays cells, const std::string& name) {
+  check_columns(cells.points.view(), 3, "points");
+  if (cells.types.size() != cells.ends.rows()) {
+    throw Error(name + ": has " + std::to_string(cells.types.size()) + " types for " +
+                std::to_string(cells.ends.rows()) + " cells");
+  }
+  VtkSurface surface(name);
+  VtkPiece piece{std::move(cells.points), {}, std::move(cells.arrays), {}};
+  piece.cells.push_back(
+      {std::move(cells.corners), std::move(cells.ends), std::move(cells.types), 0});
+  surface.add(std::move(piece));
+  return mesh_of(name, false, surface.take());
 }
 
 LoadedPoints read_points(const fs::path& path) { return SurfaceFile(path).points(); }

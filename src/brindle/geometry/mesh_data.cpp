@@ -148,6 +148,19 @@ DataArray cells_to_points(const Mesh& mesh, const DataArray& cells) {
   return result;
 }
 
+std::vector<DataArray> arrays_at(std::span<const TrianglePoint> places,
+                                 std::span<const Triangle> triangles, const DataArrays& arrays) {
+  std::vector<RowBlend> blends;
+  std::vector<Index> rows;
+  for (const TrianglePoint& place : places) {
+    blends.push_back({triangles[place.triangle], place.barycentric});
+    rows.push_back(place.triangle);
+  }
+  std::vector<DataArray> result = blended(arrays.points, blends);
+  for (DataArray& array : rows_of(arrays.cells, rows)) result.push_back(std::move(array));
+  return result;
+}
+
 NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
                        const Progress& progress) {
   if (from.positions.empty()) throw Error("a mesh without vertices has nothing to carry over");

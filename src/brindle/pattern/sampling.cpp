@@ -12,6 +12,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
+#include "brindle/mesh_data.h"
 #include "brindle/points/point_tree.h"
 
 namespace brindle {
@@ -347,6 +348,19 @@ SampleSpacing measure_sample_spacing(std::span<const Sample> samples, const Prog
   spacing.deviation = sums.ratio.deviation();
   spacing.double_share = sums.doubles / sums.ratio.count;
   return spacing;
+}
+
+std::vector<DataArray> arrays_at(std::span<const Sample> samples,
+                                 std::span<const Triangle> triangles, const DataArrays& arrays) {
+  std::vector<TrianglePoint> places;
+  std::vector<Index> rows;
+  for (const Sample& sample : samples) {
+    const Eigen::Vector3d shares = sample.barycentric.cast<double>();
+    const Eigen::Vector3d b = shares / shares.sum();
+    places.push_back({sample.triangle, {b[0], b[1], b[2]}});
+    rows.push_back(sample.triangle);
+  }
+  return triangles.empty() ? rows_of(arrays.points, rows) : arrays_at(places, triangles, arrays);
 }
 
 }  // namespace brindle

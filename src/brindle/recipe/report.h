@@ -45,7 +45,7 @@ struct TextureReport {
 struct FollowedReport {
   std::string previous;  ///< its file
   float lambda = 0;
-  std::string_view matched_by;                  ///< name of the Matching
+  std::string matched_by;                       ///< name of the Matching
   std::size_t vertices_unmatched = 0;           ///< waves without a last phase
   double phase_step = 0;                        ///< mean change of phases, in radians
   std::optional<double> field_turned_deg = {};  ///< mean rotation of a smooth field

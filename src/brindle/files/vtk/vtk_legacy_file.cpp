@@ -106,7 +106,7 @@ class VtkLegacyReader {
 
   RawMesh take_surface() {
     check_piece();
-    VtkSurface surface(file_);
+    VtkSurface surface(file_.name());
     surface.add(std::move(piece_));
     return surface.take();
   }

@@ -9,6 +9,7 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/file_names.h"
+#include "brindle/error.h"
 #include "brindle/files/vtk/vtk_file.h"
 
 namespace brindle {
@@ -118,7 +119,7 @@ void VtkSurface::add(VtkPiece piece) {
   std::uint64_t cells = cell_;
   for (const VtkCells& c : piece.cells) cells += c.ends.rows();
   if (builder_.vertex_count() + points > kMostRows || cells > kMostRows) {
-    file_.fail_whole("has more points or cells than brindle can number; split it into parts");
+    fail("has more points or cells than brindle can number; split it into parts");
   }
   const bool has_cells = cells > cell_;
   const auto first_point = static_cast<Index>(builder_.vertex_count());
@@ -150,8 +151,8 @@ void VtkSurface::add_cells(const VtkCells& cells, Index first_point) {
   for_each_number(cells.ends.view(), [&](std::size_t cell, std::size_t, auto stored) {
     const auto end = as<std::uint64_t>(stored);
     if (end < begin || end > points) {
-      file_.fail_whole("has cells whose offsets do not rise within their " +
-                       std::to_string(points) + " points; the file is damaged, export it again");
+      fail("has cells whose offsets do not rise within their " + std::to_string(points) +
+           " points; the file is damaged, export it again");
     }
     cell_points_.clear();
     for (; begin < end; ++begin) {
@@ -164,9 +165,11 @@ void VtkSurface::add_cells(const VtkCells& cells, Index first_point) {
   });
 }
 
+void VtkSurface::fail(const std::string& what) const { throw Error(name_ + ": " + what); }
+
 void VtkSurface::fail_point(Index existing) const {
-  file_.fail_whole("has cells over points that do not exist: there are " +
-                   std::to_string(existing) + "; the file is damaged, export it again");
+  fail("has cells over points that do not exist: there are " + std::to_string(existing) +
+       "; the file is damaged, export it again");
 }
 
 void VtkSurface::add_cell(std::uint8_t stored_type, std::span<const Index> points) {
@@ -231,9 +234,9 @@ void VtkSurface::add_volume(std::uint8_t type, std::span<const Index> points) {
 
 void VtkSurface::check_size(std::span<const Index> points, std::size_t least) const {
   if (points.size() >= least) return;
-  file_.fail_whole("has a cell of " + std::to_string(points.size()) + " points, number " +
-                   std::to_string(cell_) + ", whose type asks for " + std::to_string(least) +
-                   "; the file is damaged, export it again");
+  fail("has a cell of " + std::to_string(points.size()) + " points, number " +
+       std::to_string(cell_) + ", whose type asks for " + std::to_string(least) +
+       "; the file is damaged, export it again");
 }
 
 std::string VtkSurface::left_out() const {

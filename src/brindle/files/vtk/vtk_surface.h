@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "brindle/base/input_file.h"
 #include "brindle/data_arrays.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/read_arrays.h"
@@ -42,8 +42,8 @@ struct VtkPiece {
 /// Joins the surface cells of a file's pieces or, if it has volume cells only, their boundary.
 class VtkSurface {
  public:
-  /// Throws through `file`, which must outlive this object.
-  explicit VtkSurface(const InputFile& file) : file_(file) {}
+  /// `name` is that of the file, for errors.
+  explicit VtkSurface(std::string name) : name_(std::move(name)) {}
 
   void add(VtkPiece piece);
 
@@ -61,11 +61,12 @@ class VtkSurface {
   /// is none.
   std::string take_boundary();
   std::string why_empty() const;
+  [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_point(Index existing) const;
   void check_size(std::span<const Index> points, std::size_t least) const;
   std::string left_out() const;
 
-  const InputFile& file_;
+  std::string name_;
   MeshBuilder builder_;
   PiecewiseArrays point_arrays_, cell_arrays_;
   std::string normals_;

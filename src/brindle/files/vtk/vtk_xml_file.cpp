@@ -73,7 +73,7 @@ class VtkXmlReader {
         arrays_(file_, encoding()) {}
 
   RawMesh read(std::vector<Eigen::Vector3d>* exact) {
-    VtkSurface surface(file_);
+    VtkSurface surface(file_.name());
     for_each_piece([&](const Xml& piece) { surface.add(read_piece(piece)); });
     RawMesh raw = surface.take(exact);
     raw.left_out += left_out_;
