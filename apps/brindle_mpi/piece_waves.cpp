@@ -51,6 +51,7 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   made.field_rows_nonfinite = field.rows_nonfinite;
   made.agreement = std::move(seen.agreement);
   made.figures = {measure_waves(surface, made.waves), seen.missing};
+  made.figures.turned_apart = seen.turned_apart;
   made.figures.measured = is_measured(options);
   made.figures.subdivided = read.subdivided;
   made.figures.detail = seen.detail;

@@ -32,6 +32,9 @@ PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v);
 std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
                                         const WarningWords& words = {});
 
+/// Warns of `WaveResult::turned_apart`.
+std::vector<std::string> turn_warnings(std::size_t turned_apart);
+
 /// Warns of more singularities than `FieldDetailOptions::singularities` allows.
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
                                          const WarningWords& words = {});

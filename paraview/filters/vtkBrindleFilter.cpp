@@ -275,6 +275,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
       last, run.input->piece.get());
   run.waves = std::move(waves.waves);
   run.agreement = std::move(waves.agreement);
+  run.figures.turned_apart = waves.turned_apart;
   run.figures.detail = waves.detail;
   state.memory = {std::move(waves.seen_field), std::move(last), run.surface()};
   run.turn_deg = settings.turn_deg;

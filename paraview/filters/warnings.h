@@ -23,6 +23,7 @@ struct RunFigures {
   WaveFigures waves;
   std::optional<WaveFigures> crossing;       ///< of waves across these, if there are others
   PatternQuality quality;                    ///< of two patterns what is worse (`worse_of`)
+  std::size_t turned_apart = 0;              ///< as in WaveResult
   bool measured = false;                     ///< the field is an array, taken as it is
   std::optional<FieldDetailFigures> detail;  ///< of an array seen at the scale of its stripes
 };

@@ -162,6 +162,7 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
   result.field_step = made.field_step;
   WaveReport known;
   known.missing = made.missing;
+  known.turned_apart = made.turned_apart;
   known.measured = is_measured(waves);
   known.subdivided = prepared.points ? std::nullopt : std::optional(surface.subdivide);
   known.detail = made.detail;

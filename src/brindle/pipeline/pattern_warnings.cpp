@@ -83,6 +83,15 @@ std::vector<std::string> noise_warnings(std::size_t field_singularities, std::si
           words.detail + " sees it at the scale of its stripes"};
 }
 
+std::vector<std::string> turn_warnings(std::size_t turned_apart) {
+  if (turned_apart == 0) return {};
+  return {
+      formatted("along %zu edges the two sides of the surface meet, and neighbours turn in "
+                "opposite senses; turn the field by a multiple of 90 degrees, or wind the "
+                "triangles alike, if the surface has two sides",
+                turned_apart)};
+}
+
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
                                          const WarningWords& words) {
   if (figures.singularities_too_many == 0) return {};

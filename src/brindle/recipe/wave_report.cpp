@@ -69,6 +69,7 @@ std::string warnings(const WaveReport& figures, const std::string& source) {
   const WarningWords words = words_of_options(source, figures.subdivided);
   std::string text;
   for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
+  text += warning_lines(turn_warnings(figures.turned_apart));
   if (figures.detail) {
     text += warning_lines(detail_warnings(*figures.detail, words));
   }

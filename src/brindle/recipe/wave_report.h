@@ -21,6 +21,7 @@ std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves&
 /// The library's metrics, and reasons for missing waves.
 struct WaveReport : WaveFigures {
   MissingWaves missing;
+  std::size_t turned_apart = 0;                   ///< as in WaveResult
   bool measured = false;                          ///< the field may be noisy
   std::optional<int> subdivided = 0;              ///< times so far; nullopt: points cannot be
   std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
@@ -47,7 +48,8 @@ WarningWords words_of_options(const std::string& source, std::optional<int> subd
 void check_wave_report(const WaveReport& figures, const std::string& source);
 
 /// Lines of text on waves that are missing for a known reason, and warnings: waves missing for
-/// other reasons at over 1 % of the vertices, stripes too fine for the mesh. May be empty.
+/// other reasons at over 1 % of the vertices, and those of turned and smoothed fields. May be
+/// empty.
 std::string warnings(const WaveReport& figures, const std::string& source);
 
 /// `quality_warnings`; and those of noise, for a measured field without smoothing.

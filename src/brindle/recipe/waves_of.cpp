@@ -8,6 +8,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/recipe/wave_report.h"
+#include "brindle/waves/direction_graph.h"
 
 namespace brindle {
 namespace {
@@ -43,7 +44,17 @@ void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
   found.missing.unfilled = unfilled_alone(figures, found.missing);
 }
 
+/// Lines and crosses coincide with themselves turned by 90 and 45 degrees both ways.
+bool depends_on_sense(const WaveRequest& request) {
+  const float angle = request.detail.symmetry == 4 ? 45 : 90;
+  return std::remainder(request.turn_deg, angle) != 0;
+}
+
 }  // namespace
+
+std::size_t WholeSurface::opposite_edges() const {
+  return count_opposite_edges(*surface_.neighborhood, surface_.normals) / 2;
+}
 
 std::size_t WholeSurface::drop_waves(DirectionField& directions,
                                      FrequencyField& frequencies) const {
@@ -90,6 +101,7 @@ WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, Wave
   if (request.turn_deg != 0) {
     const float turn = request.turn_deg * std::numbers::pi_v<float> / 180;
     found.directions = rotated(found.directions, surface.normals(), turn);
+    if (depends_on_sense(request)) made.turned_apart = surface.opposite_edges();
   }
   made.waves = {surface.positions(), std::move(found.directions), std::move(found.frequencies)};
   made.frequencies_v = std::move(found.frequencies_v);
