@@ -20,7 +20,7 @@ struct PieceWaves {
   WaveSet waves;
   WaveReport figures;
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, on all ranks
-  std::vector<float> agreement;  ///< of a measured field's data; empty without --field-detail
+  FieldSupport support;                             ///< of smoothed waves
   double milliseconds = 0;
 };
 

@@ -92,6 +92,13 @@ struct WaveInput {
   MissingWaves missing = {};    ///< known so far
 };
 
+/// What smoothed waves rest on, one entry per vertex.
+struct FieldSupport {
+  std::vector<float> agreement;  ///< `DetailedField::agreement`; empty without a smoothed field
+  /// 1 where the direction or the frequency fills a hole, else 0; empty without smoothing.
+  std::vector<float> filled;
+};
+
 /// Waves without phases.
 struct WaveResult {
   WaveSet waves;                 ///< one wave per vertex
@@ -102,8 +109,7 @@ struct WaveResult {
   std::size_t turned_apart = 0;
   std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
   std::optional<FrequencyDetailReport> frequency_detail = {};
-  /// Directional coherence of its data, one per vertex; empty without smoothing.
-  std::vector<float> agreement = {};
+  FieldSupport support = {};  ///< of smoothed fields and frequencies
   /// The smoothed field before it is turned; empty without smoothing.
   DirectionField seen_field = {};
 };

@@ -7,6 +7,7 @@
 #include <brindle/data_arrays.h>
 #include <brindle/stripe_pattern.h>
 #include <brindle/types.h>
+#include <brindle/waves_of.h>
 
 #include "surface_cache.h"
 
@@ -28,8 +29,8 @@ std::vector<float> branches_at_vertices(const InputSurface& input, const StripeP
 
 /// What vertices have beside a pattern.
 struct VertexNotes {
-  std::vector<float> branches;   ///< as above
-  std::vector<float> agreement;  ///< of a measured field's data, or nothing
+  std::vector<float> branches;  ///< as above
+  FieldSupport support;         ///< of smoothed waves
 };
 
 /// The input's points and triangles, those without area left out.

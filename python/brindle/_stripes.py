@@ -23,7 +23,7 @@ _TENSOR_COLUMNS = (6, 9)
 _TURN = "turn_deg"
 
 
-_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities",
+_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities", "hold_out",
            "frequency_detail")
 _OWN_WEIGHTS = ("length", "anisotropy")
 
@@ -62,7 +62,8 @@ class Field:
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
-        for name in ("field_detail", "fill", "field_singularities", "frequency_detail"):
+        for name in ("field_detail", "fill", "field_singularities", "hold_out",
+                     "frequency_detail"):
             check_scalar(name, given.get(name))
         request = _core.DetailArguments()
         request.periods = number(given.get("field_detail", 0), "field_detail")
@@ -74,6 +75,8 @@ class Field:
         if "field_singularities" in given:
             request.singularities = whole_number(given["field_singularities"],
                                                 "field_singularities")
+        if "hold_out" in given:
+            request.hold_out = number(given["hold_out"], "hold_out")
         weight = given.get("field_weight")
         self.origin.see_at_detail(options_of(given), request,
                                   self._weights(surface, weight) if request.periods else None)
@@ -330,8 +333,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             lambda_: Optional[float] = None, match: Optional[str] = None,
             field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None, frequency_detail: Optional[float] = None,
-            threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
+            field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
+            frequency_detail: Optional[float] = None, threads: int = 0,
+            progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
     ``surface``: a Surface, or whatever ``brindle.as_surface`` takes. ``directions``: (n, 3) vectors
@@ -373,7 +377,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
     ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
     cancelled, the nearest first, until at most so many remain or no pair is left.
-    ``p.point_data["agreement"]`` says how much they agree. ``frequency_detail``: sees an array of
+    ``hold_out``: reports the mean angle between this share of the data and the field of the others.
+    ``p.point_data`` has ``agreement``, how much data agree around a vertex, and ``filled``, 1 where
+    the direction or frequency fills a hole. ``frequency_detail``: sees an array of
     frequencies at the scale of so many periods, its NaN filled as far as ``fill``.
 
     ``threads``: at most so many, 0 for all; results do not depend on it. ``progress(stage,

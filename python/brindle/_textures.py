@@ -208,7 +208,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             merge_distance: Optional[float] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None,
+            field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
@@ -244,6 +244,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             merge_distance: Optional[float] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_singularities: Optional[int] = None,
+            hold_out: Optional[float] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Square tiles along a cross field: directions and their quarter turns, which are not told

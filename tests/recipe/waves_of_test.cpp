@@ -43,7 +43,7 @@ TEST_F(WavesOf, LeavesWhatNobodyWishesToChange) {
   EXPECT_EQ(made.waves.positions, surface.mesh.positions);
   EXPECT_EQ(made.waves.directions, before.directions);
   EXPECT_EQ(made.waves.frequencies, before.frequencies);
-  EXPECT_TRUE(made.agreement.empty());
+  EXPECT_TRUE(made.support.agreement.empty() && made.support.filled.empty());
   EXPECT_FALSE(made.detail || made.frequency_detail || made.missing.without_frequency);
 }
 
@@ -110,7 +110,7 @@ TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
   const WaveResult plain = waves_of(whole, {.detail = detail}, measured());
   const WaveResult turned = waves_of(whole, {.turn_deg = 30, .detail = detail}, measured());
   ASSERT_TRUE(plain.detail.has_value());
-  EXPECT_EQ(plain.agreement.size(), count);
+  EXPECT_EQ(plain.support.agreement.size(), count);
   EXPECT_EQ(plain.seen_field, plain.waves.directions);
   EXPECT_EQ(turned.seen_field, plain.seen_field);
   EXPECT_EQ(turned.waves.directions,

@@ -81,6 +81,8 @@ export interface MeasuredField {
   directions: DirectionField;
   /** How much the data around a vertex agree, from 0 to 1. */
   agreement: Float32Array;
+  /** 1 for directions that fill a hole, else 0. */
+  filled: Uint8Array;
 }
 
 export interface StripeOptions extends FrequencyOptions {

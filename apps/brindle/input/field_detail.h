@@ -19,6 +19,7 @@ struct FieldDetailChoice {
   std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
   std::optional<float> fill;  ///< how far holes are filled, in periods
   bool arrows = false;        ///< vectors have a sign
+  float hold_out = 0;         ///< share of the data that a check hides; 0: no check
   std::optional<int> singularities;  ///< at most so many; nothing: all stay
   float memory = 0;                  ///< of the step before, in a series
   float frequency_periods = 0;       ///< the same scale for frequencies; 0: as they are
@@ -28,13 +29,14 @@ struct FieldDetailChoice {
   void visit(const Add& add) {
     add("--field-detail", periods);
     add("--fill", fill);
+    add("--hold-out", hold_out);
     add("--field-arrows", arrows);
     add("--field-singularities", singularities);
     add("--frequency-detail", frequency_periods);
   }
 };
 
-/// --field-detail, --field-weight, --fill, --field-arrows, --field-singularities and
+/// --field-detail, --field-weight, --fill, --hold-out, --field-arrows, --field-singularities and
 /// --frequency-detail.
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
 

@@ -72,8 +72,8 @@ struct PreparedWaves {
   std::optional<FieldStep> field_step;
   float turn_deg = 0;  ///< by which waves are turned from their field
   double field_milliseconds = 0;
-  std::vector<float> agreement;  ///< of a measured field's data, one per vertex; mostly empty
-  DirectionField seen_field;     ///< as WavesOfField has it
+  FieldSupport support;       ///< of smoothed waves
+  DirectionField seen_field;  ///< as WavesOfField has it
 };
 
 /// Those of a base field that is there already, whose time does not count.

@@ -34,7 +34,7 @@ struct PreparationFigures {
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
   std::optional<FieldStep> field_step;  ///< of a smooth field that continued a previous one
   float turn_deg = 0;                   ///< rotation of the waves from their field
-  std::vector<float> agreement;         ///< coherence by vertex, if measured
+  FieldSupport support;                 ///< of smoothed waves
   std::size_t vertices_joined = 0;      ///< with others at their position
   double load_milliseconds = 0;         ///< reading or making the mesh
   double field_milliseconds = 0;        ///< directions and frequencies

@@ -199,6 +199,16 @@ constexpr auto kFieldRows = in_group(
       .stale = OptionStage::waves,
       .help = "--field-detail, --frequency-detail: how far holes in the data are filled; no wave "
               "farther away (default 2)"},
+     {.name = "hold-out",
+      .words = "check by held-out data",
+      .kind = OptionKind::number,
+      .form = "SHARE",
+      .standard = "0",
+      .range = {.least = 0, .most = 1, .below_most = true},
+      .slider = {0, 0.5},
+      .stale = OptionStage::waves,
+      .help = "--field-detail: report the mean angle between SHARE of the data and the field of "
+              "the others (default 0: do not)"},
      {.name = "field-arrows",
       .words = "arrows, not lines",
       .kind = OptionKind::flag,

@@ -22,9 +22,19 @@ FrequencyField places_of_waves(const WaveInput& found) {
   return places;
 }
 
+void mark_filled(std::vector<float>& filled, std::size_t count, const auto& is_filled) {
+  filled.resize(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (is_filled(v)) filled[v] = 1;
+  }
+}
+
 void see_frequencies(const WaveSurface& surface, const FrequencyDetailOptions& options,
                      WaveInput& found, WaveResult& made, const Progress& progress) {
   DetailedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
+  mark_filled(made.support.filled, seen.frequencies.size(), [&](std::size_t v) {
+    return std::isnan(found.frequencies[v]) && !std::isnan(seen.frequencies[v]);
+  });
   found.frequencies = std::move(seen.frequencies);
   made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
   if (found.frequencies_v.empty()) return;
@@ -39,7 +49,9 @@ void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
       surface.field_at_detail(found.measured, places, found.last, options, progress);
   found.directions = std::move(field.directions);
   made.seen_field = found.directions;
-  made.agreement = std::move(field.agreement);
+  made.support.agreement = std::move(field.agreement);
+  mark_filled(made.support.filled, field.filled.size(),
+              [&](std::size_t v) { return field.filled[v] != 0; });
   made.detail = figures;
   found.missing.unfilled = unfilled_alone(figures, found.missing);
 }
