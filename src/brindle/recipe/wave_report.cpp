@@ -78,6 +78,10 @@ std::string warnings(const WaveReport& figures, const std::string& source) {
   return text + warning_lines(wave_warnings(unexplained, words));
 }
 
+std::string tile_warning(const BrokenTiles& broken, std::size_t triangles) {
+  return warning_lines(tile_warnings(broken, triangles, words_of_options("")));
+}
+
 std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,
                             std::size_t triangles) {
   const WarningWords words = words_of_options("", figures.subdivided);

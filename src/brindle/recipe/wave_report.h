@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/carried_field.h"
 #include "brindle/measured_field.h"
 #include "brindle/quality.h"
@@ -51,6 +52,9 @@ void check_wave_report(const WaveReport& figures, const std::string& source);
 /// other reasons at over 1 % of the vertices, and those of turned and smoothed fields. May be
 /// empty.
 std::string warnings(const WaveReport& figures, const std::string& source);
+
+/// `tile_warnings`.
+std::string tile_warning(const BrokenTiles& broken, std::size_t triangles);
 
 /// `quality_warnings`; and those of noise, for a measured field without smoothing.
 std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,
