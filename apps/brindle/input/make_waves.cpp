@@ -55,7 +55,8 @@ Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOp
   throw CLI::ValidationError("--tensor", "has no effect here: " + why);
 }
 
-Field array_field(const Surface& surface, const DataArray& array, const WaveOptions& options) {
+Field array_field(const Surface& surface, const DataArray& given, const WaveOptions& options) {
+  const DataArray array = ordered_array(given, options.arrays);
   Field field;
   if (is_tensor(array)) {
     field = tensor_field(surface, array, options.arrays);
@@ -151,7 +152,8 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
   Field field = array_field(surface, found.array, options);
   field.rows_nonfinite = found.rows_nonfinite;  // before rows were moved to vertices
   // Eigenvectors of the mean of tensors are better than means of eigenvectors.
-  if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};
+  if (found.of_cells && !is_tensor(field.data.array))
+    field.data = {std::move(*found.of_cells), true};
   return field;
 }
 

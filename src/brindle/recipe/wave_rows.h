@@ -153,6 +153,13 @@ constexpr auto kFieldRows = in_group(
           "--field array:NAME that is a symmetric tensor: along the eigenvector of the largest "
           "eigenvalue (default), the smallest, or the largest absolute one; tangent: of the part "
           "within the surface, as of stress at a free one"},
+     {.name = "tensor-order",
+      .words = "order of components",
+      .kind = OptionKind::choice,
+      .form = "vtk|voigt|plane",
+      .standard = "vtk",
+      .help = "--field array:NAME, tensors: XX YY ZZ XY YZ XZ (default), XX YY ZZ YZ XZ XY, or of "
+              "x and y XX YY XY or all 4"},
      {.name = "field-mesh",
       .words = "field of a mesh",
       .kind = OptionKind::text,
