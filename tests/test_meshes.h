@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "brindle/shapes.h"
 
@@ -22,6 +23,14 @@ inline const std::map<std::string, Mesh>& every_shape() {
     return all;
   }();
   return shapes;
+}
+
+/// The mesh with a third of its triangles, spread over it, wound the other way.
+inline Mesh with_turned_triangles(Mesh mesh) {
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (t * 2654435761u % 9 < 3) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+  }
+  return mesh;
 }
 
 }  // namespace brindle

@@ -94,6 +94,16 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
   return arrays;
 }
 
+/// Pieces without a vertex have the arrays, too.
+void add_support_of_piece(std::vector<DataArray>& arrays, const PieceWaves& waves) {
+  const auto& [agreement, filled] = waves.support;
+  const bool detail = waves.figures.detail.has_value();
+  if (detail) arrays.push_back(make_data_array("agreement", 1, agreement));
+  if (!detail && !waves.figures.frequency_detail) return;
+  arrays.push_back(
+      make_data_array("filled", 1, std::vector<std::uint8_t>(filled.begin(), filled.end())));
+}
+
 void check_outputs(Communicator& ranks, const MpiArguments& arguments) {
   std::vector<UsedFile> outputs;
   if (!arguments.output.empty()) outputs = files_of_pieces(arguments.output, ranks.size());
@@ -168,9 +178,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
       const std::vector<float> branches =
           flags_of_all(ranks, read, branches_at_vertices(read.piece.mesh, measures.corners));
       DataArrays own = arrays_of(w, frame, std::move(measures.corners), branches);
-      if (waves.figures.detail) {  // partitions without vertices have it, too
-        own.points.push_back(make_data_array("agreement", 1, waves.agreement));
-      }
+      add_support_of_piece(own.points, waves);
       copy_from_partners(ranks, surface, read, own.points);
       own.points.push_back(make_data_array("global_id", 1, read.piece.vertex_ids));
       if (read.numbered) {

@@ -84,7 +84,9 @@ PieceField tensor_field(Communicator& ranks, const DistributedSurface& surface,
 }
 
 PieceField array_field(Communicator& ranks, const DistributedSurface& surface,
-                       const ReadPiece& read, const DataArray& array, const WaveOptions& options) {
+                       const ReadPiece& read, const DataArray& given, const WaveOptions& options) {
+  DataArray array;
+  together_as_used(ranks, [&] { array = ordered_array(given, options.arrays); });
   PieceField field;
   if (is_tensor(array)) field = tensor_field(ranks, surface, array, options.arrays);
   field.data.array = array;

@@ -49,8 +49,9 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   listener.note(field.notes);
   made.waves = std::move(seen.waves);
   made.field_rows_nonfinite = field.rows_nonfinite;
-  made.agreement = std::move(seen.agreement);
+  made.support = std::move(seen.support);
   made.figures = {measure_waves(surface, made.waves), seen.missing};
+  made.figures.turned_apart = seen.turned_apart;
   made.figures.measured = is_measured(options);
   made.figures.subdivided = read.subdivided;
   made.figures.detail = seen.detail;

@@ -19,9 +19,8 @@ namespace brindle::tool {
 struct PieceWaves {
   WaveSet waves;
   WaveReport figures;
-  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, over all ranks
-  std::vector<float>
-      agreement;  ///< coherence of a measured field's data; empty without --field-detail
+  std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array, on all ranks
+  FieldSupport support;                             ///< of smoothed waves
   double milliseconds = 0;
 };
 

@@ -66,6 +66,9 @@ struct BrokenTiles {
   /// Whether a broken motif reaches this triangle or is within a twentieth of a tile of it.
   bool touches(std::size_t triangle) const { return !words.empty() && words[triangle] != 0; }
 
+  /// The share of `triangles`, a whole mesh's number, whose middle no broken motif has.
+  double whole_share(std::size_t triangles) const;
+
   /// Whether the motif at a fragment is broken. `uv` are its texture coordinates
   /// (`texture_coordinate`), up to whole numbers.
   bool is_broken(std::size_t triangle, const Vec3& barycentric, const Eigen::Vector2f& uv) const;

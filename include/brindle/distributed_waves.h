@@ -24,6 +24,7 @@ class PieceSurface final : public WaveSurface {
   std::vector<Vec3> positions() const override { return piece_.positions; }
   std::span<const Vec3> normals() const override { return surface_.normals(); }
   bool any(bool here) const override;
+  std::size_t opposite_edges() const override;
   /// The mean frequency and the number are over all ranks.
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
   DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,6 +36,9 @@ struct FieldDetailOptions {
   std::optional<std::size_t> singularities = {};
   /// Temporal smoothing: weight of the last field beside the data; 0: none, 1: equal.
   float memory = 0;
+  /// A share of the data, from 0 to below 1, at pseudo-random places. A second solve without them
+  /// measures how well `periods` predicts data; the field itself uses all. 0: no second solve.
+  float hold_out = 0;
 };
 
 /// Statistics of a smoothed field and its data.
@@ -51,6 +55,13 @@ struct FieldDetailFigures {
   std::size_t singularities_of_data = 0;   ///< singular triangles of the data, before smoothing
   std::size_t singularities = 0;           ///< after smoothing
   std::size_t singularities_too_many = 0;  ///< above the requested number: no pair cancels them
+  // Mean coherence, weighted by area, of the vertices with a datum and of those filled.
+  double agreement_mean = 0;
+  double agreement_filled_mean = 0;
+  /// With `FieldDetailOptions::hold_out`: hidden data where the second solve has a direction, and
+  /// their mean angle to it.
+  std::size_t held_out = 0;
+  double held_out_turned_mean_deg = 0;
 };
 
 /// A smoothed field, one entry per vertex.
@@ -58,6 +69,7 @@ struct DetailedField {
   DirectionField directions;     ///< unit tangent vectors; zero in unfilled holes
   std::vector<float> agreement;  ///< directional coherence of the data around a vertex, 0 to 1; 0
                                  ///< without a direction
+  std::vector<std::uint8_t> filled;  ///< 1 for directions that fill a hole, else 0
 };
 
 /// Smooths measured fields on one surface, frame by frame; computes once what depends only on the

@@ -15,9 +15,11 @@ namespace BRINDLE_EXPORT brindle {
 Vec3 triangle_normal(const Mesh& mesh, const Triangle& triangle);
 
 /// One unit normal per vertex: the average of the adjacent triangles' normals, weighted by the
-/// angle at the vertex (Thürmer and Wüthrich 1998). Where neighbouring triangles are wound against
-/// each other (Möbius strip, triangle soup) the average would cancel; there the normal is the
-/// direction that agrees best with all of them up to sign. Zero for a vertex without a triangle.
+/// angle at the vertex (Thürmer and Wüthrich 1998). If triangles of an orientable component are
+/// wound against each other, all count as wound outwards if it is closed, else as most are. Where
+/// neighbours cannot be wound alike (Möbius strip, three sheets) the average would cancel; there
+/// the normal is the direction that agrees best with all of them up to sign. Zero for a vertex
+/// without a triangle.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
 
 /// Principal curvatures at a vertex, in 1 / length, positive where the surface bends away from its

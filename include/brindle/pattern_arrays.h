@@ -11,6 +11,7 @@
 #include "brindle/export.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_coordinates.h"
+#include "brindle/waves_of.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -55,9 +56,16 @@ inline constexpr const char* kTurnArray = "turn_deg";
 /// Adds the array `kTurnArray`, unless the angle is 0.
 void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows);
 
-/// Adds the array "agreement", the directional coherence of a measured field
-/// (`DetailedField::agreement`); nothing if that is empty.
-void add_agreement(std::vector<DataArray>& arrays, std::span<const float> agreement);
+/// Adds the arrays "agreement" and "filled" of smoothed fields, each unless it is empty.
+void add_support(std::vector<DataArray>& arrays, const FieldSupport& support);
+
+/// The same at the vertices of a mesh with texture coordinates. Vertices between others are filled
+/// if one of those is.
+FieldSupport carried_support(const TexturedMesh& textured, const FieldSupport& support);
+
+/// The same, followed by entries for the barycentres of some triangles.
+FieldSupport with_barycentres(FieldSupport support, std::span<const Triangle> triangles,
+                              std::span<const Index> of_triangles);
 
 /// The angle in `kTurnArray`; 0 if there is none. Throws Error if it is not the same finite number
 /// in all rows.

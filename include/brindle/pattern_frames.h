@@ -23,7 +23,7 @@ class PatternFrames {
   PatternFrames(PatternFrames&&) noexcept;
   PatternFrames& operator=(PatternFrames&&) noexcept;
 
-  /// One unit normal per vertex, as `vertex_normals` computes for vertices at `positions`. Valid
+  /// One unit normal per vertex, as `make_surface` computes for vertices at `positions`. Valid
   /// until the next call; the last call's positions are not read again. Throws Error unless there
   /// is one position per vertex.
   std::span<const Vec3> normals(std::span<const Vec3> positions);

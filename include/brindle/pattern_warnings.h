@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/export.h"
 #include "brindle/measured_field.h"
 #include "brindle/quality.h"
@@ -31,6 +32,13 @@ PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v);
 /// triangles.
 std::vector<std::string> noise_warnings(std::size_t field_singularities, std::size_t triangles,
                                         const WarningWords& words = {});
+
+/// Warns of motifs that are left out in more than 90 % of the triangles.
+std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t triangles,
+                                       const WarningWords& words = {});
+
+/// Warns of `WaveResult::turned_apart`.
+std::vector<std::string> turn_warnings(std::size_t turned_apart);
 
 /// Warns of more singularities than `FieldDetailOptions::singularities` allows.
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,9 @@ struct Surface {
   Creases creases = {};
   /// The neighbourhood with links over creases; null if there are none.
   std::shared_ptr<const Adjacency> linked = {};
+  /// 1 for triangles whose winding `normals` reverse, as neighbours are wound the other way; empty
+  /// if components are wound alike, or cannot be.
+  std::vector<std::uint8_t> turned = {};
 
   /// The number of vertices before creases split any.
   std::size_t own_vertex_count() const { return mesh.vertex_count() - creases.copied.size(); }

@@ -25,6 +25,17 @@ enum class TensorAxis {
   tangent_minor   ///< of the smaller one
 };
 
+/// The order of a tensor's components in a row.
+enum class TensorOrder {
+  vtk,    ///< XX, YY, ZZ, XY, YZ, XZ, or all 9 row by row
+  voigt,  ///< XX, YY, ZZ, YZ, XZ, XY
+  plane   ///< of x and y: XX, YY, XY, or all 4 row by row; the other components are 0
+};
+
+/// The array in VTK's order, in doubles; as it is, if it is so already. Throws Error, naming it,
+/// for a number of components that the order does not have.
+DataArray in_vtk_order(const DataArray& tensors, TensorOrder order);
+
 /// Directions along eigenvectors, and numbers of vertices for warnings.
 struct TensorField {
   DirectionField directions;      ///< one per vertex; neighbours run alike (`orient_alike`)

@@ -72,7 +72,9 @@ struct TextureQuality {
 };
 
 /// All triangles have the same weight. `waves` has one entry per triangle, its corners oriented.
-TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind);
+/// The last `parts` triangles, those of a cross field's singular ones, count as singularities.
+TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind,
+                               std::size_t parts = 0);
 
 /// Edges at which the textures of two triangles do not match, and triangles without orientation.
 struct TextureSeams {

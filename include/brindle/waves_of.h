@@ -92,15 +92,24 @@ struct WaveInput {
   MissingWaves missing = {};    ///< known so far
 };
 
+/// What smoothed waves rest on, one entry per vertex.
+struct FieldSupport {
+  std::vector<float> agreement;  ///< `DetailedField::agreement`; empty without a smoothed field
+  /// 1 where the direction or the frequency fills a hole, else 0; empty without smoothing.
+  std::vector<float> filled;
+};
+
 /// Waves without phases.
 struct WaveResult {
   WaveSet waves;                 ///< one wave per vertex
   FrequencyField frequencies_v;  ///< as in WaveInput
   MissingWaves missing;
+  /// Edges whose ends the turn rotates in opposite senses, as their normals point to opposite sides
+  /// of the surface. 0 for turns that give the same waves in both senses.
+  std::size_t turned_apart = 0;
   std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
   std::optional<FrequencyDetailReport> frequency_detail = {};
-  /// Directional coherence of its data, one per vertex; empty without smoothing.
-  std::vector<float> agreement = {};
+  FieldSupport support = {};  ///< of smoothed fields and frequencies
   /// The smoothed field before it is turned; empty without smoothing.
   DirectionField seen_field = {};
 };
@@ -114,6 +123,8 @@ class WaveSurface {
   virtual std::span<const Vec3> normals() const = 0;
   /// Whether `here` is true on any process.
   virtual bool any(bool here) const = 0;
+  /// Edges between normals that point to opposite sides (`count_opposite_edges`).
+  virtual std::size_t opposite_edges() const = 0;
   /// `drop_waves_without_frequency` of array_field.h for the whole surface.
   virtual std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const = 0;
   /// As `detailed_frequencies` of measured_field.h.
@@ -135,6 +146,7 @@ class WholeSurface final : public WaveSurface {
   std::vector<Vec3> positions() const override { return surface_.mesh.positions; }
   std::span<const Vec3> normals() const override { return surface_.normals; }
   bool any(bool here) const override { return here; }
+  std::size_t opposite_edges() const override;
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
   DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
                                             const FrequencyDetailOptions& options,

@@ -3,6 +3,7 @@
 
 #include <brindle/phase_graph.h>
 #include <brindle/progress.h>
+#include <brindle/waves_of.h>
 
 #include "pattern_series.h"
 #include "ranks.h"
@@ -14,9 +15,8 @@ struct vtkBrindleFilter::Run {
   brindle::paraview::Ranks ranks;
   const brindle::paraview::InputSurface* input = nullptr;
   brindle::WaveSet waves;
-  std::vector<float>
-      agreement;       ///< coherence of a measured field's data, per vertex; otherwise empty
-  float turn_deg = 0;  ///< turn of the waves from their field
+  brindle::FieldSupport support;  ///< of smoothed waves
+  float turn_deg = 0;             ///< by which they are turned from their field
   brindle::paraview::RunFigures figures;
   brindle::paraview::SeriesOptions options;
   bool follows = false;  ///< whether this time continues the last one

@@ -97,7 +97,7 @@ StripeSurface plain_surface(const InputSurface& input, const StripePattern& patt
   std::vector<DataArray> arrays;
   brindle::add_waves(arrays, {pattern.waves, pattern.frequencies_wanted, pattern.solution.z, ""},
                      kMissing, notes.branches);
-  brindle::add_agreement(arrays, notes.agreement);
+  brindle::add_support(arrays, notes.support);
   surface.point_arrays = rows_of(arrays, input.vertex_of_point);
   return surface;
 }
@@ -126,9 +126,7 @@ StripeSurface textured_surface(const InputSurface& input, const StripePattern& p
   std::vector<DataArray> arrays;
   brindle::add_carried_waves(arrays, textured, input.surface->mesh, pattern, "", kMissing);
   set_branches(arrays, textured, notes.branches);
-  if (!notes.agreement.empty()) {
-    brindle::add_agreement(arrays, carried_values(textured, notes.agreement, 1));
-  }
+  brindle::add_support(arrays, brindle::carried_support(textured, notes.support));
   surface.point_arrays = rows_of(arrays, points.vertices);
   return surface;
 }

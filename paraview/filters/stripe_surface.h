@@ -7,6 +7,7 @@
 #include <brindle/data_arrays.h>
 #include <brindle/stripe_pattern.h>
 #include <brindle/types.h>
+#include <brindle/waves_of.h>
 
 #include "surface_cache.h"
 
@@ -27,8 +28,8 @@ std::vector<float> branches_at_vertices(const InputSurface& input, const StripeP
 
 /// Values of vertices besides the pattern.
 struct VertexNotes {
-  std::vector<float> branches;   ///< from `branches_at_vertices`
-  std::vector<float> agreement;  ///< coherence of a measured field's data, or empty
+  std::vector<float> branches;  ///< as above
+  FieldSupport support;         ///< of smoothed waves
 };
 
 /// The input's points and triangles, without degenerate triangles.

@@ -271,7 +271,8 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
        pointer_to(weights.of_points), pointer_to(vectors.of_cells), pointer_to(weights.of_cells)},
       last, run.input->piece.get());
   run.waves = std::move(waves.waves);
-  run.agreement = std::move(waves.agreement);
+  run.support = std::move(waves.support);
+  run.figures.turned_apart = waves.turned_apart;
   run.figures.detail = waves.detail;
   state.memory = {std::move(waves.seen_field), std::move(last), run.surface()};
   run.turn_deg = settings.turn_deg;

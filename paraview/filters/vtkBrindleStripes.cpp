@@ -52,7 +52,7 @@ void fill(const bp::InputSurface& input, const bp::StripeSurface& surface, float
 void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
   const brindle::StripePattern& pattern = run.pattern();
   run.begin(0.8, 0.9, "texture coordinates");
-  const bp::VertexNotes notes{bp::branches_at_vertices(*run.input, pattern), run.agreement};
+  const bp::VertexNotes notes{bp::branches_at_vertices(*run.input, pattern), run.support};
   run.ranks.throw_on_all([&] {
     const bp::StripeSurface surface = this->TextureCoordinates
                                           ? bp::textured_surface(*run.input, pattern, notes)

@@ -60,6 +60,7 @@ std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSur
   if (figures.measured) {
     add(noise_warnings(figures.quality.field_singularities, triangle_count(surface), words));
   }
+  add(turn_warnings(figures.turned_apart));
   if (figures.detail) add(detail_warnings(*figures.detail, words));
   return sentences;
 }

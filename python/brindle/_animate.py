@@ -209,17 +209,20 @@ class FieldDetail(Running):
     depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
     lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
     many are left. ``memory``: how much the field of the frame before counts beside the data, so that
-    noise does not make it jump (0: not at all; 1: as much)."""
+    noise does not make it jump (0: not at all; 1: as much). ``hold_out``: a share of the data that
+    a check hides; ``figures`` has the mean angle to them."""
 
     _INSTEAD = "pickle its surface and the last field; a new one goes on from it by frame(last=)"
 
     def __init__(self, surface: Any, periods: float = 1, *, symmetry: int = 2, fill: float = 2,
-                 singularities: Optional[int] = None, memory: float = 0) -> None:
+                 singularities: Optional[int] = None, memory: float = 0,
+                 hold_out: float = 0) -> None:
         self.surface: Surface = as_surface(surface)
         left = None if singularities is None else whole_number(singularities, "singularities")
         self._core = _core.FieldDetail(self.surface._core, number(periods, "periods"),
                                        whole_number(symmetry, "symmetry"), number(fill, "fill"),
-                                       left, number(memory, "memory"))
+                                       left, number(memory, "memory"),
+                                       number(hold_out, "hold_out"))
 
     def frame(self, vectors: "ArrayLike", frequencies: "ArrayLike", *,
               confidence: "Optional[ArrayLike]" = None, last: "Optional[ArrayLike]" = None,
@@ -234,6 +237,11 @@ class FieldDetail(Running):
         3), the last field, if not that of the last frame.
         """
         return self._core.frame(vectors, frequencies, confidence, last, progress)
+
+    @property
+    def filled(self) -> "NDArray[np.uint8]":
+        """Of the last frame, (n,): 1 for directions that fill a hole. Empty before the first."""
+        return self._core.filled()
 
     @property
     def figures(self) -> dict[str, Any]:

@@ -238,7 +238,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             global_iterations: Optional[int] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None,
+            field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: crossings of the stripes across ``directions`` (U) with those

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 
 from . import _core
-from ._arguments import Error, Tiles, Up, View, flag, number, path_of, whole_number, word
+from ._arguments import Error, flag, number, path_of, warn, whole_number, word
 from ._curves import Curves, Samples
 from ._stripes import Stripes
 from ._surface import Surface, as_surface
@@ -101,8 +101,10 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     if stripe_width is not None:
         picture.set_stripe_width(number(stripe_width, "stripe_width"))
     if isinstance(pattern, Texture):
-        return _core.render_texture(pattern._core, "checker" if tile is None else tile,
-                                    whole_tiles(tiles), picture)
+        image, warnings = _core.render_texture(pattern._core, "checker" if tile is None else tile,
+                                               whole_tiles(tiles), picture)
+        warn(warnings)
+        return image
     if isinstance(pattern, (Curves, Samples)):
         return _render_ornaments(surface, pattern, colors, tube_radius, picture)
     if pattern is not None and not isinstance(pattern, Stripes):

@@ -24,7 +24,7 @@ _TENSOR_COLUMNS = (6, 9)
 _TURN = "turn_deg"
 
 
-_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities",
+_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities", "hold_out",
            "frequency_detail")
 _OWN_WEIGHTS = ("length", "anisotropy")
 
@@ -62,7 +62,8 @@ class Field:
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
-        for name in ("field_detail", "fill", "field_singularities", "frequency_detail"):
+        for name in ("field_detail", "fill", "field_singularities", "hold_out",
+                     "frequency_detail"):
             check_scalar(name, given.get(name))
         request = _core.DetailArguments()
         request.periods = number(given.get("field_detail", 0), "field_detail")
@@ -74,6 +75,8 @@ class Field:
         if "field_singularities" in given:
             request.singularities = whole_number(given["field_singularities"],
                                                 "field_singularities")
+        if "hold_out" in given:
+            request.hold_out = number(given["hold_out"], "hold_out")
         weight = given.get("field_weight")
         self.origin.see_at_detail(options_of(given), request,
                                   self._weights(surface, weight) if request.periods else None)
@@ -337,8 +340,9 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             lambda_: Optional[float] = None, match: Optional[Match] = None,
             field_detail: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None, frequency_detail: Optional[float] = None,
-            threads: int = 0, progress: Optional[Progress] = None) -> Stripes:
+            field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
+            frequency_detail: Optional[float] = None, threads: int = 0,
+            progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
     ``surface``: a Surface, or anything that ``brindle.as_surface`` accepts. ``directions``: (n,
@@ -376,14 +380,16 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     where the input is that of the other pattern; ``brindle.Animator`` then keeps them, and is faster,
     for the frames of one surface. Use ``previous`` where triangles change, or for single steps.
 
-    ``field_detail``: smooths measured directions over this many periods and fills holes (default
-    0: not; 1 for noisy data). ``field_weight``: confidence of each datum, 0 or NaN for none: an
-    array (n,), the name of one, "length" or "anisotropy". ``fill``: distance over which holes are
-    filled, in periods (default 2). ``field_arrows``: directions have signs.
-    ``field_singularities``: cancels pairs of singularities, nearest first, until at most this
-    many remain. ``p.point_data["agreement"]`` is the directional coherence of the data, 0 to 1.
-    ``frequency_detail``: smooths an array of frequencies over this many periods, and fills its
-    NaN within ``fill``.
+    ``field_detail``: smooths measured directions over so many periods of the stripes (0: not; 1 for
+    noisy data).
+    ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
+    one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
+    ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
+    cancelled, the nearest first, until at most so many remain or no pair is left.
+    ``hold_out``: reports the mean angle between this share of the data and the field of the others.
+    ``p.point_data`` has ``agreement``, how much data agree around a vertex, and ``filled``, 1 where
+    the direction or frequency fills a hole. ``frequency_detail``: sees an array of
+    frequencies at the scale of so many periods, its NaN filled as far as ``fill``.
 
     ``threads``: at most this many, 0 for all; results do not depend on it. ``progress(stage,
     fraction)`` receives progress, and cancels by returning False. Other Python threads run

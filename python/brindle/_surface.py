@@ -329,12 +329,14 @@ class Surface:
         return _core.array_field(self._core, name, array)[0]
 
     def tensor_field(self, tensors: "Union[str, ArrayLike]",
-                     axis: TensorAxis = "major") -> "NDArray[np.float32]":
+                     axis: str = "major", order: str = "vtk") -> "NDArray[np.float32]":
         """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
         YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
-        "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface."""
+        "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface.
+        ``order``: "vtk", "voigt" (XX, YY, ZZ, YZ, XZ, XY) or "plane": XX, YY, XY, or (n, 4)."""
         name, array = self._array(tensors, "tensors")
-        return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"))[0]
+        return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"),
+                                  word(order, "order"))[0]
 
     def turned_field(self, directions: "ArrayLike", degrees: float = 90) -> "NDArray[np.float32]":
         """(n, 3): directions turned about the normals, counter-clockwise seen from outside."""

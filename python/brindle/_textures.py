@@ -221,7 +221,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             merge_distance: Optional[float] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
-            field_singularities: Optional[int] = None,
+            field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
@@ -257,6 +257,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             merge_distance: Optional[float] = None,
             field_detail: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_singularities: Optional[int] = None,
+            hold_out: Optional[float] = None,
             frequency_detail: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Square tiles along a cross field, whose directions are equivalent under quarter turns.

@@ -1,6 +1,7 @@
 // Smooths measured fields frame by frame.
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,7 +26,8 @@ namespace {
 struct FieldDetailData {
   SurfacePointer surface;
   FieldDetail detail;
-  DirectionField last;  ///< of the last frame; empty in the first one
+  DirectionField last;  ///< of the frame before; empty in the first one
+  std::vector<std::uint8_t> filled;
   std::atomic<bool> busy{false};
 
   FieldDetailData(SurfacePointer on, const FieldDetailOptions& options)
@@ -34,12 +36,14 @@ struct FieldDetailData {
 
 std::unique_ptr<FieldDetailData> make_field_detail(const SurfacePointer& surface, float periods,
                                                    int symmetry, float fill,
-                                                   std::optional<int> singularities, float memory) {
+                                                   std::optional<int> singularities, float memory,
+                                                   float hold_out) {
   FieldDetailOptions options;
   options.periods = periods;
   options.symmetry = symmetry;
   options.fill = fill;
   options.memory = memory;
+  options.hold_out = hold_out;
   if (singularities && *singularities < 0) {
     throw Error("singularities: give a number of 0 or above");
   }
@@ -93,6 +97,7 @@ py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::hand
   Job(progress).run(
       [&](const Progress& reports) { seen = data.detail.frame(measured, waves, before, reports); });
   data.last = seen.directions;
+  data.filled = std::move(seen.filled);
   return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.agreement)));
 }
 
@@ -110,10 +115,12 @@ std::string figures_of_detail(FieldDetailData& data) {
 void bind_field_detail(py::module_& module) {
   py::class_<FieldDetailData>(module, "FieldDetail")
       .def(py::init(&make_field_detail), py::arg("surface").none(false), py::arg("periods"),
-           py::arg("symmetry"), py::arg("fill"), py::arg("singularities"), py::arg("memory"))
+           py::arg("symmetry"), py::arg("fill"), py::arg("singularities"), py::arg("memory"),
+           py::arg("hold_out"))
       .def_property_readonly("surface", [](const FieldDetailData& data) { return data.surface; })
       .def("frame", field_detail_frame, py::arg("vectors"), py::arg("frequencies"),
            py::arg("confidence"), py::arg("last"), py::arg("progress"))
+      .def("filled", [](const FieldDetailData& data) { return owned(std::vector(data.filled)); })
       .def("figures", figures_of_detail);
 }
 

@@ -33,6 +33,13 @@ CurvatureDirection curvature_direction(const std::string& which) {
   throw Error("curvature: '" + which + "' is neither 'max' nor 'min'");
 }
 
+TensorOrder tensor_order(const std::string& order) {
+  if (order == "vtk") return TensorOrder::vtk;
+  if (order == "voigt") return TensorOrder::voigt;
+  if (order == "plane") return TensorOrder::plane;
+  throw Error("order: '" + order + "' is none of vtk, voigt, plane");
+}
+
 TensorAxis tensor_axis(const std::string& axis) {
   if (axis == "major") return TensorAxis::major;
   if (axis == "minor") return TensorAxis::minor;
@@ -193,8 +200,8 @@ py::tuple array_field(const SurfaceData& data, const std::string& name, py::hand
 }
 
 py::tuple tensor_field(const SurfaceData& data, const std::string& name, py::handle tensors,
-                       const std::string& axis) {
-  const DataArray array = data_array_of(name, tensors, data.surface.mesh);
+                       const std::string& axis, const std::string& order) {
+  const DataArray array = in_vtk_order(data_array_of(name, tensors), tensor_order(order));
   TensorField field = tensor_field_of(data.surface, array, tensor_axis(axis));
   return py::make_tuple(owned(std::move(field.directions)), nonfinite_rows(array),
                         field.near_normal, field.isotropic, field.not_symmetric);
@@ -257,7 +264,7 @@ void bind_fields(py::module_& module) {
       [](py::handle array) { return nonfinite_rows(data_array_of("array", array)); },
       py::arg("array"));
   module.def("tensor_field", tensor_field, py::arg("surface"), py::arg("name"), py::arg("tensors"),
-             py::arg("axis"));
+             py::arg("axis"), py::arg("order") = "vtk");
   module.def("turned_field", turned_field, py::arg("surface"), py::arg("directions"),
              py::arg("degrees"));
   module.def("frequencies_by", frequencies_by_array, py::arg("surface"), py::arg("name"),

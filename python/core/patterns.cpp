@@ -138,7 +138,7 @@ py::dict point_arrays(const StripesData& data) {
       kNan,
       data.surface->is_points() ? std::vector<float>()
                                 : brindle::branches_at_vertices(mesh, data.pattern.corners));
-  brindle::add_agreement(arrays, data.prepared.agreement);
+  brindle::add_support(arrays, data.prepared.support);
   copy_from_partners(arrays, data.surface->partners);
   arrays.push_back(make_data_array("original_id", 1, data.surface->original_ids));
   brindle::add_turn(arrays, data.prepared.turn_deg, mesh.vertex_count());
@@ -343,6 +343,7 @@ struct DetailArguments {
   int symmetry = 2;
   std::optional<float> fill;
   std::optional<int> singularities;
+  float hold_out = 0;
   bool frequency_varies = false;
 };
 
@@ -360,6 +361,12 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
   if (request.singularities) {
     origin.detail.singularities = static_cast<std::size_t>(*request.singularities);
   }
+  saying_in_pythons_words([&] {
+    if (request.hold_out != 0) {
+      brindle::check_number("--hold-out", static_cast<double>(request.hold_out));
+    }
+  });
+  origin.detail.hold_out = request.hold_out;
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
@@ -378,6 +385,7 @@ void bind_solving(py::module_& module) {
       .def_readwrite("symmetry", &DetailArguments::symmetry)
       .def_readwrite("fill", &DetailArguments::fill)
       .def_readwrite("singularities", &DetailArguments::singularities)
+      .def_readwrite("hold_out", &DetailArguments::hold_out)
       .def_readwrite("frequency_varies", &DetailArguments::frequency_varies);
   py::class_<Solving>(module, "Solving")
       .def(py::init<>())

@@ -132,18 +132,23 @@ py::object triangles_with_broken_tiles(const TextureData& texture, py::handle ti
   return owned<std::uint8_t>(std::move(flags), {count});
 }
 
-py::array render_texture(const TextureData& texture, py::handle tile, std::optional<bool> whole,
+/// The image, and lines of warnings.
+py::tuple render_texture(const TextureData& texture, py::handle tile, std::optional<bool> whole,
                          const Picture& picture) {
   const TextureTile chosen = tile_of(tile);
   if (texture.is_cross()) check_crosses(tile, picture);
   use_unforkable(UnforkableWork::pictures);
-  return array_of(until_interrupted([&](const Progress& progress) {
+  std::string warnings;
+  py::array image = array_of(until_interrupted([&](const Progress& progress) {
     SurfaceDrawing drawing{.mesh = texture.surface->surface.mesh,
                            .normals = texture.surface->surface.normals};
     drawing.texture_waves = &texture.waves;
     drawing.texture_tile = &chosen;
     const std::optional<BrokenTiles> broken = broken_tiles_of(texture, chosen, whole);
-    if (broken) drawing.broken_tiles = &*broken;
+    if (broken) {
+      drawing.broken_tiles = &*broken;
+      warnings = brindle::tile_warning(*broken, drawing.mesh.triangle_count());
+    }
     if (!texture.is_cross()) {
       const Overlay overlay = overlay_of(picture.view, *texture.u);
       drawing.waves = &texture.u->pattern.waves;
@@ -154,6 +159,7 @@ py::array render_texture(const TextureData& texture, py::handle tile, std::optio
     }
     return render_picture(drawing, options_of(picture, drawing.mesh), progress);
   }));
+  return py::make_tuple(image, warnings);
 }
 
 py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>& ornaments,

@@ -94,13 +94,11 @@ DataArrays split_arrays(const SurfaceData& from, const CrossCover& cover,
   return {blended(from.arrays.points, points), rows_of(from.arrays.cells, triangle_origins)};
 }
 
-// The coherence of the data, also at the vertices of split triangles.
-void split_agreement(const Mesh& mesh, const CrossCover& cover, std::vector<float>& agreement) {
-  if (agreement.empty()) return;
-  for (const Index t : cover.singular) {
-    const auto [a, b, c] = mesh.triangles[t];
-    agreement.push_back((agreement[a] + agreement[b] + agreement[c]) / 3);
-  }
+// Every entry twice, for the two nodes of a vertex.
+std::vector<float> doubled(const std::vector<float>& values) {
+  std::vector<float> twice;
+  for (const float value : values) twice.insert(twice.end(), 2, value);
+  return twice;
 }
 
 // The surface's data for the nodes of its double cover: two per vertex.
@@ -154,13 +152,12 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     made->surface->original_ids = surface->original_ids;
     made->surface->original_ids.resize(made->surface->surface.mesh.vertex_count(), -1);
     brindle::PreparationFigures on_cover = in.prepared;
-    on_cover.agreement.clear();
-    for (const float agreement : in.prepared.agreement) {
-      on_cover.agreement.insert(on_cover.agreement.end(), 2, agreement);
-    }
+    on_cover.support = {doubled(in.prepared.support.agreement),
+                        doubled(in.prepared.support.filled)};
     made->cover = stripes_data(cover_data(*surface, cross.cover, std::move(cross.surface)),
                                std::move(cross.pattern), on_cover, options.solver.solver);
-    split_agreement(surface->surface.mesh, cross.cover, in.prepared.agreement);
+    in.prepared.support = brindle::with_barycentres(
+        std::move(in.prepared.support), surface->surface.mesh.triangles, cross.cover.singular);
     made->u = stripes_data(made->surface, std::move(texture.pattern.u), in.prepared,
                            options.solver.solver);
     made->v = stripes_data(made->surface, std::move(texture.pattern.v), in.prepared,
@@ -222,10 +219,8 @@ py::tuple textured_arrays_of(const TexturedData& data) {
     DataArrays arrays = brindle::textured_arrays(data.textured, data.from->surface, patterns,
                                                  std::numeric_limits<float>::quiet_NaN());
     if (!data.patterns.empty()) {
-      const std::vector<float>& agreement = data.patterns.front().first->prepared.agreement;
-      if (!agreement.empty()) {
-        brindle::add_agreement(arrays.points, carried_values(data.textured, agreement, 1));
-      }
+      const FieldSupport& support = data.patterns.front().first->prepared.support;
+      brindle::add_support(arrays.points, brindle::carried_support(data.textured, support));
     }
     copy_from_partners(arrays.points, data.from->partners);
     arrays.points.push_back(brindle::carried_ids(data.textured, data.from->original_ids));

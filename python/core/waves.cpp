@@ -116,9 +116,10 @@ WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::hand
     });
   });
   in.waves = std::move(made.waves);
-  in.prepared.agreement = std::move(made.agreement);
+  in.prepared.support = std::move(made.support);
   static_cast<WaveFigures&>(in.prepared.figures) = measure_waves(surface, in.waves);
   in.prepared.figures.missing = made.missing;
+  in.prepared.figures.turned_apart = made.turned_apart;
   in.prepared.figures.detail = made.detail;
   in.prepared.figures.frequency_detail = made.frequency_detail;
   in.prepared.figures.measured = origin.measured;

@@ -391,6 +391,16 @@ def test_measured_fields_frame_by_frame(torus):
     field, agreement = brindle.FieldDetail(torus, 0.7).frame(data, frequency)
     np.testing.assert_array_equal(p.directions, field)
     np.testing.assert_array_equal(p.point_data["agreement"], agreement)
+    # Filled holes are marked, and a check of the scale leaves the pattern.
+    holes = np.arange(len(truth)) % 9 == 0
+    np.testing.assert_array_equal(p.point_data["filled"], holes)
+    checked = brindle.stripes(torus, data, stripes=12, field_detail=0.7, hold_out=0.1)
+    np.testing.assert_array_equal(checked.directions, field)
+    assert 0 < checked.report["held_out"] < 0.2 * len(truth)
+    assert 10 < checked.report["held_out_turned_mean_deg"] < 35
+    assert "held_out" not in p.report and 0 < p.report["agreement_filled_mean"] < 1
+    with pytest.raises(brindle.Error, match="field_detail"):
+        brindle.stripes(torus, data, stripes=12, hold_out=0.1)
     # What counts nothing is no datum, whatever it is; so are triangles' vectors taken.
     wrong = np.where(np.arange(len(truth))[:, None] % 9 == 0, np.float32(7), data)
     weights = (np.arange(len(truth)) % 9 != 0).astype(float)

@@ -209,8 +209,64 @@ TEST_F(ArrayWaves, AreThoseOfNamedColumns) {
                  {"stripe", "hill.vtp", "--field", "two.csv:velocty"});
   const Json minor = report({"hill.vtp", "--field", "stress.csv:stress", "--tensor", "minor"});
   EXPECT_EQ(minor.at("energy"), report({"hill.vtp", "--direction", "0,1,0"}).at("energy"));
+  EXPECT_EQ(report({"hill.vtp", "--field", "stress.csv", "--tensor", "minor"}).at("energy"),
+            minor.at("energy"));
   expect_refusal(2, "is no tensor",
                  {"stripe", "hill.vtp", "--field", "one.csv:velocity", "--tensor", "minor"});
+  expect_refusal(2, "add --field array:NAME or FILE.csv:NAME",
+                 {"stripe", "hill.vtp", "--tensor", "minor"});
+}
+
+TEST_F(ArrayWaves, OfFilledHolesAreMarkedInFiles) {
+  TextMesh mesh = hill();
+  mesh.points = {per_point(mesh, "v", [](double x, double y) {
+    return x > 4 && x < 6 && y > 4 && y < 6 ? Row{0, 0, 0} : Row{1, 0.1 * y, 0};
+  })};
+  write("holes.vtp", mesh);
+  const Json filled = report({"holes.vtp", "--field", "array:v", "--field-detail", "1", "--stripes",
+                              "6", "--output", "filled.vtp"});
+  EXPECT_GT(filled.at("vertices_filled"), 0);
+  EXPECT_GT(filled.at("agreement_filled_mean"), 0.9);
+  const std::string text = run({"info", "filled.vtp"}).out;
+  EXPECT_TRUE(has(text, "filled       uint8        0 to 1")) << text;
+  report({"holes.vtp", "--field", "array:v", "--stripes", "6", "--output", "plain.vtp"});
+  EXPECT_FALSE(has(run({"info", "plain.vtp"}).out, "filled"));
+}
+
+TEST_F(ArrayWaves, AlongTensorsDependOnTheOrderOfComponents) {
+  TextMesh mesh = hill(11, 0);
+  mesh.points = {per_point(mesh, "vtk", [](double, double) { return Row{1, 1, 0, 2, 0, 0}; }),
+                 per_point(mesh, "voigt", [](double, double) { return Row{1, 1, 0, 0, 0, 2}; }),
+                 per_point(mesh, "plane",
+                           [](double, double) {
+                             return Row{1, 1, 2};
+                           }),
+                 per_point(mesh, "square",
+                           [](double, double) {
+                             return Row{1, 3, 1, 1};
+                           }),
+                 per_point(mesh, "vector", [](double, double) {
+                   return Row{1, 0, 0};
+                 })};
+  mesh.cells = {per_cell(mesh, "of cells", [](double, double) { return Row{1, 1, 2}; })};
+  write("plate.vtp", mesh);
+  const std::string expected = lines({"plate.vtp", "--field", "array:vtk"});
+  const auto in_order = [&](const std::string& name, const std::string& order) {
+    return Arguments{"plate.vtp", "--field", "array:" + name, "--tensor-order", order};
+  };
+  EXPECT_EQ(lines(in_order("vtk", "vtk")), expected);
+  EXPECT_EQ(lines(in_order("voigt", "voigt")), expected);
+  for (const char* name : {"plane", "square", "of cells"}) {
+    EXPECT_EQ(lines(in_order(name, "plane")), expected) << name;
+  }
+  const auto refused = [&](int code, const std::string& words, Arguments arguments) {
+    arguments.insert(arguments.begin(), "stripe");
+    expect_refusal(code, words, arguments);
+  };
+  refused(1, "a tensor in the plane has 3", in_order("voigt", "plane"));
+  refused(1, "Voigt's order has 6", in_order("vector", "voigt"));
+  refused(2, "is no tensor", in_order("vector", "vtk"));
+  refused(2, "--tensor-order", {"plate.vtp", "--tensor-order", "voigt"});
 }
 
 TEST_F(ArrayWaves, OfCellsAreMovedToPoints) {

@@ -162,6 +162,9 @@ INSTANTIATE_TEST_SUITE_P(
         Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--field-arrows"},
                  true,
                  {"--field", "raw-curvature", "--field-detail", "1"}},
+        Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--hold-out", "0.1"},
+                 true,
+                 {"--field", "raw-curvature", "--field-detail", "1"}},
         // This field has none.
         Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--field-singularities", "0"},
                  false,

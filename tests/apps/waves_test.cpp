@@ -83,6 +83,21 @@ TEST_F(Waves, ThatAreMissingAreCounted) {
   EXPECT_TRUE(has(result.out, "no wave   at 4 of 121 vertices")) << result.out;
 }
 
+TEST_F(Waves, TurnedApartOnASurfaceWithOneSideAreWarnedOf) {
+  const char* warning = "neighbours turn in opposite senses";
+  const auto warns = [&](const std::string& shape, const Arguments& options) {
+    Arguments arguments = {"stripe", shape, "--direction", "0.31,0.9,0.27", "--report", "a.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ToolResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return has(result.err, warning);
+  };
+  EXPECT_TRUE(warns("shape:mobius", {"--rotate", "20"}));
+  EXPECT_FALSE(warns("shape:mobius", {"--along"}));
+  EXPECT_FALSE(warns("shape:mobius", {}));
+  EXPECT_FALSE(warns("shape:torus", {"--rotate", "20"}));
+}
+
 TEST_F(Waves, OfUnusedVerticesAreNotMissed) {
   write_field("one.csv", 1, "0,0,0", "1,0,0");
   const Json report = this->report({"stripe", "plane.obj", "--field", "one.csv", "--stripes", "4"});

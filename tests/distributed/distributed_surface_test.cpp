@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/distributed_waves.h"
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/smooth_field.h"
 #include "brindle/surface.h"
 #include "ranks.h"
+#include "test_meshes.h"
 
 namespace brindle {
 namespace {
@@ -35,6 +37,22 @@ TEST(DistributedSurface, IsThatOfTheWholeHoweverItIsCut) {
     ASSERT_EQ(surface.normals().size(), parts.ids.size());
     for (std::size_t v = 0; v < parts.ids.size(); ++v) {
       EXPECT_EQ(surface.normals()[v], whole.normals[parts.ids[v]]);
+    }
+  }
+}
+
+TEST(DistributedSurface, TurnsTheTrianglesThatTheWholeTurns) {
+  for (const Mesh& mesh : {make_shape("torus,resolution=30"), make_shape("mobius,resolution=12")}) {
+    const auto whole = wavy_surface(with_turned_triangles(mesh), kAxis, 20);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(cut.name);
+      const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
+      const DistributedSurface surface = parts.surface();
+      for (std::size_t v = 0; v < parts.ids.size(); ++v) {
+        EXPECT_EQ(surface.normals()[v], whole.normals[parts.ids[v]]);
+      }
+      EXPECT_EQ(PieceSurface(surface, parts.piece.mesh).opposite_edges(),
+                WholeSurface(make_surface(whole.mesh)).opposite_edges());
     }
   }
 }

@@ -117,6 +117,24 @@ TEST(CrossTexture, IsSquareOnAPlane) {
   EXPECT_LT(c.texture.pattern.quality.area_95th, 0.01);
 }
 
+TEST(CrossTexture, IsMeasuredFarFromBranchesAndSingularitiesAlone) {
+  for (const char* shape : {"sphere,resolution=16", "box,resolution=15"}) {
+    const Crossed c = textured_crosses(shape);
+    ASSERT_FALSE(c.cross.cover.singular.empty()) << shape;
+    const auto &u = c.texture.pattern.u.corners, &v = c.texture.pattern.v.corners;
+    const Mesh& mesh = c.texture.surface.mesh;
+    std::vector<bool> near(mesh.vertex_count());
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      if (u[t].kind == TriangleKind::regular && v[t].kind == TriangleKind::regular) continue;
+      for (const Index vertex : mesh.triangles[t]) near[vertex] = true;
+    }
+    const auto far = std::ranges::count_if(mesh.triangles, [&](const Triangle& t) {
+      return !near[t[0]] && !near[t[1]] && !near[t[2]];
+    });
+    EXPECT_EQ(c.texture.pattern.quality.measured_triangles, static_cast<std::size_t>(far)) << shape;
+  }
+}
+
 TEST(CrossTexture, ShowsTheSameHoweverCrossesAreNamed) {
   const Crossed c = textured_crosses("torus,resolution=50");
   CrossPattern turned = c.cross;

@@ -315,6 +315,79 @@ TEST(FieldDetail, RefusesWhatItCannotTake) {
   EXPECT_THROW(detail.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
 }
 
+TEST(FieldDetail, MarksWhatItFills) {
+  const Truth truth("torus,resolution=60");
+  DirectionField data = truth.field;
+  for (std::size_t i = 0; i < data.size(); i += 7) data[i] = Vec3::Zero();
+  FieldDetail detail(truth.surface);
+  const DetailedField field = detail.frame({data, {}}, truth.frequencies);
+  std::size_t filled = 0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    EXPECT_EQ(field.filled[i] != 0, data[i].isZero(0) && !field.directions[i].isZero(0)) << i;
+    filled += field.filled[i];
+  }
+  EXPECT_EQ(filled, detail.figures().filled);
+  EXPECT_GT(filled, 0u);
+}
+
+TEST(FieldDetail, SaysHowMuchDataAgreeOnAverage) {
+  const Truth truth("torus,resolution=100");
+  const auto figures = [&](float degrees) {
+    DirectionField data = noisy(truth, degrees);
+    for (std::size_t i = 0; i < data.size(); i += 7) data[i] = Vec3::Zero();
+    FieldDetail detail(truth.surface);
+    detail.frame({data, {}}, truth.frequencies);
+    return detail.figures();
+  };
+  EXPECT_GT(figures(0).agreement_mean, 0.98);
+  EXPECT_GT(figures(0).agreement_filled_mean, 0.98);
+  const double expected = std::exp(-2 * 0.349 * 0.349);  // as above
+  EXPECT_NEAR(figures(20).agreement_mean, expected, 0.03);
+  EXPECT_NEAR(figures(20).agreement_filled_mean, expected, 0.05);
+}
+
+// Of a scale too small, the noise remains; of one too large, true turns are lost.
+TEST(FieldDetail, DataHeldOutPreferTheScaleThatIsBestInTruth) {
+  for (const char* shape : {"trefoil,resolution=80", "torus,resolution=80"}) {
+    Truth truth(shape, 20);
+    for (std::size_t i = 0; i < truth.field.size(); ++i) {
+      const Vec3 d = truth.field[i];
+      const float angle = std::sin(3 * truth.surface.mesh.positions[i].x());
+      truth.field[i] = std::cos(angle) * d + std::sin(angle) * truth.surface.normals[i].cross(d);
+    }
+    const DirectionField data = noisy(truth, 25);
+    std::vector<double> held_out, true_angle;
+    for (const float periods : {0.1f, 0.2f, 0.4f, 0.8f, 1.6f, 3.2f, 6.4f}) {
+      FieldDetail detail(truth.surface, {.periods = periods, .hold_out = 0.1f});
+      const DetailedField field = detail.frame({data, {}}, truth.frequencies);
+      true_angle.push_back(mean_angle(field.directions, truth.field));
+      const FieldDetailFigures figures = detail.figures();
+      const double share = static_cast<double>(figures.held_out) / static_cast<double>(data.size());
+      EXPECT_NEAR(share, 0.1, 0.02);
+      held_out.push_back(figures.held_out_turned_mean_deg);
+    }
+    const auto least = [](const std::vector<double>& values) {
+      return std::ranges::min_element(values) - values.begin();
+    };
+    EXPECT_NEAR(static_cast<double>(least(held_out)), static_cast<double>(least(true_angle)), 1)
+        << shape << testing::PrintToString(held_out) << testing::PrintToString(true_angle);
+    EXPECT_GT(held_out.front(), *std::ranges::min_element(held_out));
+    EXPECT_GT(held_out.back(), *std::ranges::min_element(held_out));
+  }
+}
+
+TEST(FieldDetail, HoldingOutDataLeavesTheField) {
+  const Truth truth("torus,resolution=60");
+  const DirectionField data = noisy(truth, 20);
+  const DetailedField plain = seen(truth, data), checked = seen(truth, data, {.hold_out = 0.3f});
+  EXPECT_EQ(checked.directions, plain.directions);
+  EXPECT_EQ(checked.agreement, plain.agreement);
+  for (const float share : {-0.1f, 1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    EXPECT_THROW(FieldDetail(truth.surface, {.hold_out = share}), Error) << share;
+  }
+  EXPECT_THROW(seen(truth, data, {.fill = 0, .hold_out = 0.1f}), Error);
+}
+
 /// What is seen of the next frame, and of figures.
 struct SeenDetail {
   DirectionField directions;

@@ -9,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "phase_graphs.h"
+#include "test_meshes.h"
 
 namespace brindle {
 namespace {
@@ -57,6 +58,15 @@ struct MovingSurface {
   std::vector<Vec3> normals;
   WaveSet waves;
 };
+
+TEST(PatternFrames, TurnTheTrianglesThatTheSurfaceTurns) {
+  const MovingSurface torus("torus,resolution=40");
+  PatternFrames frames(make_surface(with_turned_triangles(torus.rest.mesh)));
+  const std::span<const Vec3> found = frames.normals(torus.now.positions);
+  for (std::size_t v = 0; v < found.size(); ++v) {
+    ASSERT_LT((found[v] - torus.normals[v]).norm(), 1e-6f) << v;
+  }
+}
 
 // What is renewed in place is what is made afresh, bit for bit, whether vertices moved or not, with
 // frequencies that yield and without.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "brindle/shapes.h"
+#include "brindle/smooth_field.h"
+#include "brindle/texture_pattern.h"
 
 namespace brindle {
 namespace {
@@ -30,6 +32,29 @@ TEST(PatternWarnings, AreOfStripesOffTheirFieldInCoarseTriangles) {
   const std::vector<std::string> found = quality_warnings({}, quality, 722);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(has(found[0], "on 41 % of the area")) << found[0];
+}
+
+TEST(PatternWarnings, AreOfMotifsThatAreLeftOut) {
+  const Surface torus = make_surface(make_shape("torus,resolution=60"));
+  const auto broken = [&](const DirectionField& field) {
+    const TexturePattern pattern = texture_pattern(torus, field, 4);
+    return broken_tiles(torus.mesh.triangles, pattern.waves, {});
+  };
+  const std::size_t triangles = torus.mesh.triangle_count();
+  const BrokenTiles few = broken(smooth_direction_field(torus));
+  EXPECT_GT(few.whole_share(triangles), 0.5);
+  EXPECT_TRUE(tile_warnings(few, triangles).empty());
+  std::vector<Vec3> noise;
+  for (std::size_t v = 0; v < torus.normals.size(); ++v) {
+    const auto angle = static_cast<float>(v * 2654435761u % 1000);
+    noise.push_back({std::cos(angle), std::sin(angle), std::cos(3 * angle)});
+  }
+  const BrokenTiles all = broken(tangent_directions(noise, torus.normals));
+  EXPECT_LT(all.whole_share(triangles), 0.1);
+  const std::vector<std::string> found = tile_warnings(all, triangles);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(has(found[0], "the others are left out")) << found[0];
+  EXPECT_EQ(BrokenTiles().whole_share(triangles), 1);
 }
 
 TEST(PatternWarnings, RemediesNameTheTotalOfSubdivisions) {

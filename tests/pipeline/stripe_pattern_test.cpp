@@ -100,6 +100,23 @@ TEST(StripePattern, CyclesFromTheGlobalPhasesAreNoWorseThanEitherSolver) {
   EXPECT_LE(improved.solution.energy, pattern_of(trefoil, 20).solution.energy);
 }
 
+TEST(StripePattern, OfTheGlobalSolverDoesNotDependOnSigns) {
+  if (!is_available(Solver::global)) GTEST_SKIP() << "this build has no CHOLMOD";
+  for (const char* shape : {"torus,resolution=40", "trefoil,resolution=30", "sphere"}) {
+    const Surface surface = make_surface(make_shape(shape));
+    const WaveSet waves = waves_along(surface, kAxis, 30);
+    const StripePattern pattern = stripe_pattern(surface, waves, with_solver(Solver::global));
+    WaveSet flipped = waves, opposite = waves;
+    testing_support::flip_half(flipped, 3);
+    for (Vec3& direction : opposite.directions) direction = -direction;
+    for (const WaveSet& other : {flipped, opposite}) {
+      const StripePattern same = stripe_pattern(surface, other, with_solver(Solver::global));
+      EXPECT_NEAR(same.solution.energy, pattern.solution.energy, 1e-6) << shape;
+      EXPECT_EQ(same.quality.branches, pattern.quality.branches) << shape;
+    }
+  }
+}
+
 TEST(StripePattern, OfACylinderAlongItsAxisHasNoEnergyAndNoBranch) {
   const Surface cylinder = make_surface(make_shape("cylinder,resolution=80"));
   const StripePattern pattern = stripe_pattern(cylinder, waves_along(cylinder, Vec3(0, 0, 1), 30));

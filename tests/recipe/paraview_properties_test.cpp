@@ -117,6 +117,8 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"normal-radius", "not yet asked for"},
     {"field-singularities", "FieldSingularities, which has a number for none"},
     {"strokes", "there is nothing to draw them with"},
+    {"tensor-order", "ParaView has VTK's order"},
+    {"hold-out", "not yet asked for"},
     {"field-mesh", "the filter Resample With Dataset"},
     {"max-distance", "of field-mesh"},
     {"stripe-width", "of the representation"},

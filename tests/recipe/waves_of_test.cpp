@@ -9,7 +9,10 @@
 
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
+#include "brindle/pattern_warnings.h"
 #include "brindle/shapes.h"
+#include "brindle/stripe_pattern.h"
+#include "test_meshes.h"
 
 namespace brindle {
 namespace {
@@ -40,7 +43,7 @@ TEST_F(WavesOf, LeavesWhatNobodyWishesToChange) {
   EXPECT_EQ(made.waves.positions, surface.mesh.positions);
   EXPECT_EQ(made.waves.directions, before.directions);
   EXPECT_EQ(made.waves.frequencies, before.frequencies);
-  EXPECT_TRUE(made.agreement.empty());
+  EXPECT_TRUE(made.support.agreement.empty() && made.support.filled.empty());
   EXPECT_FALSE(made.detail || made.frequency_detail || made.missing.without_frequency);
 }
 
@@ -51,6 +54,44 @@ TEST_F(WavesOf, TurnsWavesAgainstTheirField) {
     const Vec3 turned = surface.normals[v].cross(before.directions[v]);
     EXPECT_LT((made.waves.directions[v] - turned).norm(), 1e-6f);
   }
+}
+
+struct TurnedPattern {
+  WaveResult waves;
+  StripePattern pattern;
+};
+
+TurnedPattern turned_pattern(Mesh mesh, float turn_deg) {
+  const Surface surface = make_surface(std::move(mesh));
+  WaveInput found{projected_direction_field({0.31f, 0.9f, 0.27f}, surface.normals),
+                  FrequencyField(surface.mesh.vertex_count(), kFrequency)};
+  WaveResult waves = waves_of(WholeSurface(surface), {.turn_deg = turn_deg}, std::move(found));
+  StripePattern pattern = stripe_pattern(surface, waves.waves);
+  return {std::move(waves), std::move(pattern)};
+}
+
+TEST(TurnedWaves, DoNotDependOnHowTrianglesAreWound) {
+  const Mesh torus = make_shape("torus");
+  const TurnedPattern alike = turned_pattern(torus, 20);
+  const TurnedPattern mixed = turned_pattern(with_turned_triangles(torus), 20);
+  EXPECT_EQ(mixed.waves.turned_apart, 0u);
+  EXPECT_EQ(mixed.pattern.quality.branches, alike.pattern.quality.branches);
+  EXPECT_NEAR(mixed.pattern.quality.angle_error_mean_deg,
+              alike.pattern.quality.angle_error_mean_deg, 1e-4);
+  for (std::size_t v = 0; v < alike.waves.waves.directions.size(); ++v) {
+    const Vec3 expected = alike.waves.waves.directions[v];
+    ASSERT_LT((mixed.waves.waves.directions[v] - expected).norm(), 1e-5f) << v;
+  }
+}
+
+TEST(TurnedWaves, AreTurnedApartOnASurfaceWithOneSide) {
+  const Mesh mobius = make_shape("mobius");
+  EXPECT_GT(turned_pattern(mobius, 20).waves.turned_apart, 0u);
+  for (const float turn : {0.0f, 90.0f, -180.0f}) {
+    EXPECT_EQ(turned_pattern(mobius, turn).waves.turned_apart, 0u) << turn;
+  }
+  EXPECT_TRUE(turn_warnings(0).empty());
+  EXPECT_EQ(turn_warnings(3).size(), 1u);
 }
 
 TEST_F(WavesOf, TakesWavesWithoutAFrequencyAndCountsThem) {
@@ -69,7 +110,7 @@ TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
   const WaveResult plain = waves_of(whole, {.detail = detail}, measured());
   const WaveResult turned = waves_of(whole, {.turn_deg = 30, .detail = detail}, measured());
   ASSERT_TRUE(plain.detail.has_value());
-  EXPECT_EQ(plain.agreement.size(), count);
+  EXPECT_EQ(plain.support.agreement.size(), count);
   EXPECT_EQ(plain.seen_field, plain.waves.directions);
   EXPECT_EQ(turned.seen_field, plain.seen_field);
   EXPECT_EQ(turned.waves.directions,

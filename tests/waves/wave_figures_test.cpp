@@ -67,6 +67,10 @@ TEST(WaveFigures, NoWaveAtAllIsRefused) {
   for (Vec3& d : waves.directions) d.setZero();
   EXPECT_TRUE(has(message_of([&] { check_figures(measure_waves(plane, waves)); }),
                   "no vertex has a wave: the field is zero"));
+  EXPECT_TRUE(
+      has(message_of([&] { check_figures(measure_waves(plane, waves), {}, "; 3 are far"); }),
+          "no vertex has a wave; 3 are far; the field is zero, not finite or normal to the "
+          "surface at all others"));
 }
 
 TEST(Fineness, WavesWhosePhasesAreRoundingErrorsAreRefusedByName) {

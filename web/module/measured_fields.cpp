@@ -24,6 +24,7 @@ val detailed_field(const SurfaceObject& object, val directions, val frequencies,
     val result = val::object();
     put(result, "directions", array_of(std::span<const Vec3>(field.directions)));
     put(result, "agreement", array_of(std::span<const float>(field.agreement)));
+    put(result, "filled", array_of(std::span<const std::uint8_t>(field.filled)));
     return result;
   });
 }

@@ -125,6 +125,7 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
     }
     job.report.invocation = invocation_of(command);
     display.note(quality_warning(job.report.waves, job.report.quality, job.report.triangles));
+    display.note(warning_of_tiles(job.result.texture(), job.surface->mesh));
     write_outputs(command, outputs, job, styled, arguments, display);
     report = job.report;
   }

@@ -48,10 +48,26 @@ void add_array_options(CLI::App& app, ArrayOptions& options) {
   add_parsed_option(app, "--frequency-range", options.range, parse_frequency_range);
 }
 
+DataArray ordered_array(const DataArray& array, const ArrayOptions& options) {
+  if (!options.order) return array;
+  if (*options.order == TensorOrder::vtk && !is_tensor(array)) {
+    throw CLI::ValidationError("--tensor-order", "has no effect here: the array '" + array.name +
+                                                     "' has " + std::to_string(array.components) +
+                                                     " numbers in a row, and is no tensor");
+  }
+  return in_vtk_order(array, *options.order);
+}
+
 void check_array_options(const CLI::App& command, const ArrayOptions& options,
-                         const std::string& field) {
-  if (!is_array(field) && csv_field_name(field).array.empty()) {
-    refuse_given(command, {"--tensor"}, "the field is no tensor; add --field array:NAME");
+                         const std::string& field, bool is_file) {
+  if (!is_array(field) && !is_file) {
+    refuse_given(command, {"--tensor"},
+                 "the field is no tensor; add --field array:NAME or FILE.csv:NAME");
+  }
+  if (!is_array(field)) {
+    refuse_given(command, {"--tensor-order"},
+                 "it is for --field array:NAME; in CSV files, name columns NAME:XX, NAME:YY and so "
+                 "on");
   }
   if (options.frequency_by.empty()) {
     refuse_given(command, {"--frequency-range"},

@@ -56,6 +56,7 @@ FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry)
   options.symmetry = symmetry;
   if (choice.fill) options.fill = *choice.fill;
   options.memory = choice.memory;
+  options.hold_out = choice.hold_out;
   if (choice.singularities) options.singularities = static_cast<std::size_t>(*choice.singularities);
   return options;
 }

@@ -14,26 +14,28 @@
 namespace brindle::tool {
 
 struct FieldDetailChoice {
-  float periods = 0;          ///< P; 0: no smoothing
-  std::string weight;         ///< weight of the data; empty: tensors by anisotropy, others alike
-  std::optional<float> fill;  ///< distance over which holes are filled, in periods
-  bool arrows = false;        ///< vectors have signs
-  std::optional<int> singularities;  ///< keep at most so many; empty: all
-  float memory = 0;                  ///< weight of the last step of a series
-  float frequency_periods = 0;       ///< the same smoothing for frequencies; 0: none
+  float periods = 0;          ///< P; 0: as the field is given
+  std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
+  std::optional<float> fill;  ///< how far holes are filled, in periods
+  bool arrows = false;        ///< vectors have a sign
+  float hold_out = 0;         ///< share of the data that a check hides; 0: no check
+  std::optional<int> singularities;  ///< at most so many; nothing: all stay
+  float memory = 0;                  ///< of the step before, in a series
+  float frequency_periods = 0;       ///< the same scale for frequencies; 0: as they are
 
   /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--field-detail", periods);
     add("--fill", fill);
+    add("--hold-out", hold_out);
     add("--field-arrows", arrows);
     add("--field-singularities", singularities);
     add("--frequency-detail", frequency_periods);
   }
 };
 
-/// --field-detail, --field-weight, --fill, --field-arrows, --field-singularities and
+/// --field-detail, --field-weight, --fill, --hold-out, --field-arrows, --field-singularities and
 /// --frequency-detail.
 void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
 

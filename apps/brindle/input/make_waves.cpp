@@ -55,7 +55,8 @@ Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOp
   throw CLI::ValidationError("--tensor", "has no effect here: " + why);
 }
 
-Field array_field(const Surface& surface, const DataArray& array, const WaveOptions& options) {
+Field array_field(const Surface& surface, const DataArray& given, const WaveOptions& options) {
+  const DataArray array = ordered_array(given, options.arrays);
   Field field;
   if (is_tensor(array)) {
     field = tensor_field(surface, array, options.arrays);
@@ -149,9 +150,10 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
   if (!is_array(options.field)) return file_field(surface, options, data);
   ArraySource::PerVertex found = arrays.array(parse_array("--field", options.field));
   Field field = array_field(surface, found.array, options);
-  field.rows_nonfinite = found.rows_nonfinite;  // before rows are transferred to vertices
-  // Eigenvectors of mean tensors are better than means of eigenvectors.
-  if (found.of_cells && !is_tensor(found.array)) field.data = {std::move(*found.of_cells), true};
+  field.rows_nonfinite = found.rows_nonfinite;  // before rows were moved to vertices
+  // Eigenvectors of the mean of tensors are better than means of eigenvectors.
+  if (found.of_cells && !is_tensor(field.data.array))
+    field.data = {std::move(*found.of_cells), true};
   return field;
 }
 

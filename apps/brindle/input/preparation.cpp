@@ -162,13 +162,14 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
   result.field_step = made.field_step;
   WaveReport known;
   known.missing = made.missing;
+  known.turned_apart = made.turned_apart;
   known.measured = is_measured(waves);
   known.subdivided = prepared.points ? std::nullopt : std::optional(surface.subdivide);
   known.detail = made.detail;
   known.frequency_detail = made.frequency_detail;
   result.figures = noted_waves(prepared.surface, result.waves, source_of(waves), listener, known);
   result.seen_field = std::move(made.seen_field);
-  result.agreement = std::move(made.agreement);
+  result.support = std::move(made.support);
   result.field_milliseconds = watch.lap();
   return result;
 }
@@ -177,7 +178,7 @@ void take_waves(PreparedWaves waves, Preparation& prepared) {
   prepared.waves = std::move(waves.waves);
   prepared.frequencies_v = std::move(waves.frequencies_v);
   prepared.figures = std::move(waves.figures);
-  prepared.agreement = std::move(waves.agreement);
+  prepared.support = std::move(waves.support);
   prepared.field_rows_nonfinite = waves.field_rows_nonfinite;
   prepared.field_step = waves.field_step;
   prepared.turn_deg = waves.turn_deg;

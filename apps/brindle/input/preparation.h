@@ -69,8 +69,7 @@ struct PreparedWaves {
   std::optional<FieldStep> field_step;
   float turn_deg = 0;  ///< turn of the waves from their field
   double field_milliseconds = 0;
-  std::vector<float>
-      agreement;              ///< coherence of a measured field's data, per vertex; otherwise empty
+  FieldSupport support;       ///< of smoothed waves
   DirectionField seen_field;  ///< as WavesOfField has it
 };
 

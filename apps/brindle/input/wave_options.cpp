@@ -96,7 +96,7 @@ bool may_vary(const WaveOptions& options) {
 
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
-  check_array_options(command, options.arrays, options.field);
+  check_array_options(command, options.arrays, options.field, is_field_file(options));
   refuse_usage(command, [&](const IsGiven& given) {
     check_field_detail(given, {options.detail.periods, options.detail.frequency_periods,
                                is_measured(options), options.cross, may_vary(options)});

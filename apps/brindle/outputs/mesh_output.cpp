@@ -47,7 +47,7 @@ void write_with_own_vertices(const std::filesystem::path& path, const MadeMesh& 
               missing_in(path),
               points ? std::vector<float>() : branches_at_vertices(surface.mesh, pattern.corners));
     if (!points) add_cells(own.cells, path, pattern, "");
-    add_agreement(own.points, made.data.agreement);
+    add_support(own.points, made.data.support);
   }
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) {
@@ -78,9 +78,7 @@ void write_with_coordinates(const std::filesystem::path& path, const MadeMesh& m
     if (broken) own.cells.push_back(broken_in_triangles(textured, *broken));
   }
   if (is_gltf(path)) own.cells.clear();
-  if (holds_waves(path) && !made.data.agreement.empty()) {
-    add_agreement(own.points, carried_values(textured, made.data.agreement, 1));
-  }
+  if (holds_waves(path)) add_support(own.points, carried_support(textured, made.data.support));
   copy_from_partners(own.points, made.data.partners);
   if (holds_waves(path)) {
     own.points.push_back(carried_ids(textured, made.data.original_ids));
@@ -101,12 +99,16 @@ bool holds_cells(const std::filesystem::path& path) { return holds_waves(path) &
 
 InputData take_input_data(Preparation& prepared) {
   return {std::move(prepared.arrays), std::move(prepared.original_ids),
-          std::move(prepared.partners), prepared.turn_deg, std::move(prepared.agreement)};
+          std::move(prepared.partners), prepared.turn_deg, std::move(prepared.support)};
 }
 
 InputData on_cross_texture(const InputData& data, std::span<const Triangle> triangles,
                            const CrossCover& cover) {
-  InputData result{{}, data.original_ids, data.partners, data.turn_deg, data.agreement};
+  InputData result{{},
+                   data.original_ids,
+                   data.partners,
+                   data.turn_deg,
+                   with_barycentres(data.support, triangles, cover.singular)};
   const auto vertices = static_cast<Index>(data.original_ids.size());
   std::vector<RowBlend> points;
   for (Index v = 0; v < vertices; ++v) points.push_back({{v, v, v}, {1, 0, 0}});
@@ -116,9 +118,6 @@ InputData on_cross_texture(const InputData& data, std::span<const Triangle> tria
     points.push_back({triangles[t], {kThird, kThird, kThird}});
     cells.insert(cells.end(), 3, t);
     result.original_ids.push_back(-1);
-    if (data.agreement.empty()) continue;
-    const auto& [a, b, c] = triangles[t];
-    result.agreement.push_back((data.agreement[a] + data.agreement[b] + data.agreement[c]) / 3);
   }
   result.arrays = {blended(data.arrays.points, points), rows_of(data.arrays.cells, cells)};
   return result;

@@ -22,7 +22,7 @@ struct InputData {
   std::vector<std::int64_t> original_ids;  ///< `Preparation`
   std::vector<Index> partners;             ///< `Preparation`
   float turn_deg = 0;                      ///< `PreparationFigures`
-  std::vector<float> agreement = {};       ///< `PreparationFigures`
+  FieldSupport support = {};               ///< `PreparationFigures`
 };
 
 /// Moves it out of `prepared`.

@@ -102,8 +102,13 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
                             const SurfaceOptions& surface, const WaveOptions& waves,
                             const PictureOptions& picture) {
   Viewpoint viewpoint = seen_viewpoint_of(picture);
-  const ValueSource source{prepared.surface,       prepared.arrays, surface.mesh,      waves.arrays,
-                           prepared.vertex_of_row, &viewpoint,      prepared.agreement};
+  const ValueSource source{prepared.surface,
+                           prepared.arrays,
+                           surface.mesh,
+                           waves.arrays,
+                           prepared.vertex_of_row,
+                           &viewpoint,
+                           prepared.support.agreement};
   GlyphInput input;
   read_values(options, source, input);
   const StyleOptions& style = options.style;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "brindle/renderer.h"
@@ -19,7 +20,10 @@ struct Texture {
   std::shared_ptr<const BrokenTiles> broken(const Mesh& mesh) const;
 };
 
-/// Stripes, or a texture along two stripe patterns.
+/// A line if nearly all motifs of a texture are left out, or nothing.
+std::string warning_of_tiles(const Texture* texture, const Mesh& mesh);
+
+/// Stripes alone, or a texture along two stripe patterns.
 struct StripeResult {
   std::variant<StripePattern, Texture> made;
 

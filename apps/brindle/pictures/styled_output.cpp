@@ -94,8 +94,8 @@ StyleInput read_style_input(const StyleOptions& style, const Preparation& prepar
                             JobListener& listener) {
   StyleInput input;
   input.others = read_style_others(style, prepared.surface.mesh, drawn, waves, picture, listener);
-  input.values =
-      read_style_values(style, prepared, input.others, surface, waves, picture, prepared.agreement);
+  input.values = read_style_values(style, prepared, input.others, surface, waves, picture,
+                                   prepared.support.agreement);
   return input;
 }
 

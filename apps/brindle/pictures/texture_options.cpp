@@ -6,6 +6,7 @@
 
 #include "brindle/base/text.h"
 #include "brindle/error.h"
+#include "brindle/recipe/wave_report.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
@@ -60,6 +61,11 @@ std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) 
 
 std::shared_ptr<const BrokenTiles> Texture::broken(const Mesh& mesh) const {
   return whole.broken(mesh.triangles, pattern.waves, tile);
+}
+
+std::string warning_of_tiles(const Texture* texture, const Mesh& mesh) {
+  const auto broken = texture == nullptr ? nullptr : texture->broken(mesh);
+  return broken == nullptr ? "" : tile_warning(*broken, mesh.triangle_count());
 }
 
 }  // namespace brindle::tool

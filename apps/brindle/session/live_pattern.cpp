@@ -128,7 +128,7 @@ const StripePattern* followed(const StripeArguments& arguments, const SolvedPatt
 }
 
 InputData data_of(const Preparation& prepared, const PreparedWaves& waves) {
-  return {prepared.arrays, prepared.original_ids, prepared.partners, waves.turn_deg};
+  return {prepared.arrays, prepared.original_ids, prepared.partners, waves.turn_deg, waves.support};
 }
 
 PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& waves) {
@@ -590,7 +590,7 @@ class StageUpdate {
         key,
         std::make_shared<const StyleValues>(read_style_values(
             arguments().style, *stages_.surface.made, *style.read.made, arguments().surface,
-            arguments().waves, *arguments().picture, stages_.waves.made->agreement)),
+            arguments().waves, *arguments().picture, stages_.waves.made->support.agreement)),
         listener_.take()};
     return true;
   }

@@ -14,6 +14,7 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/error.h"
+#include "brindle/waves/direction_graph.h"
 #include "brindle/waves/frequency_parts.h"
 
 namespace brindle {
@@ -98,6 +99,11 @@ WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& wave
 }
 
 bool PieceSurface::any(bool here) const { return surface_.rank_surface().ranks->any(here); }
+
+std::size_t PieceSurface::opposite_edges() const {
+  const RankSurface& own = surface_.rank_surface();
+  return own.ranks->sum(count_opposite_edges(*own.graph.adjacency, own.normals)) / 2;
+}
 
 std::size_t PieceSurface::drop_waves(DirectionField& directions,
                                      FrequencyField& frequencies) const {

@@ -237,6 +237,7 @@ DistributedDetail detailed_field(const DistributedSurface& distributed,
   DistributedDetail result;
   result.field.directions = whole.to_piece(found.directions);
   result.field.agreement = whole.to_piece(found.agreement);
+  result.field.filled = whole.to_piece(found.filled);
   result.figures = ranks.of_first(figures)[0];
   return result;
 }

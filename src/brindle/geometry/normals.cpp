@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/geometry/normals_around.h"
+#include "brindle/geometry/winding.h"
 
 namespace brindle {
 namespace {
@@ -73,9 +75,12 @@ TriangleAngles angles_of(const Mesh& mesh, const Triangle& triangle) {
   return result;
 }
 
-Corner corner_at(const Triangle& triangle, const TriangleAngles& angles, std::size_t vertex) {
-  const int c = triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-  return {angles.normal, angles.angle[c], triangle[(c + 1) % 3], triangle[(c + 2) % 3]};
+Corner corner_at(const Triangle& triangle, const TriangleAngles& angles, Index vertex,
+                 bool is_turned) {
+  const int c = corner_of(triangle, vertex);
+  const Index next = triangle[(c + 1) % 3], previous = triangle[(c + 2) % 3];
+  if (is_turned) return {-angles.normal, angles.angle[c], previous, next};
+  return {angles.normal, angles.angle[c], next, previous};
 }
 
 bool has_repetition(std::vector<Index>& numbers) {
@@ -131,8 +136,7 @@ Vec3 unsigned_average(const std::vector<Corner>& corners) {
   return best;
 }
 
-Vec3 normal_of(const std::vector<Corner>& corners) {
-  if (winding_conflicts(corners)) return unsigned_average(corners);
+Vec3 mean_normal(const std::vector<Corner>& corners) {
   Vec3 sum = Vec3::Zero();
   for (const Corner& corner : corners) sum += corner.angle * corner.normal;
   return unit(sum);
@@ -158,28 +162,35 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh, const VertexTriangles& around
                                  const Progress& progress) {
   std::vector<TriangleAngles> angles;
   std::vector<Vec3> normals;
-  fill_vertex_normals(mesh, around, angles, normals, progress);
+  if (!fill_vertex_normals(mesh, around, {}, angles, normals, progress)) return normals;
+  const std::vector<std::uint8_t> turned = triangles_to_turn(mesh, around);
+  if (!turned.empty()) fill_vertex_normals(mesh, around, turned, angles, normals, progress);
   return normals;
 }
 
-void fill_vertex_normals(const Mesh& mesh, const VertexTriangles& around,
-                         std::vector<TriangleAngles>& angles, std::vector<Vec3>& normals,
-                         const Progress& progress) {
+bool fill_vertex_normals(const Mesh& mesh, const VertexTriangles& around,
+                         std::span<const std::uint8_t> turned, std::vector<TriangleAngles>& angles,
+                         std::vector<Vec3>& normals, const Progress& progress) {
   angles.resize(mesh.triangle_count());
   parallel_for(angles.size(), progress.part(0, 0.5), [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) angles[t] = angles_of(mesh, mesh.triangles[t]);
   });
   normals.resize(mesh.vertex_count());
+  std::atomic<bool> any_conflict = false;
   parallel_for(mesh.vertex_count(), progress.part(0.5, 1), [&](std::size_t begin, std::size_t end) {
     thread_local std::vector<Corner> corners;
-    for (std::size_t v = begin; v < end; ++v) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
       corners.clear();
       for (const Index t : around.of(v)) {
-        corners.push_back(corner_at(mesh.triangles[t], angles[t], v));
+        const bool is_turned = !turned.empty() && turned[t] != 0;
+        corners.push_back(corner_at(mesh.triangles[t], angles[t], v, is_turned));
       }
-      normals[v] = normal_of(corners);
+      const bool conflict = winding_conflicts(corners);
+      if (conflict) any_conflict.store(true, std::memory_order_relaxed);
+      normals[v] = conflict ? unsigned_average(corners) : mean_normal(corners);
     }
   });
+  return any_conflict;
 }
 
 }  // namespace brindle

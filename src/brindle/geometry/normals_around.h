@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "brindle/geometry/topology.h"
@@ -29,10 +31,11 @@ struct TriangleAngles {
   std::array<float, 3> angle;  ///< radians; zero without an area
 };
 
-/// The same into `normals`, with the scratch array `angles`. Resizes both; allocates nothing if
-/// their capacity suffices.
-void fill_vertex_normals(const Mesh& mesh, const VertexTriangles& around,
-                         std::vector<TriangleAngles>& angles, std::vector<Vec3>& normals,
-                         const Progress& progress = {});
+/// One unit normal per vertex into `normals`, with the scratch array `angles`. Resizes both;
+/// allocates nothing if their capacity suffices. Triangles with a 1 in `turned`, if there are any,
+/// count as wound the other way. Returns whether some around a vertex are wound against each other.
+bool fill_vertex_normals(const Mesh& mesh, const VertexTriangles& around,
+                         std::span<const std::uint8_t> turned, std::vector<TriangleAngles>& angles,
+                         std::vector<Vec3>& normals, const Progress& progress = {});
 
 }  // namespace brindle

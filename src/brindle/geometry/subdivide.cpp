@@ -47,7 +47,7 @@ RoundedMidpoints::RoundedMidpoints(const Mesh& mesh, const Progress& progress)
       around_(vertex_triangles(mesh, progress.part(0, 0.4))),
       angles_(mesh.triangle_count()) {
   std::vector<Vec3> normals(mesh.vertex_count());
-  fill_vertex_normals(mesh, around_, angles_, normals, progress.part(0.4, 1));
+  fill_vertex_normals(mesh, around_, {}, angles_, normals, progress.part(0.4, 1));
 }
 
 /// Zero at creases, at edges of more than two triangles, and without area.

@@ -11,6 +11,7 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/geometry/winding.h"
 
 namespace brindle {
 namespace {
@@ -87,6 +88,20 @@ std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
   return links;
 }
 
+/// Normals, and the triangles that they turn.
+void add_normals(Surface& surface, const Mesh& mesh, const VertexTriangles& around,
+                 const Creases& creases, const Progress& progress) {
+  std::vector<TriangleAngles> angles;
+  const auto fill = [&](const Progress& part) {
+    return fill_vertex_normals(mesh, around, surface.turned, angles, surface.normals, part);
+  };
+  const std::vector<CreaseNeighbors> links = neighbors_over_creases(mesh, around, creases);
+  const bool against = fill(progress);
+  if (!against && ranges::none_of(links, &CreaseNeighbors::against)) return;
+  surface.turned = triangles_to_turn(mesh, around, links);
+  if (!surface.turned.empty()) fill({});
+}
+
 /// The neighbourhood with links across creases.
 Adjacency with_links(const Adjacency& neighborhood, const Creases& creases) {
   const std::vector<std::array<Index, 2>> links = links_of(creases);
@@ -130,7 +145,7 @@ Surface make_surface(Mesh mesh, Creases creases, const Progress& progress) {
   surface.neighborhood = std::make_shared<const Adjacency>(
       vertex_neighborhood(mesh, around, stages.begin("neighborhood")));
   check_edge_lengths(edge_lengths(mesh.positions, *surface.neighborhood));
-  surface.normals = vertex_normals(mesh, around, stages.begin("normals"));
+  add_normals(surface, mesh, around, creases, stages.begin("normals"));
   if (!creases.empty()) {
     surface.linked = std::make_shared<const Adjacency>(with_links(*surface.neighborhood, creases));
   }

@@ -327,7 +327,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surfac
   if (surface.linked) {
     state_->neighborhood = surface.neighborhood;
     state_->linked = true;
-    state_->moving = MovingNormals(surface.mesh);
+    state_->moving = MovingNormals(surface);
   }
   state_->yielding = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;

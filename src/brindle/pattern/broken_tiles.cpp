@@ -488,6 +488,22 @@ bool TileFigures::operator==(const TileFigures& other) const {
          shift == other.shift && split == other.split;
 }
 
+double BrokenTiles::whole_share(std::size_t triangles) const {
+  if (words.empty() || triangles == 0) return 1;
+  const Vec3 middle = Vec3::Constant(1 / 3.0f);
+  std::size_t whole = 0;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    Place uv = Place::Zero();
+    for (int axis = 0; axis < 2 && words[t] > 1; ++axis) {
+      for (int m = 0; m < 3; ++m) {
+        uv[axis] += bit_cast<float>(words[words[t] + static_cast<std::size_t>(3 * axis + m)]) / 3;
+      }
+    }
+    whole += is_broken(t, middle, uv + shift) ? 0 : 1;
+  }
+  return static_cast<double>(whole) / static_cast<double>(triangles);
+}
+
 // Keep in step with shaders/broken_tiles.glsl.
 bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
                             const Eigen::Vector2f& uv) const {

@@ -112,8 +112,12 @@ TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const L
   return quality;
 }
 
-TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind) {
-  const auto u = corner_phases(waves.u, kind), v = corner_phases(waves.v, kind);
+TextureQuality measure_texture(const Mesh& mesh, const TextureWaves& waves, PhaseShiftKind kind,
+                               std::size_t parts) {
+  auto u = corner_phases(waves.u, kind), v = corner_phases(waves.v, kind);
+  for (std::size_t t = u.size() - std::min(parts, u.size()); t < u.size(); ++t) {
+    u[t].kind = v[t].kind = TriangleKind::field_singularity;
+  }
   std::vector<float> frequencies_u(mesh.vertex_count()), frequencies_v(mesh.vertex_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     for (int m = 0; m < 3; ++m) {

@@ -105,13 +105,11 @@ Vector mass_vector(const PhaseGraph& graph, std::span<const float> mass) {
   return doubled;
 }
 
+/// A wave whose direction is reversed has -conj(z). Imaginary numbers stay, so that the start, and
+/// all that follows, does not depend on the signs of directions.
 Vector start_vector(const PhaseGraph& graph, std::uint32_t seed) {
-  Vector x(2 * graph.node_count());
-  for (Index i = 0; i < graph.node_count(); ++i) {
-    const Complex z = random_phase(i, seed);
-    x[2 * i] = z.real();
-    x[2 * i + 1] = z.imag();
-  }
+  Vector x = Vector::Zero(2 * static_cast<Eigen::Index>(graph.node_count()));
+  for (Index i = 0; i < graph.node_count(); ++i) x[2 * i + 1] = random_phase(i, seed).imag();
   return x;
 }
 
@@ -120,7 +118,7 @@ std::vector<Complex> unit_numbers(const Vector& x) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     const std::complex<double> value(x[2 * i], x[2 * i + 1]);
     const double length = std::abs(value);
-    z[i] = length > 0 ? Complex(value / length) : Complex(1);
+    z[i] = length > 0 ? Complex(value / length) : Complex(0, 1);
   }
   return z;
 }

@@ -35,20 +35,20 @@ StripePattern pattern_of(const CrossPattern& cross, Index r, std::span<const Vec
 }
 
 /// Computes corner phases and quality. Added triangles (from `regular` on) are always marked
-/// singular, but count in the texture quality.
+/// singular.
 void measure(const Mesh& mesh, std::size_t regular, const Progress& progress,
              TexturePattern& pattern) {
   const PhaseShiftKind kind = pattern.phase_shift;
   pattern.u.corners = corner_phases(pattern.waves.u, kind, progress.part(0, 0.3));
   pattern.v.corners = corner_phases(pattern.waves.v, kind, progress.part(0.3, 0.6));
-  pattern.quality =
-      measure_texture(mesh, {pattern.u.corners, pattern.u.waves.frequencies},
-                      {pattern.v.corners, pattern.v.waves.frequencies}, progress.part(0.6, 1));
   for (StripePattern* part : {&pattern.u, &pattern.v}) {
     for (std::size_t t = regular; t < part->corners.size(); ++t) {
       part->corners[t].kind = TriangleKind::field_singularity;
     }
   }
+  pattern.quality =
+      measure_texture(mesh, {pattern.u.corners, pattern.u.waves.frequencies},
+                      {pattern.v.corners, pattern.v.waves.frequencies}, progress.part(0.6, 1));
 }
 
 }  // namespace

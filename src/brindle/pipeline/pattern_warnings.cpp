@@ -13,6 +13,7 @@ constexpr double kMostBranches = 0.1;   // share of the area
 constexpr double kMostSingular = 0.01;  // share of the triangles
 constexpr double kMostCoarse = 0.25;    // share of the area
 constexpr double kFewestEdges = 2;      // a period
+constexpr double kFewestWhole = 0.1;    // share of the triangles
 constexpr int kMostSubdivisions = 6;    // that are worth proposing
 
 /// "; or subdivide the mesh, times: 2", or nothing.
@@ -81,6 +82,25 @@ std::vector<std::string> noise_warnings(std::size_t field_singularities, std::si
   return {formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; ",
                     field_singularities, triangles, 100 * singular / all) +
           words.detail + " sees it at the scale of its stripes"};
+}
+
+std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t triangles,
+                                       const WarningWords& words) {
+  const double whole = broken.whole_share(triangles);
+  if (whole >= kFewestWhole) return {};
+  return {formatted("motifs are whole in %.1f %% of the triangles alone, and the others are left "
+                    "out; ",
+                    100 * whole) +
+          words.fewer + "; or a smoother " + words.field + "; or cut motifs"};
+}
+
+std::vector<std::string> turn_warnings(std::size_t turned_apart) {
+  if (turned_apart == 0) return {};
+  return {
+      formatted("along %zu edges the two sides of the surface meet, and neighbours turn in "
+                "opposite senses; turn the field by a multiple of 90 degrees, or wind the "
+                "triangles alike, if the surface has two sides",
+                turned_apart)};
 }
 
 std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,

@@ -77,8 +77,36 @@ void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows) 
   arrays.push_back(make_data_array(kTurnArray, 1, std::vector<float>(rows, turn_deg)));
 }
 
-void add_agreement(std::vector<DataArray>& arrays, std::span<const float> agreement) {
+void add_support(std::vector<DataArray>& arrays, const FieldSupport& support) {
+  const auto& [agreement, filled] = support;
   if (!agreement.empty()) arrays.push_back(make_data_array("agreement", 1, agreement));
+  if (filled.empty()) return;
+  arrays.push_back(
+      make_data_array("filled", 1, std::vector<std::uint8_t>(filled.begin(), filled.end())));
+}
+
+FieldSupport carried_support(const TexturedMesh& textured, const FieldSupport& support) {
+  FieldSupport carried;
+  if (!support.agreement.empty()) {
+    carried.agreement = carried_values(textured, support.agreement, 1);
+  }
+  if (support.filled.empty()) return carried;
+  carried.filled = carried_values(textured, support.filled, 1);
+  for (float& filled : carried.filled) filled = std::ceil(filled);
+  return carried;
+}
+
+FieldSupport with_barycentres(FieldSupport support, std::span<const Triangle> triangles,
+                              std::span<const Index> of_triangles) {
+  for (const Index t : of_triangles) {
+    const auto& [a, b, c] = triangles[t];
+    std::vector<float>&agreement = support.agreement, &filled = support.filled;
+    if (!agreement.empty()) {
+      agreement.push_back((agreement[a] + agreement[b] + agreement[c]) / 3);
+    }
+    if (!filled.empty()) filled.push_back(std::max({filled[a], filled[b], filled[c]}));
+  }
+  return support;
 }
 
 DataArrays without_turn(const DataArrays& input) {

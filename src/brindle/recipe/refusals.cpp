@@ -119,13 +119,15 @@ void check_smooth_field(const IsGiven& given, float curvature_anchor, float feat
 void check_field_detail(const IsGiven& given, const DetailRequest& wanted) {
   if (!wanted.measured) {
     refuse_given(given,
-                 {"--field-detail", "--field-weight", "--field-arrows", "--field-singularities"},
+                 {"--field-detail", "--field-weight", "--hold-out", "--field-arrows",
+                  "--field-singularities"},
                  "the field was not measured; it is for arrays, files and raw-curvature");
   }
   if (!wanted.varies) refuse_given(given, {"--frequency-detail"}, kSameFrequency);
   if (wanted.periods == 0) {
     refuse_given(given,
-                 {"--field-weight", "--field-arrows", "--field-singularities", "--field-memory"},
+                 {"--field-weight", "--hold-out", "--field-arrows", "--field-singularities",
+                  "--field-memory"},
                  "the field is taken as it is given; add --field-detail");
   }
   if (wanted.periods == 0 && wanted.frequency_periods == 0) {

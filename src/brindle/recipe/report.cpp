@@ -47,6 +47,12 @@ void print_detail(std::ostream& out, const FieldDetailFigures& detail) {
     out << formatted("holes     %zu vertices filled, %zu too far from all data\n", detail.filled,
                      detail.unfilled);
   }
+  out << formatted("agreement %.2f of data, %.2f of filled holes\n", detail.agreement_mean,
+                   detail.agreement_filled_mean);
+  if (detail.held_out > 0) {
+    out << formatted("held out  %zu data, %.2f degrees from the field without them\n",
+                     detail.held_out, detail.held_out_turned_mean_deg);
+  }
 }
 
 nlohmann::ordered_json to_json(const FollowedReport& followed) {
@@ -367,14 +373,21 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
 }
 
 nlohmann::ordered_json to_json(const FieldDetailFigures& detail) {
-  return {{"field_turned_mean_deg", detail.turned_mean_deg},
-          {"field_turned_median_deg", detail.turned_median_deg},
-          {"field_turned_p95_deg", detail.turned_p95_deg},
-          {"field_turned_share_over_20deg", detail.turned_share_over_20deg},
-          {"field_singularities_of_data", detail.singularities_of_data},
-          {"vertices_with_data", detail.data},
-          {"vertices_filled", detail.filled},
-          {"vertices_unfilled", detail.unfilled}};
+  nlohmann::ordered_json json = {{"field_turned_mean_deg", detail.turned_mean_deg},
+                                 {"field_turned_median_deg", detail.turned_median_deg},
+                                 {"field_turned_p95_deg", detail.turned_p95_deg},
+                                 {"field_turned_share_over_20deg", detail.turned_share_over_20deg},
+                                 {"field_singularities_of_data", detail.singularities_of_data},
+                                 {"vertices_with_data", detail.data},
+                                 {"vertices_filled", detail.filled},
+                                 {"vertices_unfilled", detail.unfilled},
+                                 {"agreement_mean", detail.agreement_mean},
+                                 {"agreement_filled_mean", detail.agreement_filled_mean}};
+  if (detail.held_out > 0) {
+    json["held_out"] = detail.held_out;
+    json["held_out_turned_mean_deg"] = detail.held_out_turned_mean_deg;
+  }
+  return json;
 }
 
 nlohmann::ordered_json to_json(const SampleSpacing& spacing) {

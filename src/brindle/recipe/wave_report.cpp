@@ -69,12 +69,17 @@ std::string warnings(const WaveReport& figures, const std::string& source) {
   const WarningWords words = words_of_options(source, figures.subdivided);
   std::string text;
   for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
+  text += warning_lines(turn_warnings(figures.turned_apart));
   if (figures.detail) {
     text += warning_lines(detail_warnings(*figures.detail, words));
   }
   WaveFigures unexplained = figures;
   unexplained.without_wave -= figures.missing.total();
   return text + warning_lines(wave_warnings(unexplained, words));
+}
+
+std::string tile_warning(const BrokenTiles& broken, std::size_t triangles) {
+  return warning_lines(tile_warnings(broken, triangles, words_of_options("")));
 }
 
 std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,

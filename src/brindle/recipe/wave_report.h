@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/broken_tiles.h"
 #include "brindle/carried_field.h"
 #include "brindle/measured_field.h"
 #include "brindle/quality.h"
@@ -21,6 +22,7 @@ std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves&
 /// The library's metrics, and reasons for missing waves.
 struct WaveReport : WaveFigures {
   MissingWaves missing;
+  std::size_t turned_apart = 0;                   ///< as in WaveResult
   bool measured = false;                          ///< the field may be noisy
   std::optional<int> subdivided = 0;              ///< times so far; nullopt: points cannot be
   std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
@@ -33,7 +35,7 @@ struct PreparationFigures {
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
   std::optional<FieldStep> field_step;  ///< of a smooth field that continued a previous one
   float turn_deg = 0;                   ///< rotation of the waves from their field
-  std::vector<float> agreement;         ///< coherence by vertex, if measured
+  FieldSupport support;                 ///< of smoothed waves
   std::size_t vertices_joined = 0;      ///< with others at their position
   double load_milliseconds = 0;         ///< reading or making the mesh
   double field_milliseconds = 0;        ///< directions and frequencies
@@ -47,8 +49,12 @@ WarningWords words_of_options(const std::string& source, std::optional<int> subd
 void check_wave_report(const WaveReport& figures, const std::string& source);
 
 /// Lines of text on waves that are missing for a known reason, and warnings: waves missing for
-/// other reasons at over 1 % of the vertices, stripes too fine for the mesh. May be empty.
+/// other reasons at over 1 % of the vertices, and those of turned and smoothed fields. May be
+/// empty.
 std::string warnings(const WaveReport& figures, const std::string& source);
+
+/// `tile_warnings`.
+std::string tile_warning(const BrokenTiles& broken, std::size_t triangles);
 
 /// `quality_warnings`; and those of noise, for a measured field without smoothing.
 std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,

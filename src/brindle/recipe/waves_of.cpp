@@ -8,6 +8,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/recipe/wave_report.h"
+#include "brindle/waves/direction_graph.h"
 
 namespace brindle {
 namespace {
@@ -21,9 +22,19 @@ FrequencyField places_of_waves(const WaveInput& found) {
   return places;
 }
 
+void mark_filled(std::vector<float>& filled, std::size_t count, const auto& is_filled) {
+  filled.resize(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (is_filled(v)) filled[v] = 1;
+  }
+}
+
 void see_frequencies(const WaveSurface& surface, const FrequencyDetailOptions& options,
                      WaveInput& found, WaveResult& made, const Progress& progress) {
   DetailedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
+  mark_filled(made.support.filled, seen.frequencies.size(), [&](std::size_t v) {
+    return std::isnan(found.frequencies[v]) && !std::isnan(seen.frequencies[v]);
+  });
   found.frequencies = std::move(seen.frequencies);
   made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
   if (found.frequencies_v.empty()) return;
@@ -38,12 +49,24 @@ void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
       surface.field_at_detail(found.measured, places, found.last, options, progress);
   found.directions = std::move(field.directions);
   made.seen_field = found.directions;
-  made.agreement = std::move(field.agreement);
+  made.support.agreement = std::move(field.agreement);
+  mark_filled(made.support.filled, field.filled.size(),
+              [&](std::size_t v) { return field.filled[v] != 0; });
   made.detail = figures;
   found.missing.unfilled = unfilled_alone(figures, found.missing);
 }
 
+/// Lines and crosses coincide with themselves turned by 90 and 45 degrees both ways.
+bool depends_on_sense(const WaveRequest& request) {
+  const float angle = request.detail.symmetry == 4 ? 45 : 90;
+  return std::remainder(request.turn_deg, angle) != 0;
+}
+
 }  // namespace
+
+std::size_t WholeSurface::opposite_edges() const {
+  return count_opposite_edges(*surface_.neighborhood, surface_.normals) / 2;
+}
 
 std::size_t WholeSurface::drop_waves(DirectionField& directions,
                                      FrequencyField& frequencies) const {
@@ -90,6 +113,7 @@ WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, Wave
   if (request.turn_deg != 0) {
     const float turn = request.turn_deg * std::numbers::pi_v<float> / 180;
     found.directions = rotated(found.directions, surface.normals(), turn);
+    if (depends_on_sense(request)) made.turned_apart = surface.opposite_edges();
   }
   made.waves = {surface.positions(), std::move(found.directions), std::move(found.frequencies)};
   made.frequencies_v = std::move(found.frequencies_v);

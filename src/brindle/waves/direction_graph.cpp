@@ -51,6 +51,14 @@ TangentBasis tangent_basis(const Vec3& normal) {
           {b, sign + normal.y() * normal.y() * a, -normal.y()}};
 }
 
+std::size_t count_opposite_edges(const Adjacency& adjacency, std::span<const Vec3> normals) {
+  std::size_t count = 0;
+  for (Index i = 0; i < adjacency.node_count(); ++i) {
+    for (const Index j : adjacency.of(i)) count += normals[i].dot(normals[j]) < kOppositeSides;
+  }
+  return count;
+}
+
 Vec3 transported(const Vec3& vector, const Vec3& from, const Vec3& to) {
   const Vec3 axis = from.cross(to);
   const float cosine = from.dot(to);

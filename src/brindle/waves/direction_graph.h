@@ -1,6 +1,7 @@
 /// Smooth direction fields as a phase graph (docs/method.md; Knöppel et al. 2013).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -21,6 +22,9 @@ TangentBasis tangent_basis(const Vec3& normal);
 /// Normals with a smaller product, more than 114 degrees apart, point to opposite sides, as on
 /// unorientable surfaces. All others belong to a bend.
 inline constexpr float kOppositeSides = -0.4f;
+
+/// The number of directed edges between such normals, of the nodes that have neighbours.
+std::size_t count_opposite_edges(const Adjacency& adjacency, std::span<const Vec3> normals);
 
 /// `vector` turned by the smallest rotation from the unit normal `from` to `to`: tangent vectors
 /// stay tangent. NaN if they are opposite.

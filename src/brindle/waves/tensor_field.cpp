@@ -1,5 +1,6 @@
 #include "brindle/tensor_field.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -130,6 +131,40 @@ std::vector<float> tensor_anisotropy(const DataArray& tensors) {
     }
   });
   return shares;
+}
+
+namespace {
+
+constexpr int kZero = -1;
+
+/// For each component in VTK's order its place in a row.
+std::array<int, 6> places_of(const DataArray& tensors, TensorOrder order) {
+  const int columns = tensors.components;
+  if (order == TensorOrder::voigt && columns == 6) return {0, 1, 2, 5, 3, 4};
+  if (order == TensorOrder::plane && columns == 3) return {0, 1, kZero, 2, kZero, kZero};
+  if (order == TensorOrder::plane && columns == 4) return {0, 3, kZero, 1, kZero, kZero};
+  throw Error("array '" + tensors.name + "' has " + std::to_string(columns) +
+              " numbers in a row; " +
+              (order == TensorOrder::voigt ? "Voigt's order has 6 (XX, YY, ZZ, YZ, XZ, XY)"
+                                           : "a tensor in the plane has 3 (XX, YY, XY) or 4"));
+}
+
+}  // namespace
+
+DataArray in_vtk_order(const DataArray& tensors, TensorOrder order) {
+  if (order == TensorOrder::vtk) return tensors;
+  const std::array<int, 6> places = places_of(tensors, order);
+  const std::vector<double> numbers = doubles_of(tensors.view());
+  const auto columns = static_cast<std::size_t>(tensors.components);
+  std::vector<double> ordered;
+  ordered.reserve(6 * tensors.rows());
+  for (std::size_t row = 0; row < tensors.rows(); ++row) {
+    const double* given = &numbers[row * columns];
+    for (const int place : places) ordered.push_back(place == kZero ? 0 : given[place]);
+    // Of all 4, the symmetric part counts.
+    if (columns == 4) ordered.end()[-3] = (given[1] + given[2]) / 2;
+  }
+  return make_data_array(tensors.name, 6, ordered);
 }
 
 bool is_tensor(const DataArray& array) { return array.components == 6 || array.components == 9; }

@@ -69,9 +69,11 @@ WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
 
 void check_figures(const WaveFigures& figures, const WarningWords& words, const std::string& why) {
   if (figures.used > 0 && figures.without_wave == figures.used) {
-    throw Error(
-        "no vertex has a wave: " + words.source + " is zero, not finite or normal to the surface " +
-        (why.empty() ? "at all of them" : "at all others" + why) + "; choose other directions");
+    const std::string normal =
+        words.source + " is zero, not finite or normal to the surface at all ";
+    throw Error("no vertex has a wave" +
+                (why.empty() ? ": " + normal + "of them" : why + "; " + normal + "others") +
+                "; choose other directions");
   }
   const double edges = figures.edges_per_period_median;
   if (edges != 0 && edges <= kFewestEdgesAtHalf) refuse_noise(edges, "", words.fewer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/geometry/winding.h"
 
 namespace brindle {
 namespace {
@@ -45,6 +47,35 @@ struct GhostTriangle {
   std::array<int, 3> owner;
   std::array<std::array<float, 3>, 3> position;
 };
+
+/// A triangle of the whole, by its vertices there.
+struct NumberedTriangle {
+  std::uint64_t number;
+  std::array<std::uint64_t, 3> id;
+  std::array<std::array<float, 3>, 3> position;
+};
+
+/// The numbers of the triangles that normals of the whole turn, ascending.
+std::vector<std::uint64_t> numbers_to_turn(std::vector<NumberedTriangle> triangles) {
+  std::ranges::sort(triangles, {}, &NumberedTriangle::number);
+  std::unordered_map<std::uint64_t, Index> vertex_of;
+  Mesh mesh;
+  for (const NumberedTriangle& triangle : triangles) {
+    Triangle& corners = mesh.triangles.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto next = static_cast<Index>(vertex_of.size());
+      const auto [place, is_new] = vertex_of.emplace(triangle.id[c], next);
+      corners[c] = place->second;
+      if (is_new) mesh.positions.emplace_back(triangle.position[c].data());
+    }
+  }
+  const std::vector<std::uint8_t> turned = triangles_to_turn(mesh, vertex_triangles(mesh));
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t t = 0; t < turned.size(); ++t) {
+    if (turned[t] != 0) numbers.push_back(triangles[t].number);
+  }
+  return numbers;
+}
 
 /// A vertex of another rank.
 struct ForeignVertex {
@@ -252,7 +283,7 @@ class SurfaceMaker {
     adjacency.neighbors.resize(own_edges);
     made_.graph.adjacency = std::make_shared<const Adjacency>(std::move(adjacency));
     if (ranks_.size() > 1) sort_around(around);
-    made_.normals = vertex_normals(made_.mesh, around);
+    find_normals(around);
     made_.exchange_all(std::span(made_.normals));
     made_.ring.assign(made_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_),
                       made_.mesh.triangles.end());
@@ -261,6 +292,43 @@ class SurfaceMaker {
     for (const Index v : made_.vertex_of_piece) {
       made_.piece_is_own.push_back(v < made_.graph.own ? 1 : 0);
     }
+  }
+
+  /// Winding is a property of whole components, so rank 0 decides if neighbours disagree anywhere.
+  void find_normals(const VertexTriangles& around) {
+    std::vector<TriangleAngles> angles;
+    const bool against = fill_vertex_normals(made_.mesh, around, {}, angles, made_.normals);
+    if (!ranks_.any(against)) return;
+    const std::vector<std::uint8_t> turned = turned_of_whole();
+    fill_vertex_normals(made_.mesh, around, turned, angles, made_.normals);
+  }
+
+  /// For the triangles known here.
+  std::vector<std::uint8_t> turned_of_whole() {
+    std::vector<std::uint64_t> id_of(new_number_.size());
+    for (std::size_t v = 0; v < new_number_.size(); ++v) {
+      id_of[new_number_[v]] = piece_.vertex_ids[v];
+    }
+    std::vector<NumberedTriangle> own;
+    for (std::size_t t = 0; t < own_triangles_; ++t) {
+      NumberedTriangle& triangle = own.emplace_back();
+      triangle.number = piece_.triangle_ids[t];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Index v = made_.mesh.triangles[t][c];
+        const Vec3& p = made_.mesh.positions[v];
+        triangle.id[c] = id_of[v];
+        triangle.position[c] = {p.x(), p.y(), p.z()};
+      }
+    }
+    const auto all = joined<NumberedTriangle>(ranks_.gather(std::as_bytes(std::span(own))));
+    std::vector<std::uint64_t> numbers;
+    ranks_.throw_on_all([&] { numbers = numbers_to_turn(all); });
+    numbers = ranks_.of_first(numbers);
+    std::vector<std::uint8_t> turned;
+    for (const std::uint64_t number : piece_.triangle_ids) {
+      turned.push_back(std::ranges::binary_search(numbers, number) ? 1 : 0);
+    }
+    return turned;
   }
 
   void count() {

@@ -18,6 +18,7 @@
 #include "brindle/field_index.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/orientation.h"
+#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/screened.h"
 #include "brindle/pipeline/fields/measured_scale.h"
 #include "brindle/pipeline/fields/surface_elements.h"
@@ -44,6 +45,8 @@ void check_detail(const FieldDetailOptions& options) {
   check_scale("measured field", options.periods, options.fill);
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
   require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
+  require(options.hold_out >= 0 && options.hold_out < 1,
+          "the share of data to hold out must be 0 or above, and below 1");
 }
 
 void check_field(const MeasuredField& field, std::size_t places, const std::string& what) {
@@ -66,6 +69,12 @@ struct DatumTurn {
   float weight;
 };
 
+/// The same places in every run and on every surface with these numbers.
+bool is_held_out(std::size_t place, float share) {
+  const double number = jenkins_hash(static_cast<std::uint32_t>(place)) / 4294967296.0;
+  return number < static_cast<double>(share);
+}
+
 /// The rotation below which `share` of the total weight lies.
 double quantile(std::span<const DatumTurn> sorted, double total, double share) {
   double sum = 0;
@@ -75,6 +84,9 @@ double quantile(std::span<const DatumTurn> sorted, double total, double share) {
   }
   return sorted.empty() ? 0 : static_cast<double>(sorted.back().degrees);
 }
+
+/// Directional coherence of the data around a vertex, 0 to 1.
+float coherence(const Complex& u) { return std::min(std::sqrt(std::norm(u)), 1.0f); }
 
 void tell_turns(std::vector<DatumTurn> turns, FieldDetailFigures& figures) {
   ranges::sort(turns, {}, &DatumTurn::degrees);
@@ -152,6 +164,12 @@ struct FieldDetail::State {
     std::vector<Complex> u;
   };
 
+  /// How data that were not used differ from the field.
+  struct HeldOut {
+    std::size_t count = 0;
+    double mean_deg = 0;
+  };
+
   Sums sums_of(const MeasuredField& field) const {
     Sums sums{std::vector<Complex>(count()), std::vector<float>(count()),
               std::vector<float>(count())};
@@ -194,7 +212,11 @@ struct FieldDetail::State {
   DetailedField seen(const Found& found, std::span<const float> frequencies,
                      const Progress& progress) const;
   void sign_like_last(DirectionField& field, const Progress& progress) const;
-  std::vector<DatumTurn> turns() const;
+  HeldOut hold_out(const MeasuredField& measured, std::span<const float> frequencies,
+                   const MeasuredField& last, const Progress& progress);
+  std::vector<DatumTurn> turns(const MeasuredField& measured, std::span<const Complex> u,
+                               std::span<const Vec3> field) const;
+  double mean_agreement(bool of_data) const;
 
   FieldDetailOptions options;
   Surface surface;
@@ -207,6 +229,7 @@ struct FieldDetail::State {
   // The last completed frame.
   std::optional<MeasuredField> measured_;
   Found found_;
+  HeldOut held_out_;
   DirectionField directions;
 };
 
@@ -357,7 +380,8 @@ void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& p
 
 DetailedField FieldDetail::State::seen(const Found& found, std::span<const float> frequencies,
                                        const Progress& progress) const {
-  DetailedField field{DirectionField(count()), std::vector<float>(count())};
+  DetailedField field{DirectionField(count()), std::vector<float>(count()),
+                      std::vector<std::uint8_t>(count())};
   const std::vector<Complex>& u = found.u;
   const std::vector<float> distance = distances(found.data, frequencies);
   parallel_for(count(), [&](std::size_t begin, std::size_t end) {
@@ -368,7 +392,8 @@ DetailedField FieldDetail::State::seen(const Found& found, std::span<const float
       if (!has_wave || surface.normals[i].isZero(0)) continue;
       const Complex root = unit_root(u[i], options.symmetry);
       field.directions[i] = root.real() * bases[i].x + root.imag() * bases[i].y;
-      field.agreement[i] = std::min(std::sqrt(std::norm(u[i])), 1.0f);
+      field.agreement[i] = coherence(u[i]);
+      field.filled[i] = found.data.weight[i] > 0 ? 0 : 1;
     }
   });
   if (options.symmetry % 2 == 0) sign_like_last(field.directions, progress);
@@ -381,19 +406,47 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
   check_frame(measured, frequencies, last);
   if (measured.of_triangles && around.entries.empty()) around = vertex_triangles(surface.mesh);
   progress.report(0);
-  Found found = solve(measured, frequencies, last, progress.part(0, 0.8));
+  const bool holds_out = options.hold_out > 0;
+  const HeldOut held_out =
+      holds_out ? hold_out(measured, frequencies, last, progress.part(0, 0.4)) : HeldOut{};
+  Found found = solve(measured, frequencies, last, progress.part(holds_out ? 0.4 : 0, 0.8));
   const bool is_any = ranges::any_of(found.data.weight, [](float w) { return w > 0; });
   require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
   DetailedField field = seen(found, frequencies, progress.part(0.8, 1));
   DirectionField kept = field.directions;
   measured_ = measured;
   found_ = std::move(found);
+  held_out_ = held_out;
   directions = std::move(kept);
   return field;
 }
 
-std::vector<DatumTurn> FieldDetail::State::turns() const {
-  const MeasuredField& measured = *measured_;
+/// Solves with the other data, and compares.
+FieldDetail::State::HeldOut FieldDetail::State::hold_out(const MeasuredField& measured,
+                                                         std::span<const float> frequencies,
+                                                         const MeasuredField& last,
+                                                         const Progress& progress) {
+  MeasuredField used = measured, hidden = measured;
+  for (std::size_t place = 0; place < measured.directions.size(); ++place) {
+    MeasuredField& without = is_held_out(place, options.hold_out) ? used : hidden;
+    without.directions[place] = Vec3::Zero();
+  }
+  const Found found = solve(used, frequencies, last, progress.part(0, 0.8));
+  require(ranges::any_of(found.data.weight, [](float w) { return w > 0; }),
+          "no datum is left beside those to hold out; hold out a smaller share");
+  const DirectionField field = seen(found, frequencies, progress.part(0.8, 1)).directions;
+  FieldDetailFigures figures;
+  const std::vector<DatumTurn> turned = turns(hidden, found.u, field);
+  tell_turns(turned, figures);
+  require(!turned.empty(),
+          "holes are filled over too short a distance to reach data held out; fill "
+          "them farther, or hold out a smaller share");
+  return {turned.size(), figures.turned_mean_deg};
+}
+
+std::vector<DatumTurn> FieldDetail::State::turns(const MeasuredField& measured,
+                                                 std::span<const Complex> u,
+                                                 std::span<const Vec3> field) const {
   const auto in_degrees = [&](const Complex& turned) {
     return std::abs(elementary::arg(turned)) * 180 /
            (std::numbers::pi_v<float> * static_cast<float>(options.symmetry));
@@ -404,8 +457,8 @@ std::vector<DatumTurn> FieldDetail::State::turns() const {
       Complex turned = 0;
       const auto add = [&](Index i, float area) {
         const FieldDatum d = datum(measured, place, i, area);
-        if (d.weight == 0 || directions[i].isZero(0)) return;
-        turned += std::conj(d.u) * found_.u[i];
+        if (d.weight == 0 || field[i].isZero(0)) return;
+        turned += std::conj(d.u) * u[i];
         turns[place].weight += area;
       };
       if (!measured.of_triangles) {
@@ -418,6 +471,16 @@ std::vector<DatumTurn> FieldDetail::State::turns() const {
   });
   std::erase_if(turns, [](const DatumTurn& turn) { return turn.weight == 0; });
   return turns;
+}
+
+double FieldDetail::State::mean_agreement(bool of_data) const {
+  double sum = 0, area = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (directions[i].isZero(0) || (found_.data.weight[i] > 0) != of_data) continue;
+    sum += static_cast<double>(areas[i] * coherence(found_.u[i]));
+    area += static_cast<double>(areas[i]);
+  }
+  return area > 0 ? sum / area : 0;
 }
 
 FieldDetail::FieldDetail(const Surface& surface, const FieldDetailOptions& options,
@@ -436,7 +499,11 @@ FieldDetailFigures FieldDetail::figures() const {
   const State& state = *state_;
   require(state.measured_.has_value(), "there is no frame yet that figures could be of");
   FieldDetailFigures figures;
-  tell_turns(state.turns(), figures);
+  tell_turns(state.turns(*state.measured_, state.found_.u, state.directions), figures);
+  figures.agreement_mean = state.mean_agreement(true);
+  figures.agreement_filled_mean = state.mean_agreement(false);
+  figures.held_out = state.held_out_.count;
+  figures.held_out_turned_mean_deg = state.held_out_.mean_deg;
   std::vector<Complex> before(state.count());
   for (Index i = 0; i < state.count(); ++i) {
     const bool has_datum = state.found_.data.weight[i] > 0,

@@ -115,6 +115,7 @@ void measure(const CrossFrameState& laid, PhaseShiftKind kind, const Progress& p
     phases.assign(first.begin(), first.end());
     for (const CornerPhases& part : corner_phases(std::span(all).subspan(pairs), kind)) {
       phases.push_back(part);
+      phases.back().kind = TriangleKind::field_singularity;
     }
     return phases;
   };

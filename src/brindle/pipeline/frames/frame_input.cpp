@@ -38,11 +38,12 @@ void check_frame_input(const FrameInput& input, std::size_t vertices) {
               std::to_string(vertices) + " vertices, and as many normals, or none");
 }
 
-MovingNormals::MovingNormals(const Mesh& mesh) : mesh_(mesh), around_(vertex_triangles(mesh)) {}
+MovingNormals::MovingNormals(const Surface& surface)
+    : mesh_(surface.mesh), around_(vertex_triangles(surface.mesh)), turned_(surface.turned) {}
 
 std::span<const Vec3> MovingNormals::at(std::span<const Vec3> positions) {
   mesh_.positions.assign(positions.begin(), positions.end());
-  fill_vertex_normals(mesh_, around_, angles_, normals_);
+  fill_vertex_normals(mesh_, around_, turned_, angles_, normals_);
   return normals_;
 }
 

@@ -29,7 +29,7 @@ struct RestNormals {
 class MovingNormals {
  public:
   MovingNormals() = default;
-  explicit MovingNormals(const Mesh& mesh);
+  explicit MovingNormals(const Surface& surface);
 
   /// The normals at these positions, valid until the next call.
   std::span<const Vec3> at(std::span<const Vec3> positions);
@@ -37,6 +37,7 @@ class MovingNormals {
  private:
   Mesh mesh_;
   VertexTriangles around_;
+  std::vector<std::uint8_t> turned_;
   std::vector<TriangleAngles> angles_;
   std::vector<Vec3> normals_;
 };

@@ -30,6 +30,7 @@ struct PatternFrames::State {
       : mesh{.positions = {}, .triangles = surface.mesh.triangles},
         vertices(surface.mesh.vertex_count()),
         around(vertex_triangles(surface.mesh)),
+        turned(surface.turned),
         angles(mesh.triangle_count()),
         normals(vertices),
         corners(mesh.triangle_count()) {
@@ -39,6 +40,7 @@ struct PatternFrames::State {
   Mesh mesh;  ///< with the positions of the last normals; none before the first call
   std::size_t vertices;
   VertexTriangles around;
+  std::vector<std::uint8_t> turned;
   std::vector<TriangleAngles> angles;
   std::vector<Vec3> normals;
   WaveSet waves;  ///< of the last corner phases
@@ -64,7 +66,7 @@ std::span<const Vec3> PatternFrames::normals(std::span<const Vec3> positions) {
   }
   if (ranges::equal(s.mesh.positions, positions)) return s.normals;
   s.mesh.positions.assign(positions.begin(), positions.end());
-  fill_vertex_normals(s.mesh, s.around, s.angles, s.normals);
+  fill_vertex_normals(s.mesh, s.around, s.turned, s.angles, s.normals);
   return s.normals;
 }
 

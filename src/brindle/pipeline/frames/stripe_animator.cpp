@@ -72,7 +72,7 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
 StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& options)
     : StripeAnimator(surface.coupled(), without_slack(options)) {
   state_->neighborhood = surface.neighborhood;
-  if (surface.linked) state_->moving = MovingNormals(surface.mesh);
+  if (surface.linked) state_->moving = MovingNormals(surface);
   state_->yielding = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};

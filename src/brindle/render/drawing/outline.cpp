@@ -37,7 +37,7 @@ class FacingCorners {
       : mesh_(mesh), normals_(normals), eye_(eye), corners_(mesh.triangle_count()) {
     const VertexTriangles around = vertex_triangles(mesh, progress.part(0, 0.3));
     std::vector<Vec3> ignored;
-    fill_vertex_normals(mesh, around, angles_, ignored, progress.part(0.3, 0.6));
+    fill_vertex_normals(mesh, around, {}, angles_, ignored, progress.part(0.3, 0.6));
     parallel_for(mesh.vertex_count(), progress.part(0.6, 1),
                  [&](std::size_t begin, std::size_t end) {
                    std::vector<Around> triangles;
