@@ -1,6 +1,7 @@
 /// The middles of stripes in one rank's piece of a surface.
 #pragma once
 
+#include <brindle/curves.h>
 #include <brindle/polylines.h>
 #include <brindle/stripe_pattern.h>
 
@@ -12,6 +13,7 @@ namespace brindle::paraview {
 /// one on another rank ends in a point of the same bits. As in lines of one process, no point but
 /// an end is at the place of another, there are no lines of one point, and waves run to the left
 /// where the field and the piece can be oriented.
-Polylines piece_lines(const RankPiece& piece, const StripePattern& pattern);
+Polylines piece_lines(const RankPiece& piece, const StripePattern& pattern,
+                      const CurveOptions& options);
 
 }  // namespace brindle::paraview

@@ -1,12 +1,14 @@
 /// The middles of stripes as lines.
 #pragma once
 
+#include <brindle/curves.h>
+
 #include "BrindleFiltersModule.h"  // export macro
 #include "vtkBrindleFilter.h"
 
 /// One polyline per stripe, with normals and the input's arrays at its points; per line whether it
 /// is closed, and its length. Over several ranks lines are cut at the borders, but for those that
-/// `Join`, `Trim` or `MinimumLength` asks for: these are whole, and on the first rank.
+/// `Join`, `Fair` or `MinimumLength` asks for: these are whole, and on the first rank.
 class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
  public:
   static vtkBrindleCurves* New();
@@ -16,7 +18,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
   vtkSetMacro(Join, bool);
   vtkGetMacro(Join, bool);
   /// Ends at branches are cut back to where no neighbour is nearer than this share of the spacing;
-  /// 0 to 1, 0 leaves them. Not together with `Join`.
+  /// 0 to 1, 0 leaves them. Not of joined curves, whose ends run into their neighbours.
   vtkSetMacro(Trim, double);
   vtkGetMacro(Trim, double);
   /// Kinks shorter than about this share of the spacing are taken out; 0 to 1, 0 leaves them. Needs
@@ -38,7 +40,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
 
  private:
   bool Join = false;
-  double Trim = 0;
+  double Trim = brindle::CurveOptions::kTrim;
   double Fair = 0;
   double MinimumLength = 0;
 };

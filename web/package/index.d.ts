@@ -194,7 +194,8 @@ export interface Curves {
 export interface CurveOptions {
   /** Joins curves that end in one branch in pairs; others run on into their neighbours, with `fair` smoothly. */
   join?: boolean;
-  /** Cuts ends back to where no curve is nearer than this share of the spacing; 0: not. Not with `join`. */
+  /** Cuts ends back to where no curve is nearer than this share of the spacing; 0: as traced. Default: 0.6, or
+   * 0 with `join`, which excludes others. */
   trim?: number;
   /** Takes out kinks shorter than about this share of the spacing; 0: not. */
   fair?: number;
