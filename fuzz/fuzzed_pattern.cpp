@@ -132,7 +132,7 @@ void run_pattern(std::span<const std::uint8_t> input) {
   check_energy(pattern.solution.energy);
   const StripePattern again = stripe_pattern(surface, directions, frequencies, options);
   promise(same(pattern.solution.z, again.solution.z), "the same request has the same bits");
-  check_curves(stripe_curves(surface, pattern, {.trim = 0.6f}));
+  check_curves(stripe_curves(surface, pattern));
   check_curves(stripe_curves(surface, pattern, {.join = true, .fair = 0.25f}));
   run_frames(bytes, surface, directions, frequencies);
 }

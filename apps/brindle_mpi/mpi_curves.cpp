@@ -199,8 +199,8 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (writes_pieces(arguments)) {
     refuse_given(
         command,
-        {"--trim", "--fair", "--min-length", "--simplify", "--resample", "--line-width",
-         "--tube-radius", "--tube-sides"},
+        {"--fair", "--min-length", "--simplify", "--resample", "--line-width", "--tube-radius",
+         "--tube-sides"},
         "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
   } else if (!arguments.output.empty()) {
     const CurveOutput kind = planned_curves(arguments.output, arguments.tube_radius.has_value());

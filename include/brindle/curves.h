@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "brindle/export.h"
@@ -40,19 +41,24 @@ struct StripeCurves {
 
 /// Options of `stripe_curves`.
 struct CurveOptions {
+  static constexpr float kTrim = 0.6f;  ///< leaves clean ends
+
   /// Joins curves that end in one branch or singularity in pairs. A curve that ends alone runs on,
   /// aslant over the surface, into a neighbour within two periods, if any; its end keeps its kind.
   bool join = false;
   /// Above 0, cuts curves that end in a branch or singularity back until no curve beside them is
-  /// nearer than this share of the spacing 1/f (0 to 1; 0.6 leaves clean ends). Removes curves then
-  /// shorter than 1/f. Not together with `join`, whose ends run into their neighbours.
-  float trim = 0;
+  /// nearer than this share of the spacing 1/f (0 to 1). Removes curves then shorter than 1/f. Not
+  /// together with `join`, whose ends run into their neighbours. Default: kTrim, or 0 with `join`.
+  std::optional<float> trim = {};
   /// Above 0, removes kinks shorter than about this share of the spacing 1/f (0 to 1; 0.25 is
   /// good). Curves become smoothing splines within the surface, and no point moves by more than a
   /// tenth of 1/f. Ends stay. Ends extended by `join` leave their curves earlier and meet their
   /// neighbours without an angle where possible, and otherwise move with them. Applied after `join`
   /// and `trim`.
   float fair = 0;
+
+  /// The share of 1/f that `trim` keeps free.
+  float least_gap() const { return trim.value_or(join ? 0 : kTrim); }
 };
 
 /// The curves of at least this length.

@@ -4,8 +4,9 @@
 
 namespace brindle::paraview {
 
-Polylines piece_lines(const RankPiece& piece, const StripePattern& pattern) {
-  return piece_curves(piece.part_of(pattern)).lines;
+Polylines piece_lines(const RankPiece& piece, const StripePattern& pattern,
+                      const CurveOptions& options) {
+  return piece_curves(piece.part_of(pattern), options).lines;
 }
 
 }  // namespace brindle::paraview

@@ -1,6 +1,7 @@
 /// Centre lines of stripes in one rank's partition.
 #pragma once
 
+#include <brindle/curves.h>
 #include <brindle/polylines.h>
 #include <brindle/stripe_pattern.h>
 
@@ -8,9 +9,11 @@
 
 namespace brindle::paraview {
 
-/// Collective. Lines in this rank's own triangles, cut at the borders: where a line continues,
-/// exactly one on another rank ends at the same bits. As for one process, only ends may coincide,
-/// no line has a single point, and waves run to the left if field and partition can be oriented.
-Polylines piece_lines(const RankPiece& piece, const StripePattern& pattern);
+/// Collective. Lines in this rank's own triangles, cut at the borders: where one goes on, exactly
+/// one on another rank ends in a point of the same bits. As in lines of one process, no point but
+/// an end is at the place of another, there are no lines of one point, and waves run to the left
+/// where the field and the piece can be oriented.
+Polylines piece_lines(const RankPiece& piece, const StripePattern& pattern,
+                      const CurveOptions& options);
 
 }  // namespace brindle::paraview

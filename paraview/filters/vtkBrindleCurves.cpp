@@ -71,10 +71,9 @@ vtkBrindleCurves::vtkBrindleCurves() = default;
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
 void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
-  const bp::LineOptions options = {{.join = this->Join,
-                                    .trim = static_cast<float>(this->Trim),
-                                    .fair = static_cast<float>(this->Fair)},
-                                   this->MinimumLength};
+  const auto trim = static_cast<float>(this->Trim), fair = static_cast<float>(this->Fair);
+  const bp::LineOptions options = {
+      {.join = this->Join, .trim = this->Join ? 0 : trim, .fair = fair}, this->MinimumLength};
   run.ranks.throw_on_all([&] {
     if (std::isfinite(options.minimum_length) && options.minimum_length >= 0) return;
     throw brindle::Error("Minimum Length must be 0 or above");
@@ -85,8 +84,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   const auto report = [&] { run.progress(0.9, 1).report("arrays", 0); };
   // The length and continuation of cut lines are unknown.
   const brindle::CurveOptions& wanted = options.curves;
-  const bool whole_ones =
-      wanted.join || wanted.trim != 0 || wanted.fair != 0 || options.minimum_length > 0;
+  const bool whole_ones = wanted.join || wanted.fair != 0 || options.minimum_length > 0;
   if (input.piece && whole_ones) {
     const bp::WholeLines whole = bp::whole_lines(input, pattern, options);
     run.ranks.throw_on_all([&] {
@@ -97,7 +95,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
     });
     return;
   }
-  const brindle::Polylines lines = input.piece ? bp::piece_lines(*input.piece, pattern)
+  const brindle::Polylines lines = input.piece ? bp::piece_lines(*input.piece, pattern, wanted)
                                                : local_lines(*input.surface, pattern, options);
   run.ranks.throw_on_all([&] {
     report();

@@ -1,12 +1,14 @@
 /// Centre lines of stripes.
 #pragma once
 
+#include <brindle/curves.h>
+
 #include "BrindleFiltersModule.h"  // export macro
 #include "vtkBrindleFilter.h"
 
-/// One polyline per stripe, with normals and the input's arrays at its points, and whether it is
-/// closed and its length per line. With several ranks, lines are cut at the borders; with `Join`,
-/// `Trim`, `Fair` or `MinimumLength` they are whole, on the first rank.
+/// One polyline per stripe, with normals and the input's arrays at its points; per line whether it
+/// is closed, and its length. Over several ranks lines are cut at the borders, but for those that
+/// `Join`, `Fair` or `MinimumLength` asks for: these are whole, and on the first rank.
 class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
  public:
   static vtkBrindleCurves* New();
@@ -15,8 +17,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
   /// Joins curves that end in one branch, and extends others to a neighbour.
   vtkSetMacro(Join, bool);
   vtkGetMacro(Join, bool);
-  /// Cuts ends at branches that are nearer to a neighbour than this share of the spacing; 0 to 1,
-  /// 0: none. Not together with `Join`.
+  /// Ends at branches are cut back to where no neighbour is nearer than this share of the spacing;
+  /// 0 to 1, 0 leaves them. Not of joined curves, whose ends run into their neighbours.
   vtkSetMacro(Trim, double);
   vtkGetMacro(Trim, double);
   /// Smooths kinks shorter than about this share of the spacing; 0 to 1, 0: none. Needs the whole
@@ -38,7 +40,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
 
  private:
   bool Join = false;
-  double Trim = 0;
+  double Trim = brindle::CurveOptions::kTrim;
   double Fair = 0;
   double MinimumLength = 0;
 };

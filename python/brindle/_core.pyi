@@ -240,7 +240,7 @@ def textured_stripes(stripes: Stripes) -> TexturedMesh: ...
 
 class CurveRequest:
     join: bool
-    trim: float
+    trim: Optional[float]
     fair: float
     offset: float
     min_length: float

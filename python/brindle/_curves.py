@@ -142,11 +142,12 @@ class Curves(Result):
         draw_curves(path_of(path), self, options)
 
 
-def curves_of(stripes: Stripes, join: bool, trim: float, fair: float, offset: float,
+def curves_of(stripes: Stripes, join: bool, trim: Optional[float], fair: float, offset: float,
               min_length: float, simplify: Optional[float], resample: Optional[float]) -> Curves:
     request = _core.CurveRequest()
     request.join = flag(join, "join")
-    request.trim = number(trim, "trim")
+    if trim is not None:
+        request.trim = number(trim, "trim")
     request.fair = number(fair, "fair")
     request.offset = number(offset, "offset")
     request.min_length = number(min_length, "min_length")

@@ -264,17 +264,17 @@ class Stripes(Result):
         """Named arrays with a row per triangle: branch, corner_phase."""
         return self._core.cell_arrays()
 
-    def curves(self, *, join: bool = False, trim: float = 0, fair: float = 0,
+    def curves(self, *, join: bool = False, trim: Optional[float] = None, fair: float = 0,
                offset: float = 0, min_length: float = 0, simplify: Optional[float] = None,
                resample: Optional[float] = None) -> "Curves":
         """The centre lines of the stripes: ``points, edges = p.curves()`` gives (k, 3) and (l,
         2).
 
-        ``join``: joins curves that end in one branch in pairs. ``trim``: cuts ends at branches
-        and singularities where they are nearer to a neighbour than this share of the spacing
-        (default 0: none; 0.6 is good); not together with ``join``. ``fair``: smooths kinks
-        shorter than about this share of the spacing (default 0: none; 0.25 is good). ``offset``:
-        in periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
+        ``join``: where curves end in one branch, joins them in pairs. ``trim``: cuts ends at branches
+        and singularities back to where no neighbour is nearer than this share of the spacing (0.6 by
+        default; 0: as traced), without hooks; not together with ``join``. ``fair``: takes out kinks
+        shorter than about this share of the spacing (0.25 is good; 0 leaves them). ``offset``: moved by
+        so many periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
         points) and ``simplify`` (tolerance) are lengths.
         """
         from ._curves import curves_of

@@ -48,7 +48,8 @@ constexpr double kTraced = 0.7, kResampled = 0.5;
 
 struct CurveRequest {
   bool join = false;
-  float trim = 0, fair = 0;
+  std::optional<float> trim;
+  float fair = 0;
   float offset = 0;
   float min_length = 0;
   std::optional<float> simplify, resample;

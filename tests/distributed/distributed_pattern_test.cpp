@@ -301,7 +301,7 @@ void expect_same_curves(const StripeCurves& joined, const StripeCurves& expected
 }
 
 /// As they are, with ends joined, and trimmed.
-constexpr std::array<CurveOptions, 3> kCurveOptions = {{{false}, {true}, {.trim = 0.6f}}};
+constexpr std::array<CurveOptions, 3> kCurveOptions = {{{.trim = 0}, {.join = true}, {}}};
 
 /// Parts of lines, put together where they cross borders, are the lines of the whole.
 TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
@@ -315,9 +315,9 @@ TEST(DistributedCurves, AreThoseOfTheWholeHoweverItIsCut) {
       }
       for (const Cut& cut : kCuts) {
         SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(solved.z.size()) + " vertices" +
-                     (options.join       ? ", joined"
-                      : options.trim > 0 ? ", trimmed"
-                                         : ""));
+                     (options.join              ? ", joined"
+                      : options.least_gap() > 0 ? ", trimmed"
+                                                : ""));
         const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
         const PieceCurves curves = piece_curves(piece.pattern(), options);
         const StripeCurves joined = joined_lines(piece.surface, curves);
@@ -487,7 +487,7 @@ TEST(DistributedCurves, OfTheWholeSurfaceAreThoseOfOneProcess) {
   std::size_t forks = 0;
   for (const Solved& solved : solved_surfaces()) {
     for (const CurveOptions& options : {CurveOptions{}, CurveOptions{.join = true, .fair = 0.25f},
-                                        CurveOptions{.trim = 0.6f, .fair = 0.5f}}) {
+                                        CurveOptions{.trim = 0, .fair = 0.5f}}) {
       const StripeCurves expected = stripe_curves(LiftedWaves(solved.pattern()), options);
       ASSERT_EQ(expected.largest_move > 0, options.fair > 0);
       forks += expected.smooth_forks;

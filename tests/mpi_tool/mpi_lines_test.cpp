@@ -45,7 +45,7 @@ TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines",      "both", "--stripes-v",  "12",
                          "--min-length", "10%",  "--line-width", "1%"};
   for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"},
-                            Words{"--trim", "0.6"}, Words{"--join", "--fair", "0.25"}}) {
+                            Words{"--trim", "0"}, Words{"--join", "--fair", "0.25"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
     ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
               0);
@@ -310,7 +310,6 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--output", "a.png"}, ".obj, .ply, .vtp or .csv");
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
-  refused({"curves", "shape:torus", "--output", "a.pvtp", "--trim", "0.6"}, "--trim");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--fair", "0.25"}, "--fair");
   refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");

@@ -38,7 +38,8 @@ struct Solved {
     if (z.empty()) z = solve_phases(surface.graph()).z;
   }
   WavePattern pattern() const { return {surface.mesh, edges, surface.normals, surface.waves, z}; }
-  StripeCurves curves(const CurveOptions& options = {}) const {
+  /// As traced, unless `options` say otherwise.
+  StripeCurves curves(const CurveOptions& options = {.trim = 0}) const {
     return stripe_curves(LiftedWaves(pattern()), options);
   }
 };
@@ -314,7 +315,7 @@ float shortest_edge(const Solved& solved) {
 }
 
 /// But for open curves of two points: both ends stay.
-void expect_distinct_points(const Solved& solved, const CurveOptions& options = {}) {
+void expect_distinct_points(const Solved& solved, const CurveOptions& options = {.trim = 0}) {
   const float least = 0.99e-4f * shortest_edge(solved);
   const Polylines lines = solved.curves(options).lines;
   for (std::size_t line = 0; line < lines.count(); ++line) {

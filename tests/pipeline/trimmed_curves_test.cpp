@@ -25,12 +25,14 @@ TEST(TrimmedCurves, RefuseWhatMakesNoSense) {
   EXPECT_THROW(stripe_curves(surface, pattern, {.join = true, .trim = 0.6f}), Error);
 }
 
-TEST(TrimmedCurves, HaveNoHooks) {
+TEST(TrimmedCurves, HaveNoHooksByDefault) {
   Hooks before, after;
   for (const char* shape : kTracedShapes) {
     const Traced traced(shape);
-    for (const auto& [trim, hooks] : {std::pair(0.0f, &before), std::pair(0.6f, &after)}) {
-      const Hooks here = hooks_of(traced.curves(trim), traced.frequency);
+    for (const auto& [options, hooks] :
+         {std::pair(CurveOptions{.trim = 0}, &before), std::pair(CurveOptions{}, &after)}) {
+      const StripeCurves curves = stripe_curves(traced.surface, traced.pattern, options);
+      const Hooks here = hooks_of(curves, traced.frequency);
       hooks->ends += here.ends;
       hooks->turned += here.turned;
     }
@@ -38,6 +40,16 @@ TEST(TrimmedCurves, HaveNoHooks) {
   EXPECT_GT(before.ends, 150);
   EXPECT_GT(before.share(), 0.4f) << "nothing is shown if there were none";
   EXPECT_LT(after.share(), 0.02f);
+}
+
+TEST(TrimmedCurves, AreThoseOfTheDefaultExceptWithJoin) {
+  const Traced traced("sphere");
+  const auto points = [&](const CurveOptions& options) {
+    return stripe_curves(traced.surface, traced.pattern, options).lines.points;
+  };
+  EXPECT_EQ(points({}), points({.trim = CurveOptions::kTrim}));
+  EXPECT_NE(points({}), points({.trim = 0}));
+  EXPECT_EQ(points({.join = true}), points({.join = true, .trim = 0}));
 }
 
 /// The nearest point of other lines beside an end or across its way, asked of every segment.

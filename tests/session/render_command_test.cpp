@@ -119,7 +119,7 @@ TEST_F(RenderTool, ReportsOfCurvesWhatCurvesReports) {
        {{"lines", {"both"}}, {"offset", {"0.3"}}, {"wales", {"loop-1:5"}}, {"line-width", {"1%"}}}},
       {"shape:tube,resolution=24",
        {{"field", {"curvature"}}, {"curvature-direction", {"min"}}, {"winding", {"0"}}},
-       {{"trim", {"0.6"}}, {"fair", {"0.25"}}}}};
+       {{"trim", {"0.5"}}, {"fair", {"0.25"}}}}};
   for (const auto& [mesh, options, own] : cases) {
     SessionDocument document = small_document();
     document.mesh = mesh;

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <emscripten/bind.h>
@@ -22,10 +23,11 @@ val lines_of(const Polylines& lines) {
   return result;
 }
 
+/// NaN: the default of `trim`.
 StripeCurves traced(const PatternObject& object, bool join, float trim, float fair) {
   CurveOptions options;
   options.join = join;
-  options.trim = trim;
+  if (!std::isnan(trim)) options.trim = trim;
   options.fair = fair;
   return stripe_curves(object.surface->surface, object.pattern, options);
 }

@@ -64,22 +64,22 @@ export class Surface extends RealtimeSurface {
   }
 }
 
-const AS_TRACED = { join: false, trim: 0, fair: 0 };
+const curveOptions = { join: false, trim: NaN, fair: 0 };  // NaN: as the library has it
 
 export class Pattern extends RealtimePattern {
   curves(given) {
-    const o = options(given, AS_TRACED, 'curves');
+    const o = options(given, curveOptions, 'curves');
     return this.module.curves(this.raw, o.join, o.trim, o.fair);
   }
   curvesFile(name, given) {
-    const o = options(given, AS_TRACED, 'curvesFile');
+    const o = options(given, curveOptions, 'curvesFile');
     return this.module.curvesFile(this.raw, name, o.join, o.trim, o.fair);
   }
   samplesWith(other) {
     return this.module.samples(this.raw, other.raw);
   }
   svg(given) {
-    const o = options(given, { rotation: [0, 0, 0, 1], zoom: 1, width: 800, height: 600, ...AS_TRACED }, 'svg');
+    const o = options(given, { rotation: [0, 0, 0, 1], zoom: 1, width: 800, height: 600, ...curveOptions }, 'svg');
     return this.module.drawing(this.raw, o.rotation, o.zoom, o.width, o.height, o.join, o.trim, o.fair);
   }
 }

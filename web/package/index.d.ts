@@ -196,7 +196,8 @@ export interface Curves {
 export interface CurveOptions {
   /** Joins curves that end in one branch in pairs; extends others to their neighbours, smoothly with `fair`. */
   join?: boolean;
-  /** Cuts ends that are nearer to another curve than this share of the spacing; 0: none. Not with `join`. */
+  /** Cuts ends back to where no curve is nearer than this share of the spacing; 0: as traced. Default: 0.6, or
+   * 0 with `join`, which excludes others. */
   trim?: number;
   /** Smooths kinks shorter than about this share of the spacing; 0: none. */
   fair?: number;

@@ -321,7 +321,7 @@ const savers = {
     draw();
     canvas.toBlob((blob) => done(save(blob, 'image/png', 'png')));
   }),
-  svg: async () => save(await live.pattern.svg({ rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900, trim: 0.6, fair: 0.25 }),
+  svg: async () => save(await live.pattern.svg({ rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900, fair: 0.25 }),
                         'image/svg+xml', 'svg'),
   obj: async () => save(await live.pattern.curvesFile('stripes.obj'), 'model/obj', 'obj'),
   glb: async () => {

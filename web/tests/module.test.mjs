@@ -471,15 +471,18 @@ function typicalTurn({ points, offsets, closed }) {
 test('curves lose their kinks, and those that are joined run together', () => {
   const sphere = brindle.shape('sphere,resolution=12');
   const pattern = sphere.stripes(sphere.smoothField(), { stripes: 24 });
-  const traced = pattern.curves({ trim: 0.6 });
-  const faired = pattern.curves({ trim: 0.6, fair: 0.25 });
+  const traced = pattern.curves();
+  const faired = pattern.curves({ fair: 0.25 });
+  assert.deepEqual(pattern.curves({ trim: 0.6 }), traced);
+  assert.notDeepEqual(pattern.curves({ trim: 0 }).points, traced.points);
   assert.deepEqual(faired.closed, traced.closed);
   assert.ok(typicalTurn(faired) < 0.6 * typicalTurn(traced));
   assert.ok(pattern.curves({ join: true, fair: 0.25 }).points.length > 0);
   const drawn = (options) => new TextDecoder().decode(pattern.svg({ width: 400, height: 300, ...options }));
-  assert.notEqual(drawn({ trim: 0.6, fair: 0.25 }), drawn({}));
+  assert.notEqual(drawn({ fair: 0.25 }), drawn({}));
   refused(() => pattern.curves({ fair: 2 }), /share of the spacing/);
   refused(() => pattern.curves({ join: true, trim: 0.6 }), /join/);
+  refused(() => pattern.curves({ trim: '0.6' }), /trim/);
 });
 
 test('buffers for shaders have the layout of the library, and refuse what does not fit', async () => {

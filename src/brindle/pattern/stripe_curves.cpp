@@ -542,12 +542,13 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
                            const Progress& progress) {
   check_curve_options(options);
   const WavePattern& pattern = waves.pattern();
-  const bool trims = options.trim > 0, fairs = options.fair > 0;
+  const float trim = options.least_gap();
+  const bool trims = trim > 0, fairs = options.fair > 0;
   const double traced = (trims ? kTracedBeforeTrim : 1) * (fairs ? kBeforeFair : 1);
   StripeCurves curves = Tracer(waves, options, progress.part(0, traced)).trace();
   curves.lines.origin = pattern.mesh.origin;
   if (trims) {
-    curves = trimmed_ends(curves, frequencies_along(pattern, curves.lines), options.trim,
+    curves = trimmed_ends(curves, frequencies_along(pattern, curves.lines), trim,
                           progress.part(traced, fairs ? kBeforeFair : 1));
   }
   if (!fairs) return curves;
@@ -559,10 +560,11 @@ StripeCurves stripe_curves(const LiftedWaves& waves, const CurveOptions& options
 }
 
 void check_curve_options(const CurveOptions& options) {
-  if (!(options.trim >= 0 && options.trim <= 1)) {
+  const float trim = options.least_gap();
+  if (!(trim >= 0 && trim <= 1)) {
     throw Error("trim: ends are cut back to a share of the spacing from 0 to 1");
   }
-  if (options.trim > 0 && options.join) {
+  if (trim > 0 && options.join) {
     throw Error("trim: ends that are joined run on into their neighbours; leave one of both out");
   }
   if (!(options.fair >= 0 && options.fair <= 1)) {
