@@ -44,7 +44,7 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
         raise Error("expected size=(width, height) and camera=(azimuth, elevation[, zoom])") from error
     picture.set_size(whole_number(width, "size"), whole_number(height, "size"))
     if up is None:
-        up = "z" if surface._core.stands_on_z else "y"
+        up = surface._core.up
     picture.set_camera(number(azimuth, "camera"), number(elevation, "camera"),
                        number(zoom, "camera"), word(up, "up"))
     if colors is not None:
@@ -71,8 +71,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     tool with the same options.
 
     ``pattern``: Stripes, Texture, Curves, Samples or None, of this surface. ``size``: (width,
-    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: "y" or "z",
-    the axis that points up; None: z for built-in shapes, else y. ``colors``: those of stripes,
+    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: the
+    axis that points up, x, y, z, -x, -y or -z; None: z for built-in shapes and .stl, else y. ``colors``: those of stripes,
     surface and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or
     "angle_error"; ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker",
     "dots", "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out those that a

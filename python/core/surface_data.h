@@ -21,8 +21,7 @@ namespace py = pybind11;
 /// Python hands these around; nobody changes one.
 struct SurfaceData {
   Surface surface;
-  std::string name;          ///< a file, a shape, or "arrays"
-  bool stands_on_z = false;  ///< the z axis points up, as that of built-in shapes
+  std::string name;  ///< a file, a shape, or "arrays"
   MeshRepair repair;
   std::optional<PointRepair> point_repair;  ///< of points
   DataArrays arrays;                        ///< a row per vertex, and per triangle

@@ -69,7 +69,7 @@ struct AnimationReport {
   double topology_milliseconds = 0;
   nlohmann::ordered_json device;  ///< as Device::description gives it
   std::vector<FrameReport> frames;
-  std::string picture_quality;  ///< empty if nothing is drawn
+  nlohmann::ordered_json picture;  ///< keys on pictures; null if nothing is drawn
 };
 
 /// What a frame comes from: a surface as its file has it, and what else the file says.

@@ -310,7 +310,7 @@ ParsedSession::ParsedSession(const SessionDocument& document)
   PictureOptions& picture = *arguments_->picture;
   picture.render.camera = document.camera;
   picture.render.camera.up = UpAxis::y;
-  if (is_shape(arguments_->surface)) stand_on_z(picture);
+  stand_upright(picture, document.mesh);
   picture.render.width = document.size.width;
   picture.render.height = document.size.height;
 }

@@ -52,11 +52,11 @@ constexpr auto kSurfaceRows = in_group(
      {.name = "up",
       .words = "axis that is up",
       .kind = OptionKind::choice,
-      .form = "y|z",
+      .form = "x|y|z|-x|-y|-z",
       .stale = OptionStage::style,
       .jobs = kStripe | kCurves | kSample | kAnimate,
-      .help = "the axis that points up in pictures (default z for shapes, y for files), and that "
-              "'height' is measured along (default z)"}});
+      .help = "the axis that points up in pictures (default z for shapes and .stl, y for other "
+              "files), and that 'height' is measured along (default z)"}});
 
 constexpr auto kFieldRows = in_group(
     {.group = "Field", .stale = OptionStage::field, .jobs = kAll},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "brindle/camera.h"
@@ -16,6 +17,14 @@ namespace brindle {
 /// Empty if the text is not that, a number is not finite, elevation is beyond -90 .. 90 or zoom is
 /// not in 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
+
+/// Reads "x", "y", "z", "-x", "-y" and "-z". Empty if the text is none of these.
+std::optional<UpAxis> parse_up_axis(std::string_view text);
+std::string_view name_of(UpAxis up);
+
+/// The axis that points up in built-in shapes ("shape:torus") and in most files of this extension:
+/// z in shapes and .stl. Empty if the extension does not tell; pictures then have y up.
+std::optional<UpAxis> usual_up_axis(const std::string& mesh);
 
 /// What `parse_camera_view` reads, for messages.
 inline constexpr const char* kCameraViewForm =
