@@ -17,7 +17,7 @@ PatternJob job_of(const std::string& command);
 /// exclude each other. Options that have been described already keep their words.
 void describe_options(CLI::App& app, PatternJob job);
 
-/// The words between the spaces of `needs` and `excludes`.
-std::vector<std::string> option_names(std::string_view words);
+/// The words of `needs`, `excludes` and `files`.
+std::vector<std::string> words_between_spaces(std::string_view words);
 
 }  // namespace brindle::tool

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brindle/base/file_names.h"
+#include "brindle/base/option_words.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
@@ -291,6 +292,14 @@ const OptionInfo* find_session_option(const std::string& name, Shown shown) {
 }
 
 bool is_own(const OptionInfo& option, Shown shown) { return option.own && shown != Shown::stripes; }
+
+std::string in_panel_words(const std::string& text, Shown shown) {
+  return with_option_names(text, [shown](const std::string& name) {
+    const OptionInfo* option = find_session_option(name, shown);
+    const bool is_in_panel = option != nullptr && !option->words.empty();
+    return is_in_panel ? "'" + std::string(option->words) + "'" : "--" + name;
+  });
+}
 
 std::vector<std::string> choices_of(const OptionInfo& option) {
   if (option.kind != OptionKind::choice) return {};

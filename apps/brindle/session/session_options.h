@@ -29,6 +29,9 @@ const OptionInfo* find_session_option(const std::string& name, Shown shown = Sho
 /// apart from those of stripes.
 bool is_own(const OptionInfo& option, Shown shown);
 
+/// A message of the tool in the words of a panel: 'split triangles' 2 for --subdivide 2.
+std::string in_panel_words(const std::string& text, Shown shown);
+
 /// All values of a choice; empty of other options.
 std::vector<std::string> choices_of(const OptionInfo& option);
 

@@ -86,7 +86,7 @@ constexpr auto kCurveRows = in_group(
       .form = "N",
       .unit = "stripes along the diagonal",
       .range = kPositive,
-      .slider = {2, 400, true},
+      .slider = {2, 400, true, true},
       .excludes = "frequency-v",
       .stale = OptionStage::style | OptionStage::second,
       .jobs = kCurves | kSample,
@@ -106,7 +106,7 @@ constexpr auto kCurveRows = in_group(
       .words = "field across",
       .kind = OptionKind::text,
       .form = "FILE",
-      .file = true,
+      .files = ".csv",
       .stale = OptionStage::style | OptionStage::second,
       .jobs = kCurves | kSample,
       .help = "V: a CSV file of rows x,y,z or x,y,z,frequency (default: U's field turned by 90 "
@@ -142,7 +142,7 @@ constexpr auto kSampleRows = in_group(
       .words = "glyph",
       .kind = OptionKind::text,
       .form = "disc|arrow|ellipse|stroke|FILE.png",
-      .file = true,
+      .files = ".png",
       .help = "picture: what stands at samples: discs (default), arrows along the field, ellipses "
               "whose axes are the spacings, strokes of a brush, or a picture with transparency, "
               "which lies flat and may cross the silhouette"},

@@ -92,7 +92,7 @@ constexpr auto kSolverRows = in_group(
       .words = "stay near to",
       .kind = OptionKind::text,
       .form = "FILE",
-      .file = true,
+      .files = kMeshFiles,
       .jobs = kStripe,
       .help = "stay near to the stripes of this file, which an earlier run has written (.vtp, "
               ".ply): one step of a time series at a time"},

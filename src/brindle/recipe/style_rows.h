@@ -148,7 +148,7 @@ constexpr auto kDepthRows = in_group(
       .kind = OptionKind::text,
       .form = "MESH",
       .several = true,
-      .file = true,
+      .files = kMeshFiles,
       .help =
           "picture: another surface, plain unless it says more: "
           "MESH[@opaque|striped|discarded][@texture=TILE][@stripes=N][@rotate=DEG]"

@@ -12,7 +12,7 @@ constexpr auto kTileRows = in_group(
       .words = "tile",
       .kind = OptionKind::text,
       .form = "TILE|FILE.png",
-      .file = true,
+      .files = ".png",
       .help = "a texture instead of stripes, one tile a period along the field and across it: "
               "stripes|checker|dots|arrows|bricks|hatch|plus|minus|plusminus, or a picture"},
      {.name = "oriented",
@@ -36,7 +36,7 @@ constexpr auto kTileRows = in_group(
       .form = "N",
       .unit = "stripes along the diagonal",
       .range = kPositive,
-      .slider = {2, 400, true},
+      .slider = {2, 400, true, true},
       .needs = "texture",
       .excludes = "cross frequency-v",
       .stale = OptionStage::waves | OptionStage::second,

@@ -17,6 +17,9 @@ namespace brindle::tool {
 /// How a widget has changed a value.
 enum class ValueChange { none, dragged, typed };
 
+/// What there is to say of the frame, in the words of the panels.
+std::vector<std::string> notes_of(const SessionFrame& frame);
+
 /// All that happens to the session goes through here. Nothing waits for the worker: changes are
 /// drawn at interactive quality at once, and with care when nothing has changed for a while.
 class LiveSession {

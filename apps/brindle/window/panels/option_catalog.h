@@ -19,9 +19,9 @@ struct CatalogOption {
   std::string form;  ///< how values are written: "AZIMUTH,ELEVATION"
   WidgetKind kind = WidgetKind::text;
   std::vector<std::string> names;     ///< values that are names: all of a choice, some of a text
-  bool file = false;                  ///< the value may be a file
+  std::vector<std::string> files;     ///< extensions of files that the value may be
   bool repeatable = false;            ///< a value a line
-  bool whole = false;                 ///< numbers have no fraction
+  bool whole = false;                 ///< numbers that are dragged have no fraction
   SliderRange range;                  ///< of numbers and percents; what is typed may go beyond
   std::string standard;               ///< what counts where it is not given; empty: nothing does
   std::vector<std::string> excludes;  ///< options that are left out when this one is given
