@@ -13,6 +13,7 @@
 #include "brindle/stripe_pattern.h"
 #include "brindle/surface.h"
 #include "brindle/texture_pattern.h"
+#include "brindle/wave_figures.h"
 #include "values.h"
 
 namespace brindle::web {
@@ -21,7 +22,9 @@ struct SurfaceObject {
   Surface surface;
   std::vector<std::string> notes;  ///< what was repaired, joined or left out
   std::vector<Index> vertex_of_row;
-  DataArrays arrays;  ///< of the file that it was read from
+  DataArrays arrays;         ///< of the file that it was read from
+  float crease_angle = 180;  ///< of the creases that have split it
+  int subdivided = 0;        ///< times
 };
 
 using SurfacePointer = std::shared_ptr<const SurfaceObject>;
@@ -43,6 +46,9 @@ struct AnimatorObject {
   std::optional<PatternFrames> frames;  ///< once somebody draws
   std::vector<PatternVertex> vertices;  ///< of the last frame that somebody drew
 };
+
+/// Words for warnings of patterns on the surface.
+WarningWords words_for(const SurfaceObject& object);
 
 /// A surface that is split at creases, with what is to be said of it; `notes` may have more.
 std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,

@@ -12,6 +12,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/file_names.h"
 #include "brindle/base/number_text.h"
+#include "brindle/base/standard.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {
@@ -146,7 +147,7 @@ Eigen::Matrix3f upright_axes(UpAxis up) {
 }
 
 std::optional<UpAxis> parse_up_axis(std::string_view text) {
-  const auto name = std::ranges::find(kUpAxes, text);
+  const auto name = ranges::find(kUpAxes, text);
   if (name == kUpAxes.end()) return {};
   return static_cast<UpAxis>(name - kUpAxes.begin());
 }
