@@ -57,6 +57,8 @@ def check_slider_changes_branches(start, folder):
     frames = [e for e in window.lines[since:] if e["event"] == "frame"]
     expect(any(not frame["final"] for frame in frames), "nothing was drawn while the slider moved")
     expect(last["branches"] != first["branches"], f"still {first['branches']} branches")
+    stripes = json.loads(save_session(window, folder / "dragged.json"))["options"]["stripes"]
+    expect(float(stripes).is_integer(), f"a number of stripes is dragged to {stripes}")
     since = window.now()
     window.key("ctrl+z")
     window.settled(since)
@@ -134,6 +136,39 @@ def check_stroke_and_undo(start, folder):
     window.quit()
 
 
+def check_strokes_end_where_the_surface_does(start, folder):
+    window = start("shape:torus,resolution=60", "--stripes", "16", "--camera", "0,90")
+    window.settled()
+    before = save_session(window, folder / "before.json")
+    window.click("tool Comb")
+    since = window.now()
+    window.drag([window.point("picture", 0.02 + 0.06 * i, 0.5) for i in range(17)])
+    window.settled(since)
+    strokes = json.loads(save_session(window, folder / "across.json"))["strokes"]
+    expect(len(strokes) == 2, f"{len(strokes)} strokes beside the hole")
+    for stroke in strokes:
+        sides = {math.copysign(1, x) for x, _, _ in stroke["points"]}
+        expect(len(sides) == 1, f"a stroke runs through the air: {stroke['points']}")
+    since = window.now()
+    window.key("ctrl+z")
+    window.settled(since)
+    expect(save_session(window, folder / "after.json") == before, "both strokes are not one step")
+    window.quit()
+
+
+def check_files_are_those_that_can_be_read(start, folder):
+    shutil.copy(pathlib.Path(__file__).parent.parent / "docs" / "images" / "window.png", folder / "tile.png")
+    (folder / "plate.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n")
+    window = start("shape:torus,resolution=20")
+    window.settled()
+    search_option(window, "texture")
+    window.click("browse texture 0")
+    window.place("browser item tile.png")
+    expect("browser item plate.obj" not in window.places, "a mesh is offered as a tile")
+    window.click("browser cancel")
+    window.quit()
+
+
 def check_singularity_is_steered(start, folder):
     window = start("shape:sphere,resolution=50", "--stripes", "20")
     window.settled()
@@ -185,7 +220,7 @@ def check_singularities_that_cannot_be_steered_say_why(start, folder):
     since = window.now()
     window.drag([(x, y), (x + 20, y + 20), (x + 40, y + 40)])
     said = window.wait_for("steered", since)["text"]
-    expect("stays: only --field smooth" in said, f"it says: {said}")
+    expect("stays: only 'direction field' smooth" in said, f"it says: {said}")
     window.quit()
 
 
@@ -407,7 +442,13 @@ def check_warnings_are_shown(start, folder):
     frame = window.settled()
     expect(any(note.startswith("warning: ") for note in frame["notes"]), f"no warning: {frame['notes']}")
     told = subprocess.run([start.tool, "stripe", *fine], cwd=folder, capture_output=True, text=True, check=True)
-    expect(all(note in told.stdout + told.stderr for note in frame["notes"]), "the tool says something else")
+    expect(any("'number of stripes'" in note and "or 'split triangles' 4" in note for note in frame["notes"]),
+           f"not in the window's words: {frame['notes']}")
+    for note in frame["notes"]:
+        for words, option in (("number of stripes", "stripes"), ("stripes per unit", "frequency"),
+                              ("direction field", "field"), ("split triangles", "subdivide")):
+            note = note.replace(f"'{words}'", f"--{option}")
+        expect(note in told.stdout + told.stderr, f"the tool says something else than {note}")
     window.wait_until(lambda: "note 1" in window.places, "warning in the panel")
     since = window.now()
     window.type_into_slider("option stripes", "10")

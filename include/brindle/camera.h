@@ -13,8 +13,12 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// The axis that points up.
-enum class UpAxis { y, z };
+/// The axis that points up; `minus_z` is -z, as in a file that was made upside down.
+enum class UpAxis { x, y, z, minus_x, minus_y, minus_z };
+
+/// The coordinate axes of a picture at azimuth and elevation 0, as rows: to the right, up and
+/// towards the viewer.
+Eigen::Matrix3f upright_axes(UpAxis up);
 
 /// Projections of the camera.
 enum class Projection {
@@ -34,8 +38,9 @@ struct Slice {
 };
 
 /// The direction of view; distance and target follow from the shape. At azimuth and elevation 0,
-/// with y up, it is from +z towards -z; with z up, from -y towards +y; +x is to the right. As
-/// azimuth grows, the camera moves counter-clockwise, seen from above.
+/// with y up, it is from +z towards -z; with z up, from -y towards +y; +x is to the right, with x
+/// up, -y is (`upright_axes`). As azimuth grows, the camera moves counter-clockwise, seen from
+/// above.
 struct CameraView {
   float azimuth_deg = 30;
   float elevation_deg = 20;  ///< -90 (from below) to 90 (from above)

@@ -69,7 +69,11 @@ struct SliderRange {
   double lowest = 0;
   double highest = 1;
   bool logarithmic = false;  ///< in even ratios; may begin at 0
+  bool whole = false;        ///< stops at whole numbers; what is typed may have a fraction
 };
+
+/// Extensions of the files that hold meshes or points, separated by spaces.
+inline constexpr std::string_view kMeshFiles = ".vtp .vtu .vtk .ply .obj .stl .off .gltf .glb";
 
 /// A row of the table. Texts live as long as the program.
 struct OptionInfo {
@@ -84,7 +88,7 @@ struct OptionInfo {
   NumberRange range = {};          ///< of whole numbers, numbers and lengths
   SliderRange slider = {};         ///< of whole numbers, numbers and lengths
   bool several = false;            ///< may be given more than once
-  bool file = false;               ///< the value may be a file name
+  std::string_view files = {};     ///< extensions of files, separated by spaces, that it may name
   bool by_camera = false;          ///< the value may depend on a picture's camera or light
   std::string_view needs = {};     ///< options, separated by spaces, that it requires
   std::string_view excludes = {};  ///< options, separated by spaces, that it excludes

@@ -10,6 +10,7 @@
 #include "brindle/measured_field.h"
 #include "brindle/quality.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/texture_pattern.h"
 #include "brindle/wave_figures.h"
 
 namespace BRINDLE_EXPORT brindle {
@@ -17,6 +18,10 @@ namespace BRINDLE_EXPORT brindle {
 /// All warnings of a pattern, one sentence each without a full stop: `surface_warnings`,
 /// `wave_warnings` of the requested waves, and `quality_warnings`. `surface` is the pattern's.
 std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
+                                          const WarningWords& words = {});
+
+/// The same of a texture, with the larger numbers of its two patterns.
+std::vector<std::string> pattern_warnings(const Surface& surface, const TexturePattern& texture,
                                           const WarningWords& words = {});
 
 /// Warns of branches in triangles with more than 10 % of the area; otherwise of stripes that run

@@ -44,7 +44,7 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
         raise Error("expected size=(width, height) and camera=(azimuth, elevation[, zoom])") from error
     picture.set_size(whole_number(width, "size"), whole_number(height, "size"))
     if up is None:
-        up = "z" if surface._core.stands_on_z else "y"
+        up = surface._core.up
     picture.set_camera(number(azimuth, "camera"), number(elevation, "camera"),
                        number(zoom, "camera"), word(up, "up"))
     if colors is not None:
@@ -71,17 +71,17 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     that of the tool with the same options.
 
     ``pattern``: Stripes, Texture, Curves, Samples or None, of this surface. ``size``: (width,
-    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: "y" or
-    "z", the up axis; None: z for built-in shapes, else y. ``colors``: those of stripes, surface
-    and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or "angle_error";
-    ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker", "dots",
-    "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out tiles that a branch,
-    a seam or the border would cut, "cut" draws what is left of them; None: the tile's default,
-    whole for motifs such as dots and arrows. ``tube_radius`` of curves. ``transparent``: no
-    background. ``shading``: light; ``light_from``: (azimuth, elevation) in degrees from the
-    viewer, (90, 0) from the right and (0, 90) from above; None: from the upper left. ``slice``: a
-    plane that cuts the surface open, such as "x=0.2", "z=50%" of the bounding box, "-z=50%" for
-    the other side, or "X,Y,Z,NX,NY,NZ", a point and a normal.
+    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: the
+    axis that points up, x, y, z, -x, -y or -z; None: z for built-in shapes and .stl, else y. ``colors``: those of stripes,
+    surface and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or
+    "angle_error"; ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker",
+    "dots", "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out those that a
+    branch, a seam or the border would cut, "cut" draws what is left of them; None: whole for tiles
+    with a shape of their own, such as dots and arrows. ``tube_radius`` of curves. ``transparent``:
+    no background. ``shading``: light; ``light_from``: (azimuth, elevation) in degrees from the
+    viewer, (90, 0) from the right and (0, 90) from above; None: from the upper left.
+    ``slice``: a plane beyond which nothing is seen, such as "x=0.2", "z=50%" of the bounding box,
+    "-z=50%" for the other side, or "X,Y,Z,NX,NY,NZ", a point and a normal.
 
     Needs no display, but a build with OpenGL; otherwise, and for a slice that leaves nothing,
     raises brindle.Error.

@@ -15,9 +15,8 @@ namespace brindle::python {
 namespace {
 
 UpAxis up_axis(const std::string& name) {
-  if (name == "y") return UpAxis::y;
-  if (name == "z") return UpAxis::z;
-  throw Error("up: '" + name + "' is neither 'y' nor 'z'");
+  if (const auto up = parse_up_axis(name)) return *up;
+  throw Error("up: '" + name + "' is none of x, y, z, -x, -y, -z");
 }
 
 Color color_of(const std::string& text) {

@@ -21,8 +21,7 @@ namespace py = pybind11;
 /// Shared by Python objects; immutable.
 struct SurfaceData {
   Surface surface;
-  std::string name;          ///< a file, a shape, or "arrays"
-  bool stands_on_z = false;  ///< z is the up axis, as for built-in shapes
+  std::string name;  ///< a file, a shape, or "arrays"
   MeshRepair repair;
   std::optional<PointRepair> point_repair;  ///< of points
   DataArrays arrays;                        ///< per vertex and per triangle

@@ -21,6 +21,7 @@
 #include "brindle/normals.h"
 #include "brindle/recipe/array_choice.h"
 #include "brindle/recipe/refusals.h"
+#include "brindle/render/parsed_words.h"
 #include "brindle/shapes.h"
 #include "job.h"
 #include "stored.h"
@@ -233,7 +234,6 @@ SurfacePointer from_shape(const std::string& spec, int times, bool rounded, floa
   check_crease_angle(crease_angle);
   SurfaceData data;
   data.name = std::string(kShapePrefix) + spec;
-  data.stands_on_z = true;
   return until_interrupted([&](const Progress& progress) {
     Stopwatch watch;
     Mesh mesh = make_shape(spec);
@@ -281,7 +281,6 @@ py::tuple from_cells(py::handle points, py::handle corners, py::handle ends,
 SurfaceData data_along_with(const SurfaceData& from) {
   SurfaceData data;
   data.name = from.name;
-  data.stands_on_z = from.stands_on_z;
   data.arrays = from.arrays;
   data.vertices_joined = from.vertices_joined;
   data.partners = from.partners;
@@ -475,8 +474,11 @@ py::tuple array_named(py::handle self, const std::string& name) {
 
 void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
   type.def_property_readonly("name", [](const SurfaceData& data) { return data.name; })
-      .def_property_readonly("stands_on_z",
-                             [](const SurfaceData& data) { return data.stands_on_z; })
+      .def_property_readonly(
+          "up",
+          [](const SurfaceData& data) {
+            return std::string(name_of(usual_up_axis(data.name).value_or(UpAxis::y)));
+          })
       .def_property_readonly("is_points", &SurfaceData::is_points)
       .def_readonly("left_out", &SurfaceData::left_out)
       .def_property_readonly(

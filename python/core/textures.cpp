@@ -105,7 +105,6 @@ std::vector<float> doubled(const std::vector<float>& values) {
 SurfacePointer cover_data(const SurfaceData& from, const CrossCover& cover, Surface&& surface) {
   auto data = std::make_shared<SurfaceData>();
   data->name = from.name;
-  data->stands_on_z = from.stands_on_z;
   std::vector<Index> vertex_of_node, base = cover.base;
   for (Index v = 0; v < from.surface.mesh.vertex_count(); ++v) {
     vertex_of_node.insert(vertex_of_node.end(), 2, v);
@@ -145,7 +144,6 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     }
     made->surface = std::make_shared<SurfaceData>();
     made->surface->name = surface->name;
-    made->surface->stands_on_z = surface->stands_on_z;
     made->surface->arrays = split_arrays(*surface, cross.cover, made->triangle_origins);
     made->surface->surface = std::move(texture.surface);
     made->surface->partners = surface->partners;

@@ -1,7 +1,8 @@
 #include "words.h"
 
-#include <cctype>
 #include <map>
+
+#include "brindle/base/option_words.h"
 
 namespace brindle::python {
 namespace {
@@ -24,32 +25,10 @@ std::string argument_of(const std::string& option) {
   return argument;
 }
 
-bool is_of_option(char letter) {
-  return std::islower(static_cast<unsigned char>(letter)) != 0 || letter == '-';
-}
-
-// Not within a word, such as a file name.
-bool begins_option(const std::string& text, std::size_t i) {
-  if (text.compare(i, 2, "--") != 0 || i + 2 >= text.size()) return false;
-  if (std::islower(static_cast<unsigned char>(text[i + 2])) == 0) return false;
-  return i == 0 || std::isspace(static_cast<unsigned char>(text[i - 1])) != 0;
-}
-
 }  // namespace
 
 std::string in_pythons_words(const std::string& text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    if (!begins_option(text, i)) {
-      result += text[i++];
-      continue;
-    }
-    std::size_t end = i + 2;
-    while (end < text.size() && is_of_option(text[end])) ++end;
-    result += argument_of(text.substr(i + 2, end - i - 2));
-    i = end;
-  }
-  return result;
+  return with_option_names(text, argument_of);
 }
 
 }  // namespace brindle::python

@@ -376,6 +376,7 @@ def test_points(tool, tmp_path):
     ([], {}),
     (["--camera", "60,-10,1.5", "--up", "y", "--colors", "#ff0000,#00ff00,#0000ff"],
      {"camera": (60, -10, 1.5), "up": "y", "colors": ("#ff0000", "#00ff00", "#0000ff")}),
+    (["--up", "-x"], {"up": "-x"}),
     (["--light-from", "70,-15.5"], {"light_from": (70, -15.5)}),
     (["--slice", "z=40%"], {"slice": "z=40%"}),
     (["--slice=-x=0.1", "--view", "branches"], {"slice": "-x=0.1", "view": "branches"}),
@@ -390,6 +391,21 @@ def test_pictures(words, options, tmp_path):
     surface = brindle.shape("torus", resolution=100)
     image = brindle.render(surface, brindle.stripes(surface, stripes=20), size=(120, 90), **options)
     np.testing.assert_array_equal(image, brindle.read_png(tmp_path / "tool.png"))
+
+
+@pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
+def test_pictures_of_stl_stand_on_z(tmp_path):
+    corners = [(0, 0, 0), (2, 0, 0), (2, 1, 1)], [(0, 0, 0), (2, 1, 1), (0, 1, 1)]
+    facets = ("facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % place for place in triangle)
+              + "endloop\nendfacet\n" for triangle in corners)
+    (tmp_path / "plate.stl").write_text(f"solid plate\n{''.join(facets)}endsolid plate\n")
+    run_tool("stripe", tmp_path / "plate.stl", "--stripes", "8", "--size", "120x90", "--output", tmp_path / "tool.png")
+    surface = brindle.read(tmp_path / "plate.stl")
+    pattern = brindle.stripes(surface, stripes=8)
+    image = brindle.render(surface, pattern, size=(120, 90))
+    np.testing.assert_array_equal(image, brindle.read_png(tmp_path / "tool.png"))
+    np.testing.assert_array_equal(image, brindle.render(surface, pattern, size=(120, 90), up="z"))
+    assert (image != brindle.render(surface, pattern, size=(120, 90), up="y")).any()
 
 
 @pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")

@@ -247,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(Picture, WrongUsage,
                                          std::vector<std::string>{"--colors", "red"},
                                          std::vector<std::string>{"--colors", "#ffffff"},
                                          std::vector<std::string>{"--stripe-width", "2"},
-                                         std::vector<std::string>{"--up", "x"}));
+                                         std::vector<std::string>{"--up", "w"}));
 #endif
 
 TEST_F(BadInput, UnknownShapesAndParameters) {

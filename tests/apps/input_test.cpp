@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -146,6 +147,32 @@ TEST_F(Input, FieldOfAnStlHasARowPerCornerOrPerVertex) {
       1, "corners.csv",
       {"stripe", "a.stl", "--subdivide", "1", "--field", "corners.csv", "--output", "b.json"});
 }
+
+#ifdef BRINDLE_HAS_GL
+TEST_F(Input, StlStandsOnZAndOtherFilesOnY) {
+  const Mesh mesh = make_shape("torus,resolution=16");
+  write_text(folder / "a.stl", binary_stl(mesh));
+  write_mesh(folder / "a.obj", mesh);
+  const auto picture = [&](const std::string& file, Arguments more) {
+    more.insert(more.end(), {"--size", "64x48", "--output", "a.png"});
+    const Json json = report(file, more);
+    return std::pair(content(folder / "a.png"), json["picture_up"].get<std::string>());
+  };
+  EXPECT_TRUE(picture("a.stl", {}) == picture("a.stl", {"--up", "z"}));
+  EXPECT_TRUE(picture("a.obj", {}) == picture("a.obj", {"--up", "y"}));
+  EXPECT_EQ(picture("a.stl", {}).second, "z");
+  std::set<std::string> pictures;
+  for (const char* up : {"x", "y", "z", "-x", "-y", "-z"}) {
+    const auto [bytes, said] = picture("a.stl", {"--up", up});
+    EXPECT_EQ(said, up);
+    pictures.insert(bytes);
+  }
+  EXPECT_EQ(pictures.size(), 6u);
+  EXPECT_FALSE(report("a.stl", {}).contains("picture_up")) << "nothing is drawn";
+  EXPECT_TRUE(contains(run({"info", "a.stl"}).out, "z in pictures, as in most .stl files"));
+  EXPECT_TRUE(contains(run({"info", "a.obj"}).out, "y in pictures;"));
+}
+#endif
 
 TEST_F(Input, JoinedVerticesAreWrittenWithTheirPartnersWave) {
   // Two squares with a seam of repeated vertices between them.

@@ -84,6 +84,16 @@ TEST(PatternWarnings, RemediesNameTheTotalOfSubdivisions) {
   EXPECT_FALSE(has(warned(off, 1.5), "subdivide")) << "points have no triangles";
 }
 
+TEST(PatternWarnings, TexturesAreWarnedOfTheWorseOfTheirPatterns) {
+  const Surface surface = make_surface(make_shape("plane,resolution=5"));
+  TexturePattern texture = texture_pattern(
+      surface, projected_direction_field({1, 0, 0}, surface.normals), 2, TextureOptions{});
+  EXPECT_TRUE(pattern_warnings(surface, texture).empty());
+  texture.v.quality.branch_area_share = 0.3;
+  ASSERT_EQ(pattern_warnings(surface, texture).size(), 1u);
+  EXPECT_TRUE(has(pattern_warnings(surface, texture)[0], "on 30 % of the area"));
+}
+
 // Waves that turn nowhere are exact on any mesh.
 TEST(PatternWarnings, ExactWavesAreFineOnCoarseMeshes) {
   for (const char* shape : {"plane,resolution=5", "cylinder,resolution=8"}) {

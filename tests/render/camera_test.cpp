@@ -65,6 +65,38 @@ TEST(Camera, AnglesTurnAsDocumented) {
   EXPECT_TRUE(axis_seen({90, 0, 1, UpAxis::z}, Vec3::UnitX()).isApprox(Vec3::UnitZ(), 1e-5f));
 }
 
+constexpr UpAxis kAllUp[] = {UpAxis::x,       UpAxis::y,       UpAxis::z,
+                             UpAxis::minus_x, UpAxis::minus_y, UpAxis::minus_z};
+
+TEST(Camera, EveryAxisMayPointUp) {
+  const std::vector<Vec3> points = points_of_triangles(test::square(1));
+  for (const UpAxis up : kAllUp) {
+    const std::string name(name_of(up));
+    Vec3 axis = Vec3::Zero();
+    axis[name.back() - 'x'] = name.front() == '-' ? -1 : 1;
+    for (const float azimuth : {0.0f, 40.0f, 210.0f}) {
+      const Camera camera = framed_camera(points, {azimuth, 0, 1, up}, 100, 100);
+      const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
+      EXPECT_NEAR(turn.determinant(), 1, 1e-5f) << name << ": no mirror image";
+      EXPECT_TRUE((turn * axis).isApprox(Vec3::UnitY(), 1e-5f)) << name;
+    }
+    const Camera above = framed_camera(points, {40, 90, 1, up}, 100, 100);
+    const Eigen::Matrix3f turn = above.view_from_world.topLeftCorner<3, 3>();
+    EXPECT_TRUE((turn * axis).isApprox(Vec3::UnitZ(), 1e-5f)) << name;
+    EXPECT_EQ(parse_up_axis(name), up);
+  }
+  for (const char* text : {"", "w", "+z", "zz", "--z", "Z"}) EXPECT_FALSE(parse_up_axis(text));
+}
+
+TEST(Camera, ShapesAndStlStandOnZ) {
+  for (const char* mesh : {"shape:torus", "part.stl", "folder/PART.STL", "v*.stl"}) {
+    EXPECT_EQ(usual_up_axis(mesh), UpAxis::z) << mesh;
+  }
+  for (const char* mesh : {"a.obj", "a.ply", "a.glb", "a.vtp", "a.off", "stl", "arrays", ""}) {
+    EXPECT_FALSE(usual_up_axis(mesh)) << mesh;
+  }
+}
+
 TEST(Camera, MeshWithoutExtentGivesFiniteMatrices) {
   Mesh mesh;
   EXPECT_TRUE(framed_camera(points_of_triangles(mesh), {}, 10, 10).clip_from_view.allFinite());

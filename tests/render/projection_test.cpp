@@ -156,7 +156,7 @@ TEST(Projection, GroundShadowsLieBelowInBoth) {
 TEST(Projection, ATurntableIsAlsoAFreeRotation) {
   const Mesh mesh = make_shape("trefoil,resolution=24");
   const std::vector<Vec3> points = points_of_triangles(mesh);
-  for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
+  for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_y}) {
     const CameraView turntable{37, -21, 1.3f, up};
     CameraView free{0, 0, 1.3f, up};
     free.rotation = rotation_of(turntable);

@@ -657,18 +657,32 @@ TEST(LivePattern, FailingItStaysAsItWasAndSaysWhy) {
   }
 }
 
-// Files say nothing of which axis points up: then heights are z, and say so where pictures have y
-// up.
+// Most files say nothing of which axis points up: then heights are z, and say so where pictures
+// have y up.
 TEST(LivePattern, HeightsFollowTheAxisThatIsSaidToPointUp) {
   const auto path = std::filesystem::path(testing::TempDir()) / "brindle_heights.obj";
-  write_mesh(path, make_shape("box,resolution=6"));
+  const Mesh box = make_shape("box,resolution=6");
+  write_mesh(path, box);
+  const auto stl = std::filesystem::path(testing::TempDir()) / "brindle_heights.stl";
+  std::ofstream text(stl);
+  text << "solid box\n";
+  for (const Triangle& triangle : box.triangles) {
+    text << "facet normal 0 0 0\nouter loop\n";
+    for (const Index v : triangle) text << "vertex " << box.positions[v].transpose() << '\n';
+    text << "endloop\nendfacet\n";
+  }
+  text << "endsolid box\n";
+  text.close();
   struct Case {
     std::string mesh, up, title;
     int axis;
+    float sign = 1;
   };
   const Case cases[] = {{path.string(), "", "height (z)", 2},
                         {path.string(), "y", "height", 1},
                         {path.string(), "z", "height", 2},
+                        {path.string(), "-x", "height", 0, -1},
+                        {stl.string(), "", "height", 2},
                         {"shape:box,resolution=6", "", "height", 2},
                         {"shape:box,resolution=6", "y", "height", 1}};
   for (const Case& one : cases) {
@@ -686,12 +700,13 @@ TEST(LivePattern, HeightsFollowTheAxisThatIsSaidToPointUp) {
     const auto lowest = std::ranges::min_element(heights.values) - heights.values.begin();
     const auto highest = std::ranges::max_element(heights.values) - heights.values.begin();
     for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-      EXPECT_FLOAT_EQ(heights.values[v], mesh.positions[v][one.axis]);
+      EXPECT_FLOAT_EQ(heights.values[v], one.sign * mesh.positions[v][one.axis]);
     }
     EXPECT_LT(frequencies[static_cast<std::size_t>(lowest)],
               0.5f * frequencies[static_cast<std::size_t>(highest)])
         << "frequencies and colours have the same heights";
   }
+  std::filesystem::remove(stl);
   std::filesystem::remove(path);
 }
 

@@ -17,7 +17,7 @@ Camera camera_of(const CameraView& view) {
 
 std::vector<CameraView> views_of_all_kinds() {
   std::vector<CameraView> views;
-  for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
+  for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z, UpAxis::minus_y}) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
       for (const float azimuth : {-170.0f, -30.0f, 0.0f, 75.0f}) {
         CameraView view{.azimuth_deg = azimuth, .elevation_deg = azimuth / 3, .zoom = 1.5f};

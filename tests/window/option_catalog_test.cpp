@@ -57,6 +57,39 @@ TEST(OptionCatalogTest, OptionsAreFoundByWhatTheyAreCalledMeanAndAreFor) {
   }
 }
 
+TEST(OptionCatalogTest, MessagesCallOptionsAsPanelsDo) {
+  EXPECT_EQ(in_panel_words("warning: lower --stripes; or --subdivide 2", Shown::stripes),
+            "warning: lower 'number of stripes'; or 'split triangles' 2");
+  EXPECT_EQ(in_panel_words("farther than --max-distance", Shown::samples),
+            "farther than 'farthest from it'");
+  EXPECT_EQ(in_panel_words("give --output", Shown::stripes), "give --output") << "in no panel";
+}
+
+TEST(OptionCatalogTest, FilesAreThoseThatAnOptionReads) {
+  const auto entries = all_entries();
+  EXPECT_EQ(entries.at("texture").files, std::vector<std::string>{".png"});
+  EXPECT_EQ(entries.at("strokes").files, std::vector<std::string>{".json"});
+  EXPECT_TRUE(entries.at("slack").files.empty());
+  for (const Shown shown : kAllShown) {
+    for (const auto& [name, option] : all_entries(shown)) {
+      const bool names_files =
+          option.form.find("FILE") != std::string::npos || option.form == "MESH";
+      const bool of_values = option.form.find("array:") != std::string::npos && name != "field";
+      if (!of_values) {
+        EXPECT_EQ(names_files, !option.files.empty()) << name;
+      }
+      for (const std::string& extension : option.files) EXPECT_EQ(extension.front(), '.') << name;
+    }
+  }
+}
+
+TEST(OptionCatalogTest, ANumberOfStripesIsDraggedToWholeOnes) {
+  for (const char* name : {"stripes", "stripes-v", "subdivide"}) {
+    EXPECT_TRUE(all_entries().at(name).whole) << name;
+  }
+  EXPECT_FALSE(all_entries().at("frequency").whole);
+}
+
 TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
   for (const Shown shown : {Shown::curves, Shown::samples}) {
     const auto groups = option_catalog(shown);

@@ -46,6 +46,42 @@ TEST(StrokeCurveTest, ThinnedLinesKeepTheirEnds) {
   for (int i = 0; i <= 10; ++i) EXPECT_EQ(few[static_cast<std::size_t>(i)].x(), 10 * i);
 }
 
+// A plane, seen from above, of which `there` says where it is and how high.
+PickPlace seen_from_above(const std::function<std::optional<double>(double x)>& there) {
+  return [there](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector3d> {
+    const auto height = there(pixel.x());
+    if (!height) return std::nullopt;
+    return Eigen::Vector3d(pixel.x(), pixel.y(), *height);
+  };
+}
+
+bool leaves(const std::function<std::optional<double>(double)>& there) {
+  const PickPlace pick = seen_from_above(there);
+  const Eigen::Vector2d from(0, 0), to(5, 1);
+  return leaves_surface({from, *pick(from)}, {to, *pick(to)}, pick);
+}
+
+TEST(StrokeCurveTest, LinesLeaveASurfaceAtHolesAndJumps) {
+  EXPECT_FALSE(leaves([](double) { return 0; }));
+  EXPECT_FALSE(leaves([](double x) { return 40 * x; })) << "steep, seen from the side";
+  EXPECT_FALSE(leaves([](double x) { return 30 * std::sqrt(x); })) << "from the rim of a ball on";
+  EXPECT_FALSE(leaves([](double x) { return std::abs(x - 1); })) << "over an edge";
+  EXPECT_TRUE(leaves([](double x) -> std::optional<double> {
+    return x > 1 && x < 4 ? std::nullopt : std::optional(0.0);
+  })) << "a hole";
+  for (const double at : {0.3, 2.0, 4.6}) {
+    EXPECT_TRUE(leaves([at](double x) { return x < at ? 0 : 20; })) << "another part behind it";
+  }
+}
+
+TEST(StrokeCurveTest, PixelsBetweenAreNearEachOther) {
+  const auto pixels = pixels_between({0, 0}, {30, 40}, 5);
+  ASSERT_EQ(pixels.size(), 10u);
+  EXPECT_EQ(pixels.back(), Eigen::Vector2d(30, 40));
+  EXPECT_TRUE(pixels.front().isApprox(Eigen::Vector2d(3, 4)));
+  EXPECT_EQ(pixels_between({0, 0}, {1, 0}, 5), (std::vector<Eigen::Vector2d>{{1, 0}}));
+}
+
 TEST(StrokeCurveTest, DistanceIsThatOfTheNearestPart) {
   const std::vector<Eigen::Vector2d> line = {{0, 0}, {10, 0}, {10, 10}};
   EXPECT_DOUBLE_EQ(distance_to_line({5, 3}, line), 3);

@@ -1,7 +1,9 @@
 #include <emscripten/bind.h>
 
 #include "brindle/camera.h"
+#include "brindle/error.h"
 #include "brindle/mesh.h"
+#include "brindle/render/parsed_words.h"
 #include "objects.h"
 
 namespace brindle::web {
@@ -14,17 +16,24 @@ val camera_of(const SurfaceObject& object, val given) {
     view.azimuth_deg = float_of(given, "azimuth");
     view.elevation_deg = float_of(given, "elevation");
     view.zoom = float_of(given, "zoom");
-    view.up = text_of(given, "up") == "z" ? UpAxis::z : UpAxis::y;
+    const auto up = parse_up_axis(text_of(given, "up"));
+    if (!up) {
+      throw Error("up must be one of x, y, z, -x, -y, -z, not '" + text_of(given, "up") + "'");
+    }
+    view.up = *up;
     const Camera camera = framed_camera(points_of_triangles(object.surface.mesh), view,
                                         int_of(given, "width"), int_of(given, "height"));
     const auto numbers = [](const Eigen::Matrix4f& matrix) {
       return array_of(std::span<const float>(matrix.data(), 16));
     };
-    const Vec3 up = camera.view_from_world.col(view.up == UpAxis::z ? 2 : 1).head<3>();
+    const Vec3 sky =
+        camera.view_from_world.topLeftCorner<3, 3>() * upright_axes(view.up).row(1).transpose();
     val result = val::object();
     put(result, "viewFromWorld", numbers(camera.view_from_world));
     put(result, "clipFromView", numbers(camera.clip_from_view));
-    put(result, "up", array_of(std::span<const float>(up.data(), 3)));
+    const Eigen::Quaternionf rotation = rotation_of(view);
+    put(result, "rotation", array_of(std::span<const float>(rotation.coeffs().data(), 4)));
+    put(result, "up", array_of(std::span<const float>(sky.data(), 3)));
     return result;
   });
 }

@@ -1,12 +1,14 @@
 #include "brindle/files.h"
 
 #include <filesystem>
+#include <numeric>
 #include <string>
 
 #include <emscripten/bind.h>
 
 #include "brindle/array_field.h"
 #include "brindle/base/output_file.h"
+#include "brindle/creases.h"
 #include "brindle/error.h"
 #include "brindle/mesh_data.h"
 #include "objects.h"
@@ -114,11 +116,30 @@ void add_array(SurfaceObject& object, std::string name, int components, val numb
   });
 }
 
-val array_field(const SurfaceObject& object, std::string name) {
+val array_field(const SurfaceObject& object, std::string name, bool oriented) {
   return guarded([&] {
     const DirectionField field =
-        direction_field_of(object.surface, array_at_vertices(object, name));
+        direction_field_of(object.surface, array_at_vertices(object, name), oriented);
     return array_of(std::span<const Vec3>(field));
+  });
+}
+
+/// Every triangle in four, so many times more.
+std::shared_ptr<SurfaceObject> subdivided(const SurfaceObject& from, int times) {
+  return guarded([&] {
+    // Edges are split as they were before creases, and creases are found again.
+    Mesh mesh = joined_mesh(from.surface.mesh, from.surface.creases);
+    std::vector<Index> own(from.surface.own_vertex_count());
+    std::iota(own.begin(), own.end(), Index{0});
+    mesh.positions.resize(own.size());
+    DataArrays arrays{rows_of(from.arrays.points, own), from.arrays.cells};
+    subdivide(mesh, arrays, times);
+    auto object = surface_object(std::move(mesh), from.crease_angle, {});
+    object->vertex_of_row = from.vertex_of_row;
+    object->arrays = std::move(arrays);
+    add_rows_of_copies(object->surface.creases, object->arrays);
+    object->subdivided = from.subdivided + times;
+    return object;
   });
 }
 
@@ -131,6 +152,7 @@ void bind_files() {
   function("array", &array_values);
   function("addArray", &add_array);
   function("arrayField", &array_field);
+  function("subdivided", &subdivided);
 }
 
 }  // namespace brindle::web

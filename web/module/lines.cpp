@@ -77,11 +77,13 @@ val written(const std::string& name, const Write& write) {
       reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
 }
 
-val curves_file(const PatternObject& object, std::string name, bool join, float trim, float fair) {
+val curves_file(const PatternObject& object, std::string format, bool join, float trim,
+                float fair) {
   return guarded([&] {
     const StripeCurves curves = traced(object, join, trim, fair);
     const std::array<NamedLines, 1> kinds{NamedLines{"stripes", curves.lines, {}}};
-    return written(name, [&](const std::filesystem::path& path) { write_polylines(path, kinds); });
+    return written("stripes." + format,
+                   [&](const std::filesystem::path& path) { write_polylines(path, kinds); });
   });
 }
 
@@ -91,8 +93,9 @@ val drawing(const PatternObject& object, val rotation, float zoom, int width, in
     const Surface& surface = object.surface->surface;
     CameraView view;
     view.zoom = zoom;
-    view.rotation = Eigen::Quaternionf(rotation[3].as<float>(), rotation[0].as<float>(),
-                                       rotation[1].as<float>(), rotation[2].as<float>());
+    if (const std::vector<float> turn = floats_of(rotation); !turn.empty()) {
+      view.rotation = Eigen::Quaternionf(turn[3], turn[0], turn[1], turn[2]);
+    }
     const StripeCurves curves = traced(object, join, trim, fair);
     const std::array<PenLines, 1> lines{PenLines{"stripes", Color{}, curves.lines}};
     const std::vector<Pen> pens =

@@ -14,6 +14,7 @@
 #include "brindle/stripe_pattern.h"
 #include "brindle/surface.h"
 #include "brindle/texture_pattern.h"
+#include "brindle/wave_figures.h"
 #include "values.h"
 
 namespace brindle::web {
@@ -22,7 +23,9 @@ struct SurfaceObject {
   Surface surface;
   std::vector<std::string> notes;  ///< repairs, joined vertices and left-out parts
   std::vector<Index> vertex_of_row;
-  DataArrays arrays;  ///< of the surface's file
+  DataArrays arrays;         ///< of the file that it was read from
+  float crease_angle = 180;  ///< of the creases that have split it
+  int subdivided = 0;        ///< times
 };
 
 using SurfacePointer = std::shared_ptr<const SurfaceObject>;
@@ -45,7 +48,10 @@ struct AnimatorObject {
   std::vector<PatternVertex> vertices;  ///< of the last drawn frame
 };
 
-/// A surface, split at creases, with its notes appended to `notes`.
+/// Words for warnings of patterns on the surface.
+WarningWords words_for(const SurfaceObject& object);
+
+/// A surface that is split at creases, with what is to be said of it; `notes` may have more.
 std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,
                                               std::vector<std::string> notes);
 

@@ -86,10 +86,13 @@ void bind_patterns() {
       .function("frequencies", optional_override([](const PatternObject& p) {
                   return array_of(std::span<const float>(p.pattern.waves.frequencies));
                 }))
-      .function("warnings", optional_override([](const PatternObject& p) {
-                  return guarded(
-                      [&] { return array_of(pattern_warnings(p.surface->surface, p.pattern)); });
-                }));
+      .function(
+          "warnings", optional_override([](const PatternObject& p) {
+            return guarded([&] {
+              const SurfaceObject& surface = *p.surface;
+              return array_of(pattern_warnings(surface.surface, p.pattern, words_for(surface)));
+            });
+          }));
   function("stripes", &stripes);
 }
 

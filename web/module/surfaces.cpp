@@ -54,12 +54,20 @@ std::shared_ptr<SurfaceObject> surface_object(Mesh mesh, float crease_angle,
                                               std::vector<std::string> notes) {
   Creases creases = split_at_creases(mesh, crease_angle);
   auto object = std::make_shared<SurfaceObject>();
+  object->crease_angle = crease_angle;
   object->surface = make_surface(std::move(mesh), std::move(creases));
   object->notes = std::move(notes);
-  for (const std::string& warning : surface_warnings(object->surface, "join them")) {
+  for (const std::string& warning : surface_warnings(object->surface, words_for(*object).join)) {
     object->notes.push_back(warning);
   }
   return object;
+}
+
+WarningWords words_for(const SurfaceObject& object) {
+  WarningWords words;
+  words.subdivided = object.subdivided;
+  words.join = "join them";
+  return words;
 }
 
 void bind_surfaces() {

@@ -5,6 +5,7 @@
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
 #include "brindle/pattern_of.h"
+#include "brindle/pattern_warnings.h"
 #include "brindle/render/parsed_words.h"
 #include "brindle/renderer.h"
 #include "brindle/texture_animator.h"
@@ -76,11 +77,12 @@ std::shared_ptr<TextureObject> crosses(std::shared_ptr<SurfaceObject> surface, v
                         floats_of(frequencies)};
     const CrossPattern cross = cross_pattern(surface->surface, waves, stripe_options(given));
     CrossTexture texture = cross_texture(surface->surface, cross);
-    texture.pattern.u.quality = cross.quality;
+    texture.pattern.u.quality = texture.pattern.v.quality = cross.quality;
     texture.pattern.u.solution.energy = texture.pattern.v.solution.energy =
         cross.pattern.solution.energy;
     auto split = std::make_shared<SurfaceObject>();
     split->surface = std::move(texture.surface);
+    split->subdivided = surface->subdivided;
     return std::make_shared<TextureObject>(
         TextureObject{std::move(split), std::move(texture.pattern), true});
   });
@@ -214,6 +216,12 @@ void bind_textures() {
                   return kinds_shown(t.pattern.u.corners, t.pattern.v.corners);
                 }))
       .function("figures", &texture_figures_of)
+      .function("warnings", optional_override([](const TextureObject& t) {
+                  return guarded([&] {
+                    return array_of(
+                        pattern_warnings(t.surface->surface, t.pattern, words_for(*t.surface)));
+                  });
+                }))
       .function("brokenTiles", &broken_tiles_of)
       .function("surface", optional_override([](const TextureObject& t) { return t.surface; }))
       .function("mesh", &textured_mesh_of);

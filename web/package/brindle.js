@@ -20,8 +20,12 @@ export class Surface extends RealtimeSurface {
     return this.module.array(this.raw, String(name));
   }
   arrayField(name, given) {
-    const o = options(given, { rotate: 0 }, 'arrayField');
-    return turned(this, this.module.arrayField(this.raw, String(name)), o.rotate);
+    const o = options(given, { rotate: 0, oriented: false }, 'arrayField');
+    return turned(this, this.module.arrayField(this.raw, String(name), o.oriented), o.rotate);
+  }
+  subdivided(times) {
+    if (!(Number.isInteger(times) && times >= 0 && times <= 10)) fail(`subdivided: expected a whole number from 0 to 10, got '${times}'`);
+    return new Surface(this.module, this.module.subdivided(this.raw, times));
   }
   measuredField(vectors, given) {
     const o = options(given, { symmetry: 2, periods: 1, fill: 2, singularities: undefined,
@@ -31,13 +35,14 @@ export class Surface extends RealtimeSurface {
     return this.module.detailedField(this.raw, field, this.frequencies(o), o);
   }
   texture(field, given) {
-    const o = options(given, { ...stripeOptions, oriented: false }, 'texture');
+    const o = options(given, { ...stripeOptions, oriented: false, tile: undefined }, 'texture');
     const directions = floats(field, 3 * this.vertexCount, 'the field');
     const frequency = this.frequencies(o)[0];
+    if (o.tile !== undefined) choice(o.tile, this.module.tileNames().split('|'), 'tile');
     if (o.frequency !== undefined && typeof o.frequency !== 'number') {
       fail("texture: 'frequency' must be one number");
     }
-    return new Texture(this.module, this.module.texture(this.raw, directions, frequency, o.oriented, o));
+    return new Texture(this.module, this.module.texture(this.raw, directions, frequency, o.oriented, o), o.tile);
   }
 
   crosses(field, given) {
@@ -53,10 +58,9 @@ export class Surface extends RealtimeSurface {
 
   camera(given) {
     const o = options(given, { azimuth: 30, elevation: 20, zoom: 1, up: 'y', width: 800, height: 600 }, 'camera');
-    choice(o.up, ['y', 'z'], 'up');
     if (Math.abs(o.elevation) > 90) fail('elevation must be from -90 to 90');
     if (!(o.zoom > 0 && o.width > 0 && o.height > 0)) fail('zoom, width and height must be above 0');
-    return { ...this.module.camera(this.raw, o), width: o.width, height: o.height };
+    return { ...this.module.camera(this.raw, { ...o, up: String(o.up) }), zoom: o.zoom, width: o.width, height: o.height };
   }
 
   patternOf(raw) {
@@ -64,30 +68,36 @@ export class Surface extends RealtimeSurface {
   }
 }
 
-const curveOptions = { join: false, trim: NaN, fair: 0 };  // NaN: as the library has it
+// What a camera gives; drawings need but the last four.
+const seen = { viewFromWorld: undefined, clipFromView: undefined, up: undefined, rotation: undefined, zoom: 1, width: 800, height: 600 };
+const AS_TRACED = { join: false, trim: 0, fair: 0 };
 
 export class Pattern extends RealtimePattern {
   curves(given) {
     const o = options(given, curveOptions, 'curves');
     return this.module.curves(this.raw, o.join, o.trim, o.fair);
   }
-  curvesFile(name, given) {
-    const o = options(given, curveOptions, 'curvesFile');
-    return this.module.curvesFile(this.raw, name, o.join, o.trim, o.fair);
+  curvesFile(format, given) {
+    const o = options(given, AS_TRACED, 'curvesFile');
+    return this.module.curvesFile(this.raw, choice(format, ['obj', 'ply', 'vtp', 'csv'], 'format'), o.join, o.trim, o.fair);
   }
   samplesWith(other) {
     return this.module.samples(this.raw, other.raw);
   }
   svg(given) {
-    const o = options(given, { rotation: [0, 0, 0, 1], zoom: 1, width: 800, height: 600, ...curveOptions }, 'svg');
-    return this.module.drawing(this.raw, o.rotation, o.zoom, o.width, o.height, o.join, o.trim, o.fair);
+    const o = options(given, { camera: undefined, ...AS_TRACED }, 'svg');
+    const { rotation, zoom, width, height } = options(o.camera, seen, 'camera of svg');
+    const turn = rotation && floats(rotation, 4, 'rotation');
+    return this.module.drawing(this.raw, turn, zoom, width, height, o.join, o.trim, o.fair);
   }
 }
 
 export class Texture extends Owned {
-  constructor(module, raw) {
+  constructor(module, raw, tile) {
     super('Texture', module, raw);
     Object.assign(this, raw.figures());
+    this.warnings = raw.warnings();
+    this.tile = tile;
   }
   surface() {
     return new Surface(this.module, this.raw.surface());
@@ -98,7 +108,7 @@ export class Texture extends Owned {
   triangleKinds() {
     return this.raw.kinds();
   }
-  brokenTiles(tile) {
+  brokenTiles(tile = this.tile ?? fail("name a tile, or give 'tile' to texture")) {
     return this.raw.brokenTiles(String(tile));
   }
   cornerUVs() {

@@ -35,6 +35,12 @@ export interface RotateOption {
   rotate?: number;
 }
 
+export interface ArrayFieldOptions extends RotateOption {
+  /** Whether vectors have a sense: where arrays of cells, or of a surface that was subdivided, are averaged, those that face each
+   * other cancel. Left out, they are lines. */
+  oriented?: boolean;
+}
+
 /** A line near the surface that the field follows. */
 export interface FieldStroke {
   /** x, y, z of at least two points, relative to the surface's `origin`. */
@@ -98,6 +104,8 @@ export interface TextureOptions extends StripeOptions {
   frequency?: number;
   /** Whether directions have signs, along which the texture points. */
   oriented?: boolean;
+  /** The tile that it is drawn with, for `brokenTiles()`. */
+  tile?: string;
 }
 
 declare class Owned {
@@ -136,13 +144,16 @@ export class Surface extends Owned {
   tangentField(vectors: Numbers, options?: RotateOption): DirectionField;
   /** One of `arrays`, a row per vertex; cell arrays are averaged. */
   array(name: string): Float32Array;
-  /** `tangentField` of one of `arrays` with vectors. */
-  arrayField(name: string, options?: RotateOption): DirectionField;
+  /** One of `arrays` that has vectors: as `tangentField` of it. */
+  arrayField(name: string, options?: ArrayFieldOptions): DirectionField;
   rotatedField(field: DirectionField, degrees: number): DirectionField;
   /** Smooths measured vectors, which may be noisy and have holes. */
   measuredField(vectors: Numbers, options?: MeasuredFieldOptions): MeasuredField;
   /** The options' frequencies, one number per vertex. */
   frequencies(options?: FrequencyOptions): Float32Array;
+
+  /** The same surface, every triangle split in four, `times` times; `arrays` are interpolated. */
+  subdivided(times: number): Surface;
 
   stripes(field: DirectionField, options?: StripeOptions): Pattern;
   /** Texture coordinates: two patterns, the second across the first. */
@@ -164,18 +175,29 @@ export interface CameraOptions {
   elevation?: number;
   /** Default 1. */
   zoom?: number;
-  /** The up axis; default 'y'. */
-  up?: 'y' | 'z';
-  /** Pixels of the picture; default 800 and 600. */
+  /** The axis that points up; 'y' if left out. */
+  up?: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
+  /** Pixels of the picture; 800 and 600 if left out. */
   width?: number;
   height?: number;
 }
 
-/** Input of `StripeDrawing.draw`: column-major matrices; the first is for positions relative to the centre of the bounding box. */
+/** A view as `Pattern.svg` draws it: `rotation` (x, y, z, w) turns coordinates to the viewer's. */
+export interface DrawnView {
+  rotation?: Numbers;
+  zoom?: number;
+  width?: number;
+  height?: number;
+}
+
+/** What `StripeDrawing.draw` takes: matrices in columns, the first of positions less the middle of the surface's box. Also for
+ * `Pattern.svg`. */
 export interface CameraView {
   viewFromWorld: Float32Array;
   clipFromView: Float32Array;
   up: Float32Array;
+  rotation: Float32Array;
+  zoom: number;
   width: number;
   height: number;
 }
@@ -239,12 +261,12 @@ export class Pattern extends Owned {
   triangleKinds(): Uint8Array;
   /** The stripes' centre lines. */
   curves(options?: CurveOptions): Curves;
-  /** The same as a file, by its extension: .obj, .ply, .vtp or .csv. */
-  curvesFile(name: string, options?: CurveOptions): Uint8Array;
-  /** The crossings of the stripes of two patterns on one surface. */
+  /** The same as the content of a file. */
+  curvesFile(format: 'obj' | 'ply' | 'vtp' | 'csv', options?: CurveOptions): Uint8Array;
+  /** Where the stripes of two patterns of one surface cross. */
   samplesWith(other: Pattern): Samples;
-  /** A drawing of the curves without hidden lines. `rotation` (x, y, z, w) maps to view coordinates. */
-  svg(options?: { rotation?: readonly number[]; zoom?: number; width?: number; height?: number } & CurveOptions): Uint8Array;
+  /** A drawing of the curves without hidden lines; `camera` as `Surface.camera` gives it. */
+  svg(options?: { camera?: CameraView | DrawnView } & CurveOptions): Uint8Array;
 }
 
 export interface TexturedMesh {
@@ -278,13 +300,17 @@ export class Texture extends Owned {
   /** Branches of U and V, and the mean of their energies; for crosses, of both waves together. */
   readonly branches: number;
   readonly energy: number;
-  /** The surface to draw on, which you must dispose of; for crosses, with split triangles. */
+  /** Sentences on what is probably not meant. */
+  readonly warnings: string[];
+  /** As `texture` was given it. */
+  readonly tile?: string;
+  /** What it is drawn on: a surface of its own to be disposed of; of crosses, with triangles split. */
   surface(): Surface;
   /** For `StripeDrawing.setTexture`, with `brindle.tile(name)` and `brokenTiles(name)`. */
   waves(): TextureWaves;
-  /** For tiles that the tool draws whole: arrows, dots, signs and bricks. */
-  brokenTiles(tile: string): BrokenTiles;
-  /** As in Pattern: of U or, where that is regular, of V. */
+  /** Of tiles that the tool draws whole: arrows, dots, signs and bricks; left out, the texture's `tile`. */
+  brokenTiles(tile?: string): BrokenTiles;
+  /** As those of a Pattern: of U, and where that is regular, of V. */
   triangleKinds(): Uint8Array;
   /** U and V of three corners per triangle; NaN in singularities and without a wave. */
   cornerUVs(): Float32Array;

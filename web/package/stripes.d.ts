@@ -5,7 +5,7 @@ export type { DirectionField, FieldStroke, Frame, FrameInput, Numbers, SmoothFie
 
 export type Animator = whole.Animator;
 export type Pattern = Omit<whole.Pattern, 'curves' | 'curvesFile' | 'samplesWith' | 'svg'>;
-export interface Surface extends Omit<whole.Surface, 'arrays' | 'array' | 'arrayField' | 'measuredField' | 'stripes' | 'texture' | 'crosses' |
+export interface Surface extends Omit<whole.Surface, 'arrays' | 'array' | 'arrayField' | 'subdivided' | 'measuredField' | 'stripes' | 'texture' | 'crosses' |
                                                      'textureAnimator' | 'camera'> {
   stripes(field: whole.DirectionField, options?: whole.StripeOptions): Pattern;
 }

@@ -6,7 +6,7 @@ export { BrindleError };
 const methods = {
   Brindle: ['shapes', 'tiles', 'tile', 'shape', 'surface', 'readSurface'],
   Surface: ['positions', 'normals', 'triangles', 'vertexOfRow', 'creaseVertices', 'smoothField', 'curvatureField',
-            'projectedField', 'tangentField', 'array', 'arrayField', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
+            'projectedField', 'tangentField', 'array', 'arrayField', 'subdivided', 'rotatedField', 'measuredField', 'frequencies', 'stripes',
             'texture', 'crosses', 'textureAnimator', 'camera', 'animator', 'dispose'],
   Pattern: ['phases', 'directions', 'frequencies', 'triangleKinds', 'curves', 'curvesFile', 'samplesWith',
             'svg', 'dispose'],

@@ -92,6 +92,7 @@ function showFigures({ pattern, milliseconds }) {
     span.append(strong, ` ${what}`);
     return span;
   }));
+  $('warnings').textContent = pattern.warnings.filter((warning) => !live.surface.notes.includes(warning)).map((warning) => settings.inWords(warning)).join('\n');
   const { tile, stripes } = settings.values, what = tile === 'stripes' ? 'stripes' : `rows of ${$('tile').selectedOptions[0].text.toLowerCase()}`;
   canvas.setAttribute('aria-label', `${opened} with ${stripes} ${what} along its diagonal, ${pattern.branches} branches`);
 }
@@ -111,8 +112,8 @@ const working = (is) => {
 };
 
 async function open(make, name) {
-  const surface = await live.take(make);
-  if (!surface) return false;
+  const mesh = await live.take(make, settings.values.subdivide);
+  if (!mesh) return false;
   opened = name;
   own = !(settings.values.shape in names);
   drawing?.setSurface(live.shape);
@@ -126,13 +127,24 @@ async function open(make, name) {
   live.strokes = own || !settings.strokes ? [] : readStrokes(settings.strokes, live.surface.diagonal);
   settings.strokes = '';
   keepStrokes();
-  settings.offer(surface.arrays.filter(({ components }) => components === 3).map(({ name: array }) => array));
-  say(surface.notes.map((note) => `${note}.`.replace(/\.\.$/, '.')).join('\n'), true);
+  settings.offer(mesh.arrays.filter(({ components }) => components === 3).map(({ name: array }) => array));
+  say(mesh.notes.map((note) => `${note}.`.replace(/\.\.$/, '.')).join('\n'), true);
   live.ask(settings.values);
   return true;
 }
 
-/** Without those of a dropped mesh, which a link cannot contain. */
+async function refine() {
+  if (!live?.mesh) return;
+  if (await live.refine(settings.values.subdivide)) {
+    drawing?.setSurface(live.shape);
+    live.ask(settings.values);
+  } else {
+    settings.put('subdivide', live.subdivide);
+    carry();
+  }
+}
+
+/** Those of a mesh that was dropped are of no use in a link. */
 function keepStrokes() {
   $('unbrush').disabled = live.strokes.length === 0;
   settings.strokes = own ? '' : writtenStrokes(live.strokes, live.surface.diagonal);
@@ -165,8 +177,12 @@ function follow(name) {
     if (settings.values.shape !== '') openShape();
     return;
   }
-  live?.ask(settings.values, true);
   clearTimeout(rest);
+  if (name === 'subdivide') {
+    rest = setTimeout(refine, 180);
+    return;
+  }
+  live?.ask(settings.values, true);
   rest = setTimeout(() => live?.ask(settings.values), 180);
 }
 
@@ -321,9 +337,9 @@ const savers = {
     draw();
     canvas.toBlob((blob) => done(save(blob, 'image/png', 'png')));
   }),
-  svg: async () => save(await live.pattern.svg({ rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900, fair: 0.25 }),
+  svg: async () => save(await live.pattern.svg({ camera: { rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900 }, trim: 0.6, fair: 0.25 }),
                         'image/svg+xml', 'svg'),
-  obj: async () => save(await live.pattern.curvesFile('stripes.obj'), 'model/obj', 'obj'),
+  obj: async () => save(await live.pattern.curvesFile('obj'), 'model/obj', 'obj'),
   glb: async () => {
     const texture = live.texture ??
       await live.surface.texture(live.field, { stripes: settings.values.stripes, slack: settings.values.slack / 100 });

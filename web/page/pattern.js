@@ -8,7 +8,9 @@ export class LivePattern {
     this.call = { shown, working, failed };
     this.wish = null;
     this.busy = false;
-    this.surface = null;
+    this.mesh = null;  // as it was opened
+    this.surface = null;  // the same, every triangle split in four `subdivide` times
+    this.subdivide = 0;
     this.strokes = [];
     this.tiles = {};
   }
@@ -35,21 +37,34 @@ export class LivePattern {
     this.call.working(false);
   }
 
-  /** Replaces the surface by that of `make`; keeps the old one on failure. */
-  async take(make) {
+  /** A mesh that is made by `make`, every triangle split in four `subdivide` times; if that fails, the old one stays. */
+  async take(make, subdivide) {
+    const mesh = await this.replace(() => make(this.brindle), subdivide);
+    if (mesh) this.strokes = [];
+    return mesh;
+  }
+
+  /** The same mesh, split so many times. */
+  refine(subdivide) {
+    return this.replace(() => this.mesh, subdivide);
+  }
+
+  async replace(make, subdivide) {
     this.call.working(true);
     try {
-      const surface = await make(this.brindle);
+      const mesh = await make(), surface = subdivide > 0 ? await mesh.subdivided(subdivide) : mesh;
       const [positions, normals, triangles] =
         [await surface.positions(), await surface.normals(), await surface.triangles()];
       while (this.busy) await new Promise((done) => setTimeout(done, 10));
-      const old = [this.pattern, this.texture, this.animator, this.followed?.animator, this.surface];
+      const kept = [mesh, surface];
+      const old = [this.pattern, this.texture, this.animator, this.followed?.animator, this.surface, this.mesh].filter((object) => !kept.includes(object));
+      this.mesh = mesh;
       this.surface = surface;
+      this.subdivide = subdivide;
       this.shape = { positions, normals, triangles };
       this.pattern = this.texture = this.animator = this.followed = this.field = this.fieldKey = this.last = null;
-      this.strokes = [];
-      await Promise.all(old.map((object) => object?.dispose()));
-      return surface;
+      await Promise.all([...new Set(old)].map((object) => object?.dispose()));
+      return mesh;
     } catch (error) {
       this.call.failed(error.message);
       return null;
@@ -59,16 +74,16 @@ export class LivePattern {
   }
 
   async fieldFor({ field, rotate, detail, stripes, tile }) {
-    // Arrows have signs, and opposite ones cancel.
-    const seen = isData(field) && detail > 0 ? { stripes, periods: detail, symmetry: tile === 'arrows' ? 1 : 2 } : null;
-    const key = JSON.stringify([field, rotate, seen, this.strokes]);
+    // Arrows have a sense, and those that face each other cancel.
+    const oriented = tile === 'arrows', seen = isData(field) && detail > 0 ? { stripes, periods: detail, symmetry: oriented ? 1 : 2 } : null;
+    const key = JSON.stringify([field, rotate, seen, oriented, this.strokes]);
     if (key === this.fieldKey) return this.field;
     const axis = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }[field];
     const strokes = this.strokes;
     // Stripes run across a field: turned by 90 degrees, they run along strokes and edges.
     const along = rotate + 90;
     let made;
-    if (strokes.length === 0 && isData(field)) made = await this.fieldOfData(field.slice('array:'.length), rotate, seen);
+    if (strokes.length === 0 && isData(field)) made = await this.fieldOfData(field.slice('array:'.length), rotate, seen, oriented);
     else if (strokes.length === 0 && axis) made = await this.surface.projectedField(axis, { rotate });
     else made = await this.surface.smoothField({ rotate: along, strokes, curvature: field === 'curvature' ? 0.1 : 0,
                                          curvatureDirection: 'min', features: field === 'edges' ? 1 : 0 });
@@ -77,8 +92,8 @@ export class LivePattern {
     return made;
   }
 
-  async fieldOfData(name, rotate, seen) {
-    if (!seen) return this.surface.arrayField(name, { rotate });
+  async fieldOfData(name, rotate, seen, oriented) {
+    if (!seen) return this.surface.arrayField(name, { rotate, oriented });
     const { directions } = await this.surface.measuredField(await this.surface.array(name), seen);
     return this.surface.rotatedField(directions, rotate);
   }

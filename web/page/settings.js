@@ -1,7 +1,8 @@
-// The settings of the form, and their link.
-export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, detail: 0, tile: 'stripes', stripes: 40, width: 50, slack: 0, branches: false };
+// What the form says, and the link that carries it.
+export const defaults = { shape: 'trefoil', field: 'smooth', rotate: 0, detail: 0, tile: 'stripes', subdivide: 0, stripes: 40, width: 50, slack: 0, branches: false };
 
-const units = { rotate: (v) => `${v}°`, detail: (v) => (Number(v) === 0 ? 'off' : v), width: (v) => `${v} %`, slack: (v) => `${v} %`, stripes: (v) => String(v) };
+const units = { rotate: (v) => `${v}°`, detail: (v) => (Number(v) === 0 ? 'off' : v), width: (v) => `${v} %`, slack: (v) => `${v} %`, stripes: (v) => String(v),
+                subdivide: (v) => (Number(v) === 0 ? 'off' : v) };
 
 /** Fields from arrays of the mesh's file. */
 export const isData = (field) => field.startsWith('array:');
@@ -59,6 +60,21 @@ export class Settings {
     }
     const isThere = [...field.options].some(({ value }) => value === this.values.field);
     field.value = this.values.field = isThere ? this.values.field : defaults.field;
+    this.show();
+  }
+
+  /** A warning of the library in the words of the controls, without what they cannot do. */
+  inWords(warning) {
+    const most = Number(this.form.elements.namedItem('subdivide').max);
+    return `${warning}.`
+      .replace(/take fewer stripes, or a lower frequency, which [^;.]*/, 'take a lower Number')
+      .replace(/; or subdivide the mesh, times: (\d+)/, (_, times) => (times <= most ? `; or Subdivide ${times}` : ''))
+      .replace(/^./, (letter) => letter.toUpperCase());
+  }
+
+  /** Puts back a value that could not be had. */
+  put(name, value) {
+    this.form.elements.namedItem(name).value = this.values[name] = value;
     this.show();
   }
 

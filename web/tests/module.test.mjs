@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { box, objOf } from './box.mjs';
 
 const folder = process.env.BRINDLE_PACKAGE;
 const load = (name) => import(pathToFileURL(join(folder, name)));
@@ -115,6 +116,31 @@ test('slack leaves fewer branches, and says how far frequencies went', () => {
   assert.ok(slack.branches < strict.branches, `${slack.branches} of ${strict.branches}`);
   assert.ok(slack.frequencyChange.ratioMax > 1 && slack.frequencyChange.ratioMax < 1.8);
   assert.equal(slack.triangleKinds().filter((kind) => kind === 1 || kind === 2).length, slack.branches);
+});
+
+test('patterns and textures warn of stripes that are too fine, with a remedy', () => {
+  const ball = brindle.shape('sphere,resolution=8'), field = ball.smoothField();
+  for (const make of ['stripes', 'texture']) {
+    assert.deepEqual(ball[make](field, { stripes: 4 }).warnings, [], make);
+    const { warnings } = ball[make](field, { stripes: 200 });
+    assert.equal(warnings.length, 1, make);
+    assert.match(warnings[0], /% of the area; take fewer stripes, .*; or subdivide the mesh, times: 4$/);
+    // In all, where the surface was subdivided already.
+    const finer = ball.subdivided(1);
+    assert.match(finer[make](finer.smoothField(), { stripes: 400 }).warnings[0], /times: 5$/);
+  }
+});
+
+test('subdivided surfaces have four times the triangles, and the arrays of the file', () => {
+  const file = brindle.readSurface(new TextEncoder().encode(objOf(box(2))), 'box.obj');
+  const once = file.subdivided(1), twice = file.subdivided(2);
+  assert.equal(once.triangleCount, 4 * file.triangleCount);
+  assert.deepEqual(twice.positions(), once.subdivided(1).positions());
+  assert.equal(file.subdivided(0).vertexCount, file.vertexCount);
+  // Creases of a box stay: as many copies as at its corners and edges, finer.
+  assert.ok(once.creaseVertices().length > file.creaseVertices().length && file.creaseVertices().length > 0);
+  assert.ok(Math.abs(once.diagonal - file.diagonal) < 1e-6);
+  for (const times of [-1, 0.5, 11, '2', undefined]) refused(() => file.subdivided(times), /subdivided: expected a whole number from 0 to 10/);
 });
 
 test('the same input gives the same bits', () => {
@@ -236,6 +262,10 @@ test('textures have what shaders draw, and figures that branches cut', () => {
   assert.equal(texture.brokenTiles('checker').words.length, 0);
   assert.deepEqual([texture.brokenTiles('bricks').layout, texture.brokenTiles('bricks').split], [2, true]);
   refused(() => texture.brokenTiles('stars'), /no tile 'stars'/);
+  refused(() => texture.brokenTiles(), /name a tile/);
+  const dotted = sphere.texture(sphere.smoothField(), { stripes: 12, tile: 'dots' });
+  assert.deepEqual([dotted.tile, dotted.brokenTiles()], ['dots', texture.brokenTiles('dots')]);
+  refused(() => sphere.texture(sphere.smoothField(), { tile: 'stars' }), /tile must be stripes or checker/);
 });
 
 test('textures follow a field that turns, and stay as a frame has them', () => {
@@ -318,7 +348,7 @@ test("a camera is the tool's", () => {
   assert.ok(Math.abs(viewFromWorld[2] - 1) < 1e-6 && Math.abs(viewFromWorld[9] - 1) < 1e-6 && Math.abs(up[1] - 1) < 1e-6);
   assert.ok(sphere.camera({ zoom: 2 }).clipFromView[0] / sphere.camera().clipFromView[0] - 2 < 1e-6);
   refused(() => sphere.camera({ elevation: 91 }), /elevation must be/);
-  refused(() => sphere.camera({ up: 'x' }), /up must be y or z/);
+  refused(() => sphere.camera({ up: 'w' }), /up must be one of x, y, z, -x, -y, -z, not 'w'/);
   refused(() => sphere.camera({ width: 0 }), /above 0/);
 });
 
@@ -424,6 +454,9 @@ VECTORS flow float
   const field = surface.arrayField('flow');
   assert.deepEqual([...field], [1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]);
   assert.deepEqual(surface.arrayField('flow', { rotate: 90 }), surface.rotatedField(field, 90));
+  const finer = surface.subdivided(1);
+  assert.deepEqual([...finer.array('load')].slice(0, 4).map(Math.round), [2, 1, 2, 3]);
+  assert.equal(finer.array('flow').length, 3 * finer.vertexCount);
   const load = surface.array('load');
   assert.deepEqual([load.length, load[1], load[3]], [4, 1, 3]);
   assert.ok(load[0] > 1 && load[0] < 3);
@@ -431,6 +464,28 @@ VECTORS flow float
   refused(() => surface.arrayField('load'), /load/);
   assert.deepEqual(brindle.shape('torus').arrays, []);
   refused(() => brindle.shape('torus').array('wind'), /there are none/);
+});
+
+test('vectors that face each other are lines, or cancel where they are oriented', () => {
+  const text = `# vtk DataFile Version 3.0
+data
+ASCII
+DATASET POLYDATA
+POINTS 4 float
+0 0 0  1 0 0  1 1 0  0 1 0
+POLYGONS 2 8
+3 0 1 2  3 0 2 3
+CELL_DATA 2
+VECTORS wind float
+1 0 0  -1 0 0
+`;
+  const surface = brindle.readSurface(new TextEncoder().encode(text), 'wind.vtk');
+  const [line, vector] = [false, true].map((oriented) => surface.arrayField('wind', { oriented }));
+  assert.deepEqual(surface.arrayField('wind'), line);
+  assert.ok(Math.abs(Math.abs(line[0]) - 1) < 1e-6, 'a line along x');
+  assert.deepEqual([...vector.subarray(0, 3)], [0, 0, 0]);
+  assert.deepEqual([...vector.subarray(3, 6)], [1, 0, 0]);
+  refused(() => surface.arrayField('wind', { oriented: 1 }), /true or false/);
 });
 
 test('measured fields are filled and smoothed', () => {
@@ -445,13 +500,23 @@ test('measured fields are filled and smoothed', () => {
 test('curves and drawings are files of the library', () => {
   const torus = brindle.shape('torus');
   const pattern = torus.stripes(torus.smoothField(), { stripes: 15 });
-  const obj = new TextDecoder().decode(pattern.curvesFile('curves.obj'));
+  const obj = new TextDecoder().decode(pattern.curvesFile('obj'));
   assert.match(obj, /^v -?[\d.e+-]+ -?[\d.e+-]+ -?[\d.e+-]+$/m);
   assert.match(obj, /^l \d+ \d+/m);
-  const svg = new TextDecoder().decode(pattern.svg({ width: 400, height: 300 }));
+  const svg = new TextDecoder().decode(pattern.svg({ camera: { width: 400, height: 300 } }));
   assert.match(svg, /<svg[^>]*400/);
   assert.match(svg, /<path/);
-  refused(() => pattern.curvesFile('curves.xyz'), /xyz/);
+  // As the camera sees it: --camera's, or any rotation.
+  const drawn = (camera) => new TextDecoder().decode(pattern.svg({ camera }));
+  const camera = torus.camera({ azimuth: 70, elevation: -10, up: '-x', zoom: 2, width: 400, height: 300 });
+  const { rotation, zoom, width, height } = camera;
+  assert.equal(drawn(camera), drawn({ rotation: [...rotation], zoom, width, height }));
+  assert.equal(drawn(torus.camera()), drawn(undefined));
+  assert.notEqual(drawn(camera), drawn(torus.camera({ width, height })));
+  refused(() => pattern.svg({ camera: { azimuth: 70 } }), /camera of svg knows no option 'azimuth'/);
+  refused(() => pattern.svg({ camera: { rotation: [1, 2] } }), /rotation must have 4 numbers/);
+  for (const format of ['ply', 'vtp', 'csv']) assert.ok(pattern.curvesFile(format).length > 1000, format);
+  for (const format of ['xyz', 'curves.obj', undefined]) refused(() => pattern.curvesFile(format), /format must be obj or ply or vtp or csv/);
 });
 
 /** By how much a curve turns at most of its points, radians. */
@@ -478,8 +543,8 @@ test('curves lose their kinks, and those that are joined run together', () => {
   assert.deepEqual(faired.closed, traced.closed);
   assert.ok(typicalTurn(faired) < 0.6 * typicalTurn(traced));
   assert.ok(pattern.curves({ join: true, fair: 0.25 }).points.length > 0);
-  const drawn = (options) => new TextDecoder().decode(pattern.svg({ width: 400, height: 300, ...options }));
-  assert.notEqual(drawn({ fair: 0.25 }), drawn({}));
+  const drawn = (options) => new TextDecoder().decode(pattern.svg({ camera: { width: 400, height: 300 }, ...options }));
+  assert.notEqual(drawn({ trim: 0.6, fair: 0.25 }), drawn({}));
   refused(() => pattern.curves({ fair: 2 }), /share of the spacing/);
   refused(() => pattern.curves({ join: true, trim: 0.6 }), /join/);
   refused(() => pattern.curves({ trim: '0.6' }), /trim/);

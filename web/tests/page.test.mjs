@@ -89,6 +89,24 @@ function sheet(n) {
   return `${rows.join('\n')}\n`;
 }
 
+// A ball of n bands, each of 2 n squares, with small holes at its poles.
+function ball(n) {
+  const rows = [];
+  for (let y = 0; y <= n; ++y) {
+    for (let x = 0; x < 2 * n; ++x) {
+      const [t, p] = [Math.PI * (y + 0.001) / (n + 0.002), Math.PI * x / n];
+      rows.push(`v ${Math.sin(t) * Math.cos(p)} ${Math.sin(t) * Math.sin(p)} ${Math.cos(t)}`);
+    }
+  }
+  for (let y = 0; y < n; ++y) {
+    for (let x = 0; x < 2 * n; ++x) {
+      const [a, b] = [x, (x + 1) % (2 * n)].map((column) => 2 * n * y + column + 1);
+      rows.push(`f ${a} ${a + 2 * n} ${b + 2 * n} ${b}`);
+    }
+  }
+  return `${rows.join('\n')}\n`;
+}
+
 // A flat one with vectors that turn round its middle, half as long noise, and a hole in the data.
 function noisySheet(n) {
   let state = 1;
@@ -134,6 +152,28 @@ test('a slider changes picture, figures and link', async () => {
   await slide('width', 20);
   await page.click('[name="branches"]');
   await screenshot('branches');
+  assert.deepEqual(complaints, []);
+});
+
+test('warnings name the controls, and subdividing helps', async () => {
+  await visit({ hash: '#shape=torus' });
+  const warnings = () => page.$eval('#warnings', (e) => e.textContent);
+  assert.equal(await warnings(), '');
+  await drop(ball(6), 'ball.obj');
+  await page.waitForFunction(() => /144 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await slide('stripes', 24);
+  await ready();
+  const said = await warnings();
+  assert.match(said, /take a lower Number; .*or Subdivide [123]\.$/);
+  await screenshot('warned');
+  const times = Number(/Subdivide (\d)/.exec(said)[1]);
+  await slide('subdivide', times);
+  await page.waitForFunction((count) => document.getElementById('figures').textContent.replaceAll(',', '').includes(`${count} triangles`),
+                             { timeout: 30000 }, 144 * 4 ** times);
+  await ready();
+  assert.equal(await warnings(), '');
+  assert.match(page.url(), new RegExp(`subdivide=${times}`));
+  await screenshot('subdivided');
   assert.deepEqual(complaints, []);
 });
 
@@ -326,11 +366,11 @@ test('every item of the gallery is a link to settings that the page shows', asyn
 test('keys alone reach and change everything', async () => {
   await visit();
   const reached = [];
-  for (let i = 0; i < 33; ++i) {
+  for (let i = 0; i < 34; ++i) {
     await page.keyboard.press('Tab');
     reached.push(await page.evaluate(() => document.activeElement.name || document.activeElement.id || document.activeElement.dataset.save || document.activeElement.hash || ''));
   }
-  for (const name of ['canvas', 'shape', 'file', 'field', 'rotate', 'brush', 'tile', 'stripes', 'width', 'slack', 'branches', 'png', 'svg', 'obj', 'glb', 'link']) {
+  for (const name of ['canvas', 'shape', 'file', 'subdivide', 'field', 'rotate', 'brush', 'tile', 'stripes', 'width', 'slack', 'branches', 'png', 'svg', 'obj', 'glb', 'link']) {
     assert.ok(reached.includes(name), `${name} is not reached: ${reached}`);
   }
   assert.equal(new Set(reached.filter((name) => name.startsWith('#'))).size, await page.$$eval('#gallery a', (links) => links.length));

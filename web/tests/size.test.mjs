@@ -9,8 +9,9 @@ const weight = (folder, name) => gzipSync(readFileSync(join(folder, name)), { le
 
 // A bound is no aim: what makes a part heavier says so, and what for.
 // stripes.wasm is above 150 kB for creases: a wave for every smooth sector of a vertex. brindle.wasm is above
-// 385 kB for files as others write them: skins, instances and sparse accessors of glTF, faces with bridged holes.
-for (const [name, most] of [['stripes.wasm', 158_000], ['brindle.wasm', 395_000]]) {
+// 385 kB for files as others write them: skins, instances and sparse accessors of glTF, faces with bridged holes; and above
+// 395 kB for surfaces that are subdivided with their arrays.
+for (const [name, most] of [['stripes.wasm', 158_000], ['brindle.wasm', 401_000]]) {
   test(`${name} is at most ${most / 1000} kB gzipped`, () => {
     const bytes = weight(process.env.BRINDLE_PACKAGE, name);
     assert.ok(bytes > 50_000 && bytes <= most, `${bytes} bytes`);

@@ -20,7 +20,13 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   drawing.draw({ ...surface.camera({ azimuth: 10, up: 'z', width: 320, height: 200 }), stripeWidth: 0.3 });
   drawing.draw({ viewFromWorld: [], clipFromView: [], width: 1, height: 1, stripeColor: colorOf('#000000') });
   const measured = surface.measuredField(surface.array(surface.arrays[0].name), { stripes: 20 });
-  surface.stripes(surface.arrayField('flow', { rotate: 90 })).dispose();
+  surface.stripes(surface.arrayField('flow', { rotate: 90, oriented: true })).dispose();
+  const said: string[] = [...surface.subdivided(1).stripes(field).warnings, ...surface.texture(field, { tile: 'dots' }).warnings];
+  pattern.svg({ camera: surface.camera({ up: '-z' }), join: true });
+  pattern.svg({ camera: { rotation: [0, 0, 0, 1], width: 400 } });
+  pattern.curvesFile('vtp');
+  // @ts-expect-error a name, not a format
+  pattern.curvesFile('curves.vtp');
   surface.stripes(measured.directions).dispose();
   const texture = surface.texture(field, { stripes: 20, oriented: true });
   drawing.setTexture(texture.waves(), brindle.tile('dots'), texture.brokenTiles('dots'));
@@ -33,7 +39,7 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   surface.stripes(field, { strips: 20 });
   // @ts-expect-error a number, not a text
   surface.stripes(field, { stripes: '20' });
-  console.log(split.length, pattern.creaseSlipMean, pattern.creaseSlipShare?.toFixed(2));
+  console.log(said.length, split.length, pattern.creaseSlipMean, pattern.creaseSlipShare?.toFixed(2));
   return pattern.curves({ join: true });
 }
 

@@ -28,10 +28,10 @@ void describe_option(CLI::Option& option, const OptionInfo& info) {
 
 // The command may lack some of these options.
 void link(CLI::App& app, CLI::Option& option, const OptionInfo& info) {
-  for (const std::string& name : option_names(info.needs)) {
+  for (const std::string& name : words_between_spaces(info.needs)) {
     if (CLI::Option* needed = app.get_option_no_throw("--" + name)) option.needs(needed);
   }
-  for (const std::string& name : option_names(info.excludes)) {
+  for (const std::string& name : words_between_spaces(info.excludes)) {
     if (CLI::Option* other = app.get_option_no_throw("--" + name)) option.excludes(other);
   }
 }
@@ -62,7 +62,7 @@ void describe_options(CLI::App& app, PatternJob job) {
   }
 }
 
-std::vector<std::string> option_names(std::string_view words) {
+std::vector<std::string> words_between_spaces(std::string_view words) {
   std::istringstream stream{std::string(words)};
   std::vector<std::string> names;
   for (std::string name; stream >> name;) names.push_back(std::move(name));

@@ -20,7 +20,7 @@ const OptionInfo* row_of(const CLI::Option& option, PatternJob job);
 /// a description keep it.
 void describe_options(CLI::App& app, PatternJob job);
 
-/// Splits `needs` or `excludes` at spaces.
-std::vector<std::string> option_names(std::string_view words);
+/// The words of `needs`, `excludes` and `files`.
+std::vector<std::string> words_between_spaces(std::string_view words);
 
 }  // namespace brindle::tool

@@ -369,7 +369,8 @@ class EmptyFrames {
 void run_animate(const CLI::App& command, AnimateArguments arguments) {
   if (!is_series(arguments)) refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
-  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  stand_upright(*arguments.picture,
+                arguments.surface.mesh.empty() ? arguments.series.name : arguments.surface.mesh);
   std::optional<Series> series;
   if (is_series(arguments)) {
     series.emplace(arguments.series, arguments.surface, arguments.waves, smooth_fields(arguments),
@@ -394,8 +395,8 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     report = series ? play_series(arguments, *series, show, display)
                     : play_scene(arguments, device, show, display);
     report.invocation = invocation_of(command);
-    if (picture) report.picture_quality = quality_name(*arguments.picture);
-    // A single output is no list, for compatibility of reports.
+    if (picture) report.picture = picture_json(*arguments.picture);
+    // One output stands for itself, as it did before there could be several.
     auto& options = report.invocation["options"];
     if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
     device.check_errors("solving on the GPU");

@@ -42,7 +42,7 @@ void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
       });
   check_curves_options(command, arguments, files);
   check_curves_points(arguments);
-  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const CurvesJob job = make_and_write(
       files, arguments.quiet, curves_stages(arguments),

@@ -14,6 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/option_table.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/option_values.h"
@@ -139,12 +140,9 @@ void put_options(std::vector<std::string>& words, const GalleryPicture& picture,
   }
 }
 
-/// The usual up axis of files of this kind.
-const char* up_of_file(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  const bool is_y = extension == ".gltf" || extension == ".glb" || extension == ".obj" ||
-                    extension == ".ply" || extension == ".off";
-  return is_y ? "y" : "z";
+/// The axis that points up in pictures of the user's own file.
+std::string up_of_file(const std::string& path) {
+  return std::string(name_of(usual_up_axis(path).value_or(UpAxis::y)));
 }
 
 /// Whether the up axis of the user's file is guessed from its kind.
@@ -301,8 +299,9 @@ void run_gallery(const CLI::App& command, const GalleryArguments& arguments) {
   const GalleryItem& item = item_named(arguments.name);
   const GalleryPicture& picture = picture_named(item, arguments.picture);
   if (guesses_up(arguments) && !arguments.quiet) {
-    std::cerr << "brindle: " << up_of_file(arguments.surface) << " points up, as in most files '"
-              << lower_extension(arguments.surface) << "'; --up y|z says otherwise\n";
+    std::cerr << "brindle: " << up_of_file(arguments.surface)
+              << " points up, as in pictures of other '" << lower_extension(arguments.surface)
+              << "' files; --up says otherwise\n";
   }
   if (arguments.output.empty() && arguments.data.empty()) {
     std::cout << item.name << ": " << item.what << "\n\n";

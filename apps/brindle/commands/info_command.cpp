@@ -2,12 +2,15 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <span>
 #include <sstream>
 
+#include "brindle/base/file_names.h"
 #include "brindle/base/text.h"
 #include "brindle/local_positions.h"
 #include "brindle/points.h"
+#include "brindle/render/parsed_words.h"
 #include "cli/commands.h"
 #include "cli/progress_display.h"
 #include "input/mesh_statistics.h"
@@ -100,6 +103,15 @@ void print_arrays(std::ostream& out, const std::string& of, std::span<const Data
   }
 }
 
+/// The axis that points up where this is drawn, which a file's extension may tell.
+void print_up(std::ostream& out, const std::string& mesh) {
+  const std::optional<UpAxis> usual = usual_up_axis(mesh);
+  out << "up            " << name_of(usual.value_or(UpAxis::y)) << " in pictures"
+      << (usual && !mesh.starts_with("shape:") ? ", as in most " + lower_extension(mesh) + " files"
+                                               : "")
+      << "; --up changes it\n";
+}
+
 void print_repairs(const std::string& repairs) {
   std::cout << (repairs.empty() ? "nothing had to be repaired\n" : repairs);
 }
@@ -119,6 +131,7 @@ void run_points(const SurfaceOptions& options) {
                                                           neighbors, display.progress()));
   }
   print_statistics(std::cout, loaded.cloud, statistics);
+  print_up(std::cout, options.mesh);
   print_arrays(std::cout, "points", loaded.arrays);
   print_repairs(describe(loaded));
 }
@@ -134,6 +147,7 @@ void run_mesh(const SurfaceOptions& options) {
     statistics = mesh_statistics(loaded.mesh, display.progress());
   }
   print_statistics(std::cout, loaded.mesh, statistics);
+  print_up(std::cout, options.mesh);
   print_arrays(std::cout, "points", loaded.arrays.points);
   print_arrays(std::cout, "cells", loaded.arrays.cells);
   print_repairs(describe(loaded));

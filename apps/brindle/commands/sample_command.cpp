@@ -65,7 +65,7 @@ nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& pictu
   }
   if (job.draw_milliseconds) {
     json["milliseconds"]["draw"] = *job.draw_milliseconds;
-    json["picture_quality"] = quality_name(picture);
+    json.update(picture_json(picture));
   }
   return json;
 }
@@ -113,7 +113,7 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
                                               arguments.report, planned_sample);
   check_sample_options(command, arguments, files);
   check_sample_points(command, arguments, files);
-  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const std::optional<Image> picture = read_glyph_picture(arguments.glyphs);
   const SampleJob job = make_and_write(

@@ -88,7 +88,7 @@ void write_outputs(const CLI::App& command, const std::vector<Output>& outputs, 
     }
     if (output.kind == OutputKind::picture) {
       job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
-      job.report.picture_quality = quality_name(*arguments.picture);
+      job.report.picture = picture_json(*arguments.picture);
     }
   }
 }
@@ -97,7 +97,7 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
   check_solver(arguments.device, arguments.solving.stripes.solver);
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
   const std::vector<Output> outputs = checked_outputs(command, arguments);
-  if (is_shape(arguments.surface)) stand_on_z(*arguments.picture);
+  stand_upright(*arguments.picture, arguments.surface.mesh);
 
   const ThreadLimit threads(arguments.solving.threads);
   Report report;

@@ -109,10 +109,11 @@ VertexValues heights(const Surface& surface, const Viewpoint* viewpoint) {
   const UpAxis axis = viewpoint != nullptr ? viewpoint->height_axis : UpAxis::z;
   const bool differs = viewpoint != nullptr && viewpoint->view.up != axis;
   VertexValues result{{}, differs ? "height (z)" : "height"};
-  const int up = axis == UpAxis::y ? 1 : 2;
-  const auto ground = static_cast<float>(surface.mesh.origin[up]);  // in file coordinates
+  const Vec3 up = upright_axes(axis).row(1);
+  // As the file has it.
+  const auto ground = static_cast<float>(up.cast<double>().dot(surface.mesh.origin));
   for (const Vec3& position : surface.mesh.positions) {
-    result.values.push_back(ground + position[up]);
+    result.values.push_back(ground + up.dot(position));
   }
   return result;
 }

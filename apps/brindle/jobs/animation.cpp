@@ -282,7 +282,7 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
     json["iterations"] = report.options.iterations;
   }
   json["device"] = report.device;
-  if (!report.picture_quality.empty()) json["picture_quality"] = report.picture_quality;
+  if (!report.picture.is_null()) json.update(report.picture);
   json["topology_milliseconds"] = report.topology_milliseconds;
   json["mean"] = means(report.frames);
   if (const auto turned = mean_field_turn(report.frames)) {

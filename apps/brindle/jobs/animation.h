@@ -70,7 +70,7 @@ struct AnimationReport {
   double topology_milliseconds = 0;
   nlohmann::ordered_json device;  ///< from Device::description
   std::vector<FrameReport> frames;
-  std::string picture_quality;  ///< empty if nothing is drawn
+  nlohmann::ordered_json picture;  ///< keys on pictures; null if nothing is drawn
 };
 
 /// The source of a frame: a surface as in its file, and the file's other data.

@@ -287,7 +287,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
                           {"extract", extract}};
   if (curves.draw_milliseconds) {
     json["milliseconds"]["draw"] = *curves.draw_milliseconds;
-    json["picture_quality"] = quality_name(picture);
+    json.update(picture_json(picture));
   }
   if (curves.yields) json["milliseconds"]["frequency"] = time.frequency;
   if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;

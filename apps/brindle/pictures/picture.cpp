@@ -116,8 +116,8 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
   return options;
 }
 
-void stand_on_z(PictureOptions& options) {
-  if (!options.up) options.up = UpAxis::z;
+void stand_upright(PictureOptions& options, const std::string& mesh) {
+  if (!options.up) options.up = usual_up_axis(mesh);
 }
 
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
@@ -137,8 +137,10 @@ Viewpoint seen_viewpoint_of(const PictureOptions& options) {
 
 bool shows_stripes(const PictureOptions& options) { return options.view == View::stripes; }
 
-std::string_view quality_name(const PictureOptions& options) {
-  return options.render.quality == PictureQuality::interactive ? "interactive" : "final";
+nlohmann::ordered_json picture_json(const PictureOptions& options) {
+  const bool drafts = options.render.quality == PictureQuality::interactive;
+  const UpAxis up = options.up.value_or(options.render.camera.up);
+  return {{"picture_quality", drafts ? "interactive" : "final"}, {"picture_up", name_of(up)}};
 }
 
 Overlay overlay_of(View view, const Mesh& mesh, const WaveSet& waves,

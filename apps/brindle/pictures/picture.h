@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "brindle/polylines.h"
 #include "brindle/progress.h"
@@ -32,8 +33,8 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app);
 /// --size and --quality alone.
 std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
 
-/// Makes z the default up axis, as for built-in shapes.
-void stand_on_z(PictureOptions& options);
+/// Lets the axis point up that `usual_up_axis` gives, unless the user says otherwise.
+void stand_upright(PictureOptions& options, const std::string& mesh);
 
 /// The viewpoint of pictures, without a slice, for patterns, which belong to the whole surface.
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options);
@@ -44,8 +45,8 @@ Viewpoint seen_viewpoint_of(const PictureOptions& options);
 /// Whether pictures show stripes without an overlay.
 bool shows_stripes(const PictureOptions& options);
 
-/// "interactive" or "final".
-std::string_view quality_name(const PictureOptions& options);
+/// What reports say of pictures: their quality and the axis that points up.
+nlohmann::ordered_json picture_json(const PictureOptions& options);
 
 /// A single-coloured mesh on a surface: tubes along curves, discs at samples.
 struct Ornament {

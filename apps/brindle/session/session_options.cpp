@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "brindle/base/file_names.h"
+#include "brindle/base/option_words.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/image.h"
@@ -292,6 +293,14 @@ const OptionInfo* find_session_option(const std::string& name, Shown shown) {
 
 bool is_own(const OptionInfo& option, Shown shown) { return option.own && shown != Shown::stripes; }
 
+std::string in_panel_words(const std::string& text, Shown shown) {
+  return with_option_names(text, [shown](const std::string& name) {
+    const OptionInfo* option = find_session_option(name, shown);
+    const bool is_in_panel = option != nullptr && !option->words.empty();
+    return is_in_panel ? "'" + std::string(option->words) + "'" : "--" + name;
+  });
+}
+
 std::vector<std::string> choices_of(const OptionInfo& option) {
   if (option.kind != OptionKind::choice) return {};
   return split(std::string(option.form), '|');
@@ -310,7 +319,7 @@ ParsedSession::ParsedSession(const SessionDocument& document)
   PictureOptions& picture = *arguments_->picture;
   picture.render.camera = document.camera;
   picture.render.camera.up = UpAxis::y;
-  if (is_shape(arguments_->surface)) stand_on_z(picture);
+  stand_upright(picture, document.mesh);
   picture.render.width = document.size.width;
   picture.render.height = document.size.height;
 }

@@ -29,7 +29,10 @@ const OptionInfo* find_session_option(const std::string& name, Shown shown = Sho
 /// that of stripes.
 bool is_own(const OptionInfo& option, Shown shown);
 
-/// All values of a choice; empty for other options.
+/// A message of the tool in the words of a panel: 'split triangles' 2 for --subdivide 2.
+std::string in_panel_words(const std::string& text, Shown shown);
+
+/// All values of a choice; empty of other options.
 std::vector<std::string> choices_of(const OptionInfo& option);
 
 /// The part of the document that stores this option. Throws CLI::ValidationError with the

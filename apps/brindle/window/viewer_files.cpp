@@ -11,6 +11,7 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "cli/described_options.h"
 #include "session/session_export.h"
 #include "window/viewer.h"
 
@@ -19,8 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kOpened = {".ply", ".obj",  ".vtp", ".vtu", ".vtk", ".stl",
-                                          ".off", ".gltf", ".glb", ".csv", ".json"};
+std::vector<std::string> opened_files() {
+  std::vector<std::string> extensions = words_between_spaces(kMeshFiles);
+  extensions.insert(extensions.end(), {".csv", ".json"});
+  return extensions;
+}
 
 // Whether it is a file of strokes, which has no other keys.
 bool holds_strokes_alone(const fs::path& path) {
@@ -117,7 +121,7 @@ void Viewer::open_dropped() {
 
 void Viewer::ask_open() {
   browser_.ask({.title = "Open a mesh, a session or strokes",
-                .extensions = kOpened,
+                .extensions = opened_files(),
                 .done = [this](const fs::path& path) { open(path.string()); }});
 }
 

@@ -28,10 +28,8 @@ int subdivisions_missing(const WaveFigures& figures) {
   return edges > 0 ? static_cast<int>(std::ceil(std::log2(kFewestEdges / edges))) : 0;
 }
 
-}  // namespace
-
-std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
-                                          const WarningWords& words) {
+std::vector<std::string> warnings_of(const Surface& surface, const StripePattern& pattern,
+                                     const PatternQuality& quality, const WarningWords& words) {
   WaveFigures figures;
   if (pattern.frequencies_wanted.empty()) {
     figures = measure_waves(surface, pattern.waves);
@@ -45,8 +43,20 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const StripePa
     for (std::string& sentence : more) result.push_back(std::move(sentence));
   };
   add(wave_warnings(figures, words));
-  add(quality_warnings(figures, pattern.quality, surface.mesh.triangle_count(), words));
+  add(quality_warnings(figures, quality, surface.mesh.triangle_count(), words));
   return result;
+}
+
+}  // namespace
+
+std::vector<std::string> pattern_warnings(const Surface& surface, const StripePattern& pattern,
+                                          const WarningWords& words) {
+  return warnings_of(surface, pattern, pattern.quality, words);
+}
+
+std::vector<std::string> pattern_warnings(const Surface& surface, const TexturePattern& texture,
+                                          const WarningWords& words) {
+  return warnings_of(surface, texture.u, worse_of(texture.u.quality, texture.v.quality), words);
 }
 
 std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,

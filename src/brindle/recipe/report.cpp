@@ -291,7 +291,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;
   if (report.draw_milliseconds) {
     json["milliseconds"]["draw"] = *report.draw_milliseconds;
-    json["picture_quality"] = report.picture_quality;
+    json.update(report.picture);
   }
   if (report.frequency) {
     json["milliseconds"]["frequency"] = time.frequency;

@@ -68,7 +68,7 @@ struct Report {
   StripeMilliseconds milliseconds;
   double field_milliseconds = 0;
   std::optional<double> draw_milliseconds;  ///< if pictures were drawn
-  std::string picture_quality;              ///< of the pictures
+  nlohmann::ordered_json picture = {};      ///< keys on the pictures, if there are any
   WaveReport waves;
   std::optional<std::size_t> field_rows_nonfinite;    ///< of a field file or array
   nlohmann::ordered_json device = {{"kind", "cpu"}};  ///< from Device::description

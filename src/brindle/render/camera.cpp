@@ -1,6 +1,7 @@
 #include "brindle/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,14 +10,17 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/file_names.h"
 #include "brindle/base/number_text.h"
+#include "brindle/base/standard.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {
 namespace {
 
-constexpr double kFieldOfViewDeg = 28;  ///< of the longer side: weak perspective
-constexpr double kMargin = 0.05;        ///< of half a side, free on either side
+constexpr double kFieldOfViewDeg = 28;  ///< of the longer side: calm perspective
+constexpr double kMargin = 0.05;        ///< of half a side, left free on either side
+constexpr std::array<std::string_view, 6> kUpAxes = {"x", "y", "z", "-x", "-y", "-z"};
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -32,12 +36,8 @@ Eigen::Matrix3d camera_axes(const CameraView& view) {
   axes.row(2) << s * elementary::cos(elevation), elementary::sin(elevation),
       c * elementary::cos(elevation);
   axes.row(1) = axes.row(2).cross(axes.row(0));
-  if (view.up == UpAxis::z) {
-    Eigen::Matrix3d y_up_from_z_up;
-    y_up_from_z_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-    axes = axes * y_up_from_z_up;
-  }
-  return axes;
+  if (view.up == UpAxis::y) return axes;
+  return axes * upright_axes(view.up).cast<double>();
 }
 
 /// The largest values of x + t z, -x + t z, y + u z and -y + u z over all vertices, and the range
@@ -134,6 +134,30 @@ std::vector<Number> numbers_in(std::string_view text) {
 }
 
 }  // namespace
+
+Eigen::Matrix3f upright_axes(UpAxis up) {
+  const int number = static_cast<int>(up);
+  const float sign = number < 3 ? 1.0f : -1.0f;
+  const int axis = number % 3;
+  Eigen::Matrix3f axes;
+  axes.row(0) = axis == 0 ? Vec3(-sign * Vec3::UnitY()) : Vec3(Vec3::UnitX());
+  axes.row(1) = sign * Vec3::Unit(axis);
+  axes.row(2) = axes.row(0).cross(axes.row(1));
+  return axes;
+}
+
+std::optional<UpAxis> parse_up_axis(std::string_view text) {
+  const auto name = ranges::find(kUpAxes, text);
+  if (name == kUpAxes.end()) return {};
+  return static_cast<UpAxis>(name - kUpAxes.begin());
+}
+
+std::string_view name_of(UpAxis up) { return kUpAxes[static_cast<std::size_t>(up)]; }
+
+std::optional<UpAxis> usual_up_axis(const std::string& mesh) {
+  const bool is_z = mesh.starts_with("shape:") || lower_extension(mesh) == ".stl";
+  return is_z ? std::optional(UpAxis::z) : std::nullopt;
+}
 
 std::optional<LightDirection> parse_light_direction(std::string_view text) {
   const std::vector<float> numbers = numbers_in<float>(text);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "brindle/camera.h"
@@ -17,7 +18,15 @@ namespace brindle {
 /// 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
-/// The syntax of `parse_camera_view`, for messages.
+/// Reads "x", "y", "z", "-x", "-y" and "-z". Empty if the text is none of these.
+std::optional<UpAxis> parse_up_axis(std::string_view text);
+std::string_view name_of(UpAxis up);
+
+/// The axis that points up in built-in shapes ("shape:torus") and in most files of this extension:
+/// z in shapes and .stl. Empty if the extension does not tell; pictures then have y up.
+std::optional<UpAxis> usual_up_axis(const std::string& mesh);
+
+/// What `parse_camera_view` reads, for messages.
 inline constexpr const char* kCameraViewForm =
     "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90, zoom from 0.01 to "
     "10000";

@@ -68,7 +68,7 @@ float tone_of(const Vec3& light) {
 Lights lights_of(const Camera& camera, const PictureLight& light) {
   const Eigen::Matrix3f turn = camera.view_from_world.topLeftCorner<3, 3>();
   const Vec3 key = light.from ? key_from(*light.from) : kUsualKey.normalized();
-  return {key, fill_opposite(key), turn.col(light.up == UpAxis::y ? 1 : 2)};
+  return {key, fill_opposite(key), turn * upright_axes(light.up).row(1).transpose()};
 }
 
 float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights) {

@@ -5,6 +5,7 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/recipe/json_text.h"
+#include "session/session_options.h"
 
 namespace brindle::tool {
 namespace {
@@ -178,6 +179,14 @@ void LiveSession::send(PictureQuality quality) {
                    .follow = session_.follows() ? Follow::last : Follow::afresh});
 }
 
+std::vector<std::string> notes_of(const SessionFrame& frame) {
+  std::vector<std::string> notes;
+  for (const std::string& note : frame.state->notes) {
+    notes.push_back(in_panel_words(note, frame.state->document.shown));
+  }
+  return notes;
+}
+
 void LiveSession::log_frame(const SessionFrame& frame) {
   if (!log_.is_open()) return;
   const LiveFigures& figures = frame.state->figures;
@@ -196,7 +205,7 @@ void LiveSession::log_frame(const SessionFrame& frame) {
                        {"energy", figures.energy},
                        {"spacing_error", figures.mean_spacing_error},
                        {"edges_per_period", figures.edges_per_period},
-                       {"notes", frame.state->notes},
+                       {"notes", notes_of(frame)},
                        {"nothing_left", frame.nothing_left},
                        {"shown", std::move(shown)},
                        {"followed", figures.followed},

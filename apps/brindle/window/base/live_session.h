@@ -17,8 +17,11 @@ namespace brindle::tool {
 /// The kind of change by a widget.
 enum class ValueChange { none, dragged, typed };
 
-/// All changes of a window's session go through this class. Nothing blocks: changes are drawn at
-/// interactive quality at once, and at final quality after a pause.
+/// What there is to say of the frame, in the words of the panels.
+std::vector<std::string> notes_of(const SessionFrame& frame);
+
+/// All that happens to the session goes through here. Nothing waits for the worker: changes are
+/// drawn at interactive quality at once, and with care when nothing has changed for a while.
 class LiveSession {
  public:
   /// `commands`: a file that records all commands for `brindle render --replay`; empty: none.

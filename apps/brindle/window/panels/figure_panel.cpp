@@ -75,7 +75,7 @@ void FigurePanel::draw(double window_milliseconds, bool dark) {
     return;
   }
   draw_counts(*frame);
-  draw_notes(frame->state->notes);
+  draw_notes(notes_of(*frame));
   ImGui::Separator();
   draw_times(*frame, window_milliseconds);
   ImGui::Separator();

@@ -59,12 +59,12 @@ CatalogOption entry_of(const OptionInfo& info) {
   entry.form = info.form;
   entry.kind = kind_of(info);
   entry.names = names_of(info);
-  entry.file = info.file;
+  entry.files = words_between_spaces(info.files);
   entry.repeatable = info.several;
-  entry.whole = info.kind == OptionKind::whole;
+  entry.whole = info.kind == OptionKind::whole || info.slider.whole;
   entry.range = info.slider;
   entry.standard = info.standard;
-  entry.excludes = option_names(info.excludes);
+  entry.excludes = words_between_spaces(info.excludes);
   return entry;
 }
 

@@ -18,13 +18,13 @@ struct CatalogOption {
   std::string help;
   std::string form;  ///< syntax of values: "AZIMUTH,ELEVATION"
   WidgetKind kind = WidgetKind::text;
-  std::vector<std::string> names;     ///< literal values: all of a choice, some of a text
-  bool file = false;                  ///< the value may be a file
-  bool repeatable = false;            ///< one value per line
-  bool whole = false;                 ///< numbers are integers
-  SliderRange range;                  ///< of numbers and percents; typed values may exceed it
-  std::string standard;               ///< default value; empty: none
-  std::vector<std::string> excludes;  ///< options that are removed when this one is set
+  std::vector<std::string> names;     ///< values that are names: all of a choice, some of a text
+  std::vector<std::string> files;     ///< extensions of files that the value may be
+  bool repeatable = false;            ///< a value a line
+  bool whole = false;                 ///< numbers that are dragged have no fraction
+  SliderRange range;                  ///< of numbers and percents; what is typed may go beyond
+  std::string standard;               ///< what counts where it is not given; empty: nothing does
+  std::vector<std::string> excludes;  ///< options that are left out when this one is given
 };
 
 struct OptionGroup {

@@ -382,7 +382,7 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
   ImGui::PushID(id.c_str());
   const float button = ImGui::GetFrameHeight();
   const bool has_names = !option.names.empty() || option.form.find("array:") != std::string::npos;
-  const float buttons = (has_names ? button : 0) + (option.file ? button : 0);
+  const float buttons = (has_names ? button : 0) + (option.files.empty() ? 0 : button);
   ImGui::SetNextItemWidth(width > 0 ? width : ImGui::GetContentRegionAvail().x - buttons);
   const auto found = given_.find(option.name);
   const bool given = found != given_.end() && index < found->second.size();
@@ -399,10 +399,11 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
   if (entered || ImGui::IsItemDeactivatedAfterEdit()) set_one(option, index, text);
   if (ImGui::IsItemDeactivated() && edited_ == id) edited_.clear();
   if (has_names) draw_names(option, index);
-  if (option.file) {
+  if (!option.files.empty()) {
     ImGui::SameLine(0, 0);
     if (ImGui::Button("...", {button, 0})) {
-      browser_.ask({.title = "--" + option.name,
+      browser_.ask({.title = option.words,
+                    .extensions = option.files,
                     .done = [this, option, index](const std::filesystem::path& path) {
                       set_one(option, index, path.string());
                     }});

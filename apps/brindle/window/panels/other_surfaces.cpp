@@ -12,6 +12,7 @@
 
 #include "brindle/base/text.h"
 #include "brindle/renderer.h"
+#include "cli/described_options.h"
 #include "cli/option_values.h"
 #include "session/session_options.h"
 #include "window/base/value_slider.h"
@@ -95,6 +96,7 @@ void OtherSurfaces::draw_list(const std::vector<std::string>& given, const Set& 
   };
   if (ImGui::Selectable("add a file...")) {
     browser_.ask({.title = "Another surface of the picture",
+                  .extensions = words_between_spaces(kMeshFiles),
                   .done = [add](const std::filesystem::path& path) { add(path.string()); }});
   }
   log_.note_widget("add surface file");

@@ -89,14 +89,13 @@ CameraView freed(const CameraView& view) {
 
 CameraView upright(const CameraView& view) {
   if (!view.rotation) return view;
-  // Direction to the viewer from the surface.
-  const Vec3 side = view.rotation->normalized().conjugate() * Vec3::UnitZ();
+  // Where the viewer is, seen from the surface: to the right, above and in front.
+  const Vec3 side =
+      upright_axes(view.up) * (view.rotation->normalized().conjugate() * Vec3::UnitZ());
   CameraView result = view;
   result.rotation.reset();
-  const float height = view.up == UpAxis::y ? side.y() : side.z();
-  const float forward = view.up == UpAxis::y ? side.z() : -side.y();
-  result.elevation_deg = std::asin(std::clamp(height, -1.0f, 1.0f)) / kDegree;
-  result.azimuth_deg = std::atan2(side.x(), forward) / kDegree;
+  result.elevation_deg = std::asin(std::clamp(side.y(), -1.0f, 1.0f)) / kDegree;
+  result.azimuth_deg = std::atan2(side.x(), side.z()) / kDegree;
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "window/picture/stroke_curve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace brindle::tool {
@@ -30,6 +31,31 @@ Points thinned(std::span<const Eigen::Vector3d> points, std::size_t most) {
     result.push_back(points[i * (points.size() - 1) / (most - 1)]);
   }
   return result;
+}
+
+bool leaves_surface(SeenPlace from, SeenPlace to, const PickPlace& pick) {
+  constexpr int kHalvings = 6;
+  constexpr double kStraight = 0.25, kJump = 0.25;  // of the distance between both
+  const double distance = (to.place - from.place).norm();
+  for (int i = 0; i < kHalvings; ++i) {
+    const Eigen::Vector2d pixel = (from.pixel + to.pixel) / 2;
+    const auto place = pick(pixel);
+    if (!place) return true;
+    const double to_middle = (*place - (from.place + to.place) / 2).norm();
+    if (to_middle <= kStraight * (to.place - from.place).norm()) return false;
+    const bool jumps_before = (*place - from.place).norm() > (*place - to.place).norm();
+    (jumps_before ? to : from) = {pixel, *place};
+  }
+  // A surface that goes on is as near as the pixels are, at its rim as their roots.
+  return (to.place - from.place).norm() > kJump * distance;
+}
+
+std::vector<Eigen::Vector2d> pixels_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                            double step) {
+  const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm() / step)));
+  std::vector<Eigen::Vector2d> pixels;
+  for (int i = 1; i <= count; ++i) pixels.push_back(from + (to - from) * i / count);
+  return pixels;
 }
 
 double distance_to_line(const Eigen::Vector2d& point, std::span<const Eigen::Vector2d> line) {

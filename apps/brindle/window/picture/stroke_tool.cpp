@@ -248,9 +248,8 @@ void StrokeTool::press(const PicturePlace& place, const Eigen::Vector2d& pixel) 
     case Tool::light:
       return;
     case Tool::comb:
-      comb_.clear();
-      drawn_.reset();
-      if (const auto hit = pick_at(place, pixel)) comb_.push_back(hit->place);
+      end_comb();
+      comb_to(place, pixel);
       return;
     case Tool::spline:
       return add_control(place, pixel);
@@ -269,19 +268,17 @@ void StrokeTool::press(const PicturePlace& place, const Eigen::Vector2d& pixel) 
 
 void StrokeTool::drag(const PicturePlace& place, const std::vector<Eigen::Vector2d>& pixels) {
   if (refused_) return;
-  bool longer = false;
   for (const Eigen::Vector2d& pixel : pixels) {
-    if (tool_ == Tool::comb) longer |= extend_comb(place, pixel);
+    if (tool_ == Tool::comb) extend_comb(place, pixel);
     if (tool_ == Tool::erase) erase_at(place, pixel);
   }
-  if (longer && comb_.size() > 1) set_points(comb_);
+  if (tool_ == Tool::comb) set_comb();
   if (tool_ == Tool::move) move_chosen(place, pixels.back());
   if (tool_ == Tool::steer) steer(place, pixels.back());
 }
 
 void StrokeTool::release() {
-  if (tool_ == Tool::comb) drawn_.reset();
-  comb_.clear();
+  if (tool_ == Tool::comb) end_comb();
   moving_.reset();
   drop_singularity();
   refused_ = false;
@@ -298,14 +295,40 @@ void StrokeTool::set_points(Points points) {
   if (!refused_) drawn_ = live_.document().strokes.size() - 1;
 }
 
-bool StrokeTool::extend_comb(const PicturePlace& place, const Eigen::Vector2d& pixel) {
-  if ((pixel - last_pixel_).norm() < kCombStep * place.pixels_per_unit) return false;
-  const auto hit = pick_at(place, pixel);
-  if (!hit) return false;
+void StrokeTool::extend_comb(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  const double step = kCombStep * place.pixels_per_unit;
+  if ((pixel - last_pixel_).norm() < step) return;
+  for (const Eigen::Vector2d& next : pixels_between(last_pixel_, pixel, step)) comb_to(place, next);
   last_pixel_ = pixel;
-  if (!comb_.empty() && comb_.back() == hit->place) return false;
-  comb_.push_back(hit->place);
-  return true;
+}
+
+// Where the mouse leaves the surface the stroke ends; where it comes back the next one begins.
+void StrokeTool::comb_to(const PicturePlace& place, const Eigen::Vector2d& pixel) {
+  const auto pick_place = [&](const Eigen::Vector2d& at) -> std::optional<Eigen::Vector3d> {
+    const auto hit = pick_at(place, at);
+    return hit ? std::optional(hit->place) : std::nullopt;
+  };
+  const auto there = pick_place(pixel);
+  if (!there) return end_comb();
+  if (!comb_.empty()) {
+    if (comb_.back() == *there) return;
+    if (leaves_surface({combed_, comb_.back()}, {pixel, *there}, pick_place)) end_comb();
+  }
+  comb_.push_back(*there);
+  combed_ = pixel;
+}
+
+void StrokeTool::set_comb() {
+  if (comb_.size() < 2 || refused_) return;
+  const auto& strokes = live_.document().strokes;
+  if (drawn_ && *drawn_ < strokes.size() && strokes[*drawn_].points == comb_) return;
+  set_points(comb_);
+}
+
+void StrokeTool::end_comb() {
+  set_comb();
+  comb_.clear();
+  drawn_.reset();
 }
 
 void StrokeTool::add_control(const PicturePlace& place, const Eigen::Vector2d& pixel) {
@@ -400,9 +423,10 @@ void StrokeTool::begin_steering(const PicturePlace& place, const Eigen::Vector2d
   if (singularity == nullptr) return;
   dropped_.reset();
   if (!is_smooth(waves) || waves.cross) {
-    return say(
+    return say(in_panel_words(
         "the singularity stays: only --field smooth and --field curvature follow strokes, and no "
-        "cross field does");
+        "cross field does",
+        live_.document().shown));
   }
   say("");
   steering_ = Steering{.singularity = *singularity,

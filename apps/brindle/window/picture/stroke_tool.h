@@ -81,7 +81,10 @@ class StrokeTool {
   std::vector<Eigen::Vector2d> line_of(const PicturePlace& place, const FieldStroke& stroke) const;
   std::optional<std::size_t> stroke_at(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void set_points(Points points);
-  bool extend_comb(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void extend_comb(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void comb_to(const PicturePlace& place, const Eigen::Vector2d& pixel);
+  void set_comb();
+  void end_comb();
   void add_control(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void move_chosen(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void erase_at(const PicturePlace& place, const Eigen::Vector2d& pixel);
@@ -113,10 +116,11 @@ class StrokeTool {
   float strength_ = 1;
   bool show_singularities_ = false;
 
-  Points comb_;                        // of the stroke being drawn
-  Points controls_;                    // of the spline being drawn
-  std::optional<std::size_t> drawn_;   // its index
-  std::optional<std::size_t> chosen_;  // the selected stroke
+  Points comb_;                        // of the stroke that is being drawn
+  Eigen::Vector2d combed_{0, 0};       // the pixel of its last point
+  Points controls_;                    // of the spline that is being drawn
+  std::optional<std::size_t> drawn_;   // the stroke that they are
+  std::optional<std::size_t> chosen_;  // the stroke that is moved
   std::optional<Moving> moving_;
   std::optional<Steering> steering_;
   std::optional<Dropped> dropped_;

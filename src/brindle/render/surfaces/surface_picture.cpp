@@ -22,13 +22,9 @@ GlTexture shadow_texture(const GroundShadow& shadow) {
 
 Eigen::Matrix3f ground_axes(UpAxis up) {
   Eigen::Matrix3f axes;
-  if (up == UpAxis::z) {
-    axes = Eigen::Matrix3f::Identity();
-  } else {
-    axes.col(0) = Vec3::UnitZ();
-    axes.col(1) = Vec3::UnitX();
-    axes.col(2) = Vec3::UnitY();
-  }
+  axes.col(0) = Vec3::Unit((static_cast<int>(up) + 1) % 3);
+  axes.col(2) = upright_axes(up).row(1);
+  axes.col(1) = axes.col(2).cross(axes.col(0));
   return axes;
 }
 
