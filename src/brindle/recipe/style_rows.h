@@ -149,13 +149,7 @@ constexpr auto kDepthRows = in_group(
       .form = "MESH",
       .several = true,
       .files = kMeshFiles,
-      .help =
-          "picture: another surface, plain unless it says more: "
-          "MESH[@opaque|striped|discarded][@texture=TILE][@stripes=N][@rotate=DEG]"
-          "[@stripe-width=W][@stripe-color=#rrggbb][@color-by=VALUE][@outlined][@untinted]"
-          "[@whole][@#rrggbb][@X,Y,Z], VALUE: of MESH, as --color-by has them, outlined: without "
-          "--outline, untinted: without --depth-cue, whole: in spite of --slice, moved by X,Y,Z; "
-          "repeatable"}});
+      .help = "picture: add a surface; its style follows after @; repeatable"}});
 
 constexpr auto kStyleRows = joined(kColorRows, kOutlineRows, kDrawingRows, kDepthRows);
 
