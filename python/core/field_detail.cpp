@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <pybind11/stl.h>
 
 #include "arrays.h"
 #include "brindle/error.h"
