@@ -219,8 +219,9 @@ class Samples:
 
 
 def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, directions_v: "Optional[ArrayLike]" = None,
-            stripes_v: Any = None, frequency_v: Any = None, min_distance: float = 0.25,
+            frequency: Any = None, spacing: Optional[float] = None,
+            directions_v: "Optional[ArrayLike]" = None, stripes_v: Any = None,
+            frequency_v: Any = None, min_distance: float = 0.25,
             slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
             phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
@@ -243,7 +244,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given.pop("progress")
     options = solving(given, surface.is_points)
     field = Field(surface, directions, False, options=given)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     frequency_v = frequencies_of(surface, frequency_v)
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
     count_v, frequency_v = (count, frequency) if stripes_v is None and frequency_v is None else (

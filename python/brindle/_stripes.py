@@ -319,7 +319,8 @@ def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> t
 
 
 def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, along: bool = False, solver: str = "multilevel",
+            frequency: Any = None, spacing: Optional[float] = None, along: bool = False,
+            solver: str = "multilevel",
             phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
@@ -340,9 +341,10 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     tensors that the surface has; None: ``surface.smooth_field()``. ``along``: stripes run along
     them instead.
 
-    ``stripes``: so many along the bounding box's diagonal (40 unless ``frequency`` is given).
+    ``stripes``: so many along the bounding box's diagonal (40 unless one of the others is given).
     ``frequency``: stripes per unit length, a number, an array (n,), where NaN means no wave
-    (of vectors (n, 3) the length counts), or the name of one.
+    (of vectors (n, 3) the length counts), or the name of one. ``spacing``: distance between
+    stripes, the same as a ``frequency`` of 1 / spacing.
 
     ``solver``: "multilevel", "relaxation", "averaged" or "global" (where built with CHOLMOD).
     ``phase_shift``: "aligned", "common_source" or "trapezoid". ``weights``: "paper" or
@@ -390,7 +392,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     options = solving(given, surface.is_points)
     field = Field(surface, directions, flag(along, "along"),
                   None if options.lambda_ == 0 else previous, match, given)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     made = _core.stripes(surface._core, field.directions, count, frequency, field.origin, options,
                          None if previous is None else previous._core,
                          "" if match is None else word(match, "match"), progress)
@@ -403,15 +405,17 @@ _DEFAULTS = defaults_of(stripes)
 
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
+                        spacing: Optional[float] = None,
                         phase_shift: str = "aligned") -> Stripes:
     """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
     complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
     p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.
     Lifted to the triangles and measured like any other."""
-    given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency}
+    given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency,
+             "spacing": spacing}
     surface = as_surface(surface)
     field = Field(surface, directions, False)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     made = _core.stripes_from_phases(surface._core, phases, field.directions, count, frequency,
                                      field.origin, solving({"phase_shift": phase_shift}, surface.is_points))
     return Stripes(made, surface, invocation("stripes_from_phases", surface, given,

@@ -119,6 +119,7 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"strokes", "there is nothing to draw them with"},
     {"field-mesh", "the filter Resample With Dataset"},
     {"max-distance", "of field-mesh"},
+    {"spacing", "Frequency, of which it is the inverse"},
     {"stripe-width", "of the representation"},
     {"calm", "not yet asked for"},
     {"merge-branches", "takes long"},

@@ -59,10 +59,12 @@ export interface SmoothFieldOptions extends RotateOption {
 }
 
 export interface FrequencyOptions {
-  /** Stripes along the diagonal of the surface's box; 40 if nothing is said. Excludes `frequency`. */
+  /** Stripes along the diagonal of the surface's box; 40 if nothing is said. Excludes the others. */
   stripes?: number;
   /** Stripes per unit length, everywhere or a number per vertex. */
   frequency?: number | Numbers;
+  /** Distance between stripes: the same as a `frequency` of 1 / spacing. */
+  spacing?: number;
 }
 
 export interface MeasuredFieldOptions extends FrequencyOptions {

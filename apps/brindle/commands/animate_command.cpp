@@ -87,7 +87,8 @@ std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
 
 /// What of fields and waves only series have: all but what scenes have, too.
 std::vector<std::string> series_options() {
-  const std::set<std::string_view> of_scenes = {"direction", "along", "stripes", "frequency"};
+  const std::set<std::string_view> of_scenes = {"direction", "along", "stripes", "frequency",
+                                                "spacing"};
   std::vector<std::string> options;
   for (const OptionInfo& row : option_table()) {
     const bool of_waves =

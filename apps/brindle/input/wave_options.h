@@ -32,6 +32,7 @@ struct WaveOptions {
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
+  std::optional<Length> spacing;   ///< between stripes, instead of both
   std::optional<float> stripes_v;  ///< the same of the crossing stripes
   std::optional<float> frequency_v;
   bool oriented = false;       ///< of a texture: the field's signs are meant
@@ -53,6 +54,7 @@ struct WaveOptions {
     add("--rotate", rotate_deg);
     add("--along", along);
     add("--stripes", stripes);
+    add("--spacing", spacing);
   }
 
   /// The same for textures.
@@ -89,6 +91,9 @@ bool is_field_file(const WaveOptions& options);
 
 /// Whether an option says a frequency for every vertex.
 bool says_frequencies(const WaveOptions& options);
+
+/// Whether an option says one frequency for all vertices.
+bool says_one_frequency(const WaveOptions& options);
 
 /// Throws CLI::ValidationError: there is one for all.
 [[noreturn]] void refuse_frequency_detail();

@@ -33,6 +33,7 @@ Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& w
   own.stripes = choice.stripes;
   own.frequency.reset();
   if (!choice.stripes) {
+  own.spacing.reset();
     own.frequency = frequency;  // as dense as those of MESH
     own.frequency_factor = 1;   // which has it already
   }
