@@ -98,7 +98,7 @@ const std::map<std::string_view, std::string_view> kGroupsWithoutProperty = {
     {"Textures", "ParaView draws"},
     {"Outlines and depth", "ParaView draws"},
     {"Picture", "ParaView draws"},
-    {"Output", "ParaView writes"},
+    {"Output", "ParaView writes, and its filter Feature Edges finds creases"},
     {"Solver", "those that the tool takes suit everybody"},
 };
 

@@ -15,7 +15,8 @@ enum class View { stripes, branches, angle_error };
 
 struct PictureOptions {
   View view = View::stripes;
-  std::optional<UpAxis> up;    // the user's choice
+  std::optional<UpAxis> up;  // the user's choice
+  std::optional<Projection> projection;
   std::optional<Slice> slice;  // in the coordinates of the mesh's file
   RenderOptions render;
 

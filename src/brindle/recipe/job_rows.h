@@ -10,9 +10,14 @@ constexpr auto kPictureRows =
     in_group({.group = "Picture", .jobs = kStripe | kCurves | kSample | kAnimate},
              {{.name = "camera",
                .kind = OptionKind::text,
-               .form = "AZIMUTH,ELEVATION[,ZOOM]",
+               .form = "AZIMUTH,ELEVATION[,ZOOM]|SIDE[,ZOOM]",
                .standard = "30,20",
-               .help = "picture: where from, in degrees (default 30,20)"},
+               .help = "picture: from angles in degrees, or front, top ... (default 30,20)"},
+              {.name = "projection",
+               .kind = OptionKind::choice,
+               .form = "perspective|orthographic",
+               .standard = "perspective",
+               .help = "picture: orthographic keeps parallel lines (default perspective)"},
               {.name = "size",
                .kind = OptionKind::text,
                .form = "WIDTHxHEIGHT",
@@ -58,6 +63,15 @@ constexpr auto kOutputRows = in_group(
       .kind = OptionKind::flag,
       .jobs = kAll,
       .help = "print nothing but errors"}});
+
+constexpr auto kCreaseRows =
+    in_group({.group = "Output", .jobs = kCurves},
+             {{.name = "creases",
+               .kind = OptionKind::number,
+               .form = "DEG",
+               .unit = "degrees",
+               .range = {.least = 0, .most = 180, .above_least = true, .below_most = true},
+               .help = "lines: also borders and edges that bend by more than this"}});
 
 constexpr auto kFrameRows = in_group(
     {.group = "Frames", .jobs = kAnimate},
@@ -137,6 +151,6 @@ constexpr auto kFrameRows = in_group(
       .form = "U[,V]",
       .help = "--texture: lets all tiles flow, so many a second"}});
 
-constexpr auto kJobRows = joined(kPictureRows, kOutputRows, kFrameRows);
+constexpr auto kJobRows = joined(kPictureRows, kOutputRows, kCreaseRows, kFrameRows);
 
 }  // namespace brindle
