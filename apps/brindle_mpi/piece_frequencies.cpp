@@ -69,9 +69,7 @@ FrequencyField chosen_frequencies(Communicator& ranks, const DistributedSurface&
                                  frequency_values(ranks, surface, read, wanted, *field.arrays),
                                  frequency, wanted.range);
   }
-  if (!field.frequencies.empty() && !options.stripes && !options.frequency) {
-    return field.frequencies;
-  }
+  if (!field.frequencies.empty() && !says_one_frequency(options)) return field.frequencies;
   FrequencyField constant = constant_frequency_field(frequency, field.directions.size());
   keep_gaps(field.frequencies, constant);
   return constant;

@@ -18,4 +18,8 @@ FrequencyField constant_frequency_field(float frequency, std::size_t vertex_coun
 /// Throws Error if either is not above zero and finite.
 float frequency_of_stripes(float stripes, float diagonal);
 
+/// The frequency of stripes with this distance: 1 / spacing. Throws Error if it is not above zero
+/// and finite.
+float frequency_of_spacing(float spacing);
+
 }  // namespace brindle

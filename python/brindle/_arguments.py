@@ -230,8 +230,12 @@ def one_of_both(name: str, value: Any, other_name: str, other: Any) -> None:
     check_scalar(other_name, other)
 
 
-def count_and_frequency(stripes: Any, frequency: Any) -> tuple[Any, Any]:
-    """One of both; 40 stripes if neither is given."""
+def count_and_frequency(stripes: Any, frequency: Any, spacing: Any) -> tuple[Any, Any]:
+    """A number of stripes or a frequency; 40 stripes if nothing was given."""
+    if spacing is not None:
+        if stripes is not None or frequency is not None:
+            raise Error("stripes, frequency and spacing exclude each other: give one of them")
+        return None, _core.frequency_of_spacing(number(spacing, "spacing"))
     one_of_both("stripes", stripes, "frequency", frequency)
     if stripes is None and frequency is None:
         return DEFAULT_STRIPES, None

@@ -230,10 +230,11 @@ class Samples(Result):
 
 
 def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, directions_v: "Optional[ArrayLike]" = None,
-            stripes_v: Any = None, frequency_v: Any = None, min_distance: float = 0.25,
-            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
-            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
+            frequency: Any = None, spacing: Optional[float] = None,
+            directions_v: "Optional[ArrayLike]" = None, stripes_v: Any = None,
+            frequency_v: Any = None, min_distance: float = 0.25,
+            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
+            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None,
@@ -254,7 +255,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     given.pop("progress")
     options = solving(given, surface)
     field = Field(surface, directions, False, options=given)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     frequency_v = frequencies_of(surface, frequency_v)
     one_of_both("stripes_v", stripes_v, "frequency_v", frequency_v)
     count_v, frequency_v = (count, frequency) if stripes_v is None and frequency_v is None else (

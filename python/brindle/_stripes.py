@@ -329,8 +329,9 @@ def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> t
 
 
 def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, along: bool = False, solver: Solver = "multilevel",
-            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
+            frequency: Any = None, spacing: Optional[float] = None, along: bool = False,
+            solver: str = "multilevel",
+            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, slack: Any = None,
@@ -351,9 +352,10 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     or tensors of the surface; None: ``surface.smooth_field()``. ``along``: stripes run along the
     directions instead.
 
-    ``stripes``: number along the bounding box's diagonal (default 40). ``frequency``: instead,
-    stripes per unit length: a number, an array (n,), with NaN for no wave (vectors (n, 3) by
-    magnitude), or the name of an array.
+    ``stripes``: so many along the bounding box's diagonal (40 unless one of the others is given).
+    ``frequency``: stripes per unit length, a number, an array (n,), where NaN means no wave
+    (of vectors (n, 3) the length counts), or the name of one. ``spacing``: distance between
+    stripes, the same as a ``frequency`` of 1 / spacing.
 
     ``solver``: "multilevel", "relaxation", "averaged" or "global" (in builds with CHOLMOD).
     ``phase_shift``: "aligned", "common_source" or "trapezoid". ``weights``: "paper" or
@@ -405,7 +407,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     options = solving(given, surface)
     field = Field(surface, directions, flag(along, "along"),
                   None if options.lambda_ == 0 else previous, match, given)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     made = _core.stripes(surface._core, field.directions, count, frequency, field.origin, options,
                          None if previous is None else previous._core,
                          "" if match is None else word(match, "match"), progress)
@@ -418,15 +420,17 @@ _DEFAULTS = defaults_of(stripes)
 
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
-                        phase_shift: PhaseShift = "aligned") -> Stripes:
+                        spacing: Optional[float] = None,
+                        phase_shift: str = "aligned") -> Stripes:
     """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
     complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
     p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.
     Lifted to the triangles and measured like any other."""
-    given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency}
+    given = {"phase_shift": phase_shift, "stripes": stripes, "frequency": frequency,
+             "spacing": spacing}
     surface = as_surface(surface)
     field = Field(surface, directions, False)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     made = _core.stripes_from_phases(surface._core, phases, field.directions, count, frequency,
                                      field.origin, solving({"phase_shift": phase_shift}, surface))
     return Stripes(made, surface, invocation("stripes_from_phases", surface, given,

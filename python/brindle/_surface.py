@@ -343,12 +343,13 @@ class Surface:
         return _core.turned_field(self._core, directions, number(degrees, "degrees"))
 
     def frequencies_by(self, array: "Union[str, ArrayLike]", *, stripes: Any = None,
-                       frequency: Any = None, range: tuple[float, float] = (0.4, 2.5),
+                       frequency: Any = None, spacing: Optional[float] = None,
+                       range: tuple[float, float] = (0.4, 2.5),
                        inverse: bool = False) -> "NDArray[np.float32]":
-        """(n,) frequencies, in stripes per unit length, higher where ``array`` (n,) is larger
-        (vectors: by magnitude): ``frequency``, or that of ``stripes`` along the diagonal, times
+        """(n,) frequencies, in stripes per unit length, denser where ``array`` (n,) is larger (of
+        vectors: longer): ``frequency``, or that of ``stripes`` or ``spacing``, times
         the factors of ``range`` at its smallest and largest number. NaN where the array is."""
-        stripes, frequency = count_and_frequency(stripes, frequency)
+        stripes, frequency = count_and_frequency(stripes, frequency, spacing)
         if frequency is None:
             frequency = self.frequency_of(stripes)
         name, values = self._array(array, "array")

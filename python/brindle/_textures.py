@@ -211,10 +211,10 @@ class Texture(Result):
 
 
 def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, stripes_v: Any = None, frequency_v: Any = None,
-            oriented: bool = False, along: bool = False, slack: Any = None,
-            calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
-            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
+            frequency: Any = None, spacing: Optional[float] = None, stripes_v: Any = None,
+            frequency_v: Any = None, oriented: bool = False, along: bool = False, slack: Any = None,
+            calm: "Optional[ArrayLike]" = None, solver: str = "multilevel",
+            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
@@ -237,7 +237,7 @@ def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     options = solving(given, surface)
     oriented = flag(oriented, "oriented")
     field = Field(surface, directions, flag(along, "along"), options=given, oriented=oriented)
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     made = _core.texture(surface._core, field.directions, count, frequency, stripes_v,
                          frequencies_of(surface, frequency_v), oriented,
                          field.origin, options, progress)
@@ -249,8 +249,9 @@ _DEFAULTS = defaults_of(texture)
 
 
 def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
-            frequency: Any = None, slack: Any = None, calm: "Optional[ArrayLike]" = None,
-            solver: Solver = "multilevel", phase_shift: PhaseShift = "aligned", weights: Weights = "paper",
+            frequency: Any = None, spacing: Optional[float] = None, slack: Any = None,
+            calm: "Optional[ArrayLike]" = None,
+            solver: str = "multilevel", phase_shift: str = "aligned", weights: str = "paper",
             epsilon: Optional[float] = None, momentum: Optional[float] = None,
             seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
@@ -273,7 +274,7 @@ def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     field.origin.milliseconds = 1000 * (perf_counter() - begin)
     if directions is None:
         field.origin.source = "the smooth field"
-    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency))
+    count, frequency = count_and_frequency(stripes, frequencies_of(surface, frequency), spacing)
     made = _core.crosses(surface._core, field.directions, count, frequency, field.origin,
                          options, progress)
     warn(made.warnings(field.origin.source))

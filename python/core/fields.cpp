@@ -271,6 +271,7 @@ void bind_fields(py::module_& module) {
              py::arg("array"), py::arg("frequency"), py::arg("range"), py::arg("inverse"));
   module.def("globe_vectors", vectors_on_globe, py::arg("surface"), py::arg("east_north"));
   module.def("frequency_of_stripes", stripes_to_frequency, py::arg("surface"), py::arg("stripes"));
+  module.def("frequency_of_spacing", frequency_of_spacing, py::arg("spacing"));
 }
 
 }  // namespace brindle::python

@@ -131,6 +131,7 @@ REQUESTS = [
     # frequencies
     ("stripe", TORUS, "--stripes 12.5", stripes(stripes=12.5)),
     ("stripe", TORUS, "--frequency 3", stripes(frequency=3)),
+    ("stripe", TORUS, "--spacing 0.3", stripes(spacing=0.3)),
     ("stripe", "field.vtp", "--frequency array:speed", stripes(frequency="speed")),
     ("stripe", "field.vtp", "--frequency-by array:speed",
      lambda s: brindle.stripes(s, frequency=s.frequencies_by("speed"))),

@@ -258,8 +258,38 @@ INSTANTIATE_TEST_SUITE_P(
                     Arguments{"--tube-radius", "1%"}, Arguments{"--tube-sides", "5"},
                     Arguments{"--tube-sides", "5", "-o", "a.obj"},
                     Arguments{"--tube-radius", "1%", "-o", "a.svg"}, Arguments{"--up", "y"},
+                    Arguments{"--creases", "40", "-o", "a.svg"},
                     Arguments{"--camera", "30,20", "-o", "a.ply"}, Arguments{"--size", "64x48"},
                     Arguments{"--colors", "#000000,#ffffff", "-o", "a.csv"}));
+
+TEST_F(Curves, CreasesAreLinesOfTheirOwn) {
+  const std::string cylinder = "shape:cylinder,resolution=24";
+  report({"-o", "plain.obj", "-o", "plain.csv"}, cylinder);
+  report({"--creases", "40", "-o", "a.obj", "-o", "a.csv", "-o", "a.ply", "-o", "a.vtp"}, cylinder);
+  const std::string plain = content(folder / "plain.csv"), all = content(folder / "a.csv");
+  EXPECT_TRUE(all.starts_with(plain)) << "stripes stay";
+  EXPECT_EQ(lines_that_begin(plain, "creases,"), 0u);
+  const std::size_t points = lines_that_begin(all, "creases,");
+  EXPECT_GT(points, 8u);
+  EXPECT_EQ(lines_that_begin(content(folder / "a.obj"), "v "),
+            lines_that_begin(content(folder / "plain.obj"), "v ") + points);
+  EXPECT_NE(content(folder / "a.obj").find("creases"), std::string::npos);
+  report({"--creases", "40", "-o", "a.csv"}, kTorus48);
+  EXPECT_EQ(lines_that_begin(content(folder / "a.csv"), "creases,"), 0u) << "a torus has none";
+}
+
+TEST_F(Curves, DrawingsTakeSidesAndProjections) {
+  const auto drawn = [&](const Arguments& more) {
+    Arguments arguments = {"-o", "a.svg", "--size", "320x240"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    report(arguments);
+    return content(folder / "a.svg");
+  };
+  const std::string above = drawn({"--camera", "top", "--projection", "orthographic"});
+  EXPECT_EQ(drawn({"--projection", "orthographic", "--camera", "0,90"}), above);
+  EXPECT_NE(drawn({"--camera", "top"}), above);
+  EXPECT_EQ(drawn({"--camera", "top", "--projection", "perspective"}), drawn({"--camera", "0,90"}));
+}
 
 TEST_F(Curves, MeasuresWhatAMakerAsksFor) {
   const std::string cylinder = "shape:cylinder,resolution=60";

@@ -123,6 +123,26 @@ TEST_F(Waves, AreMeasuredAgainstTheEdges) {
   EXPECT_TRUE(has(run({"stripe", "plane.obj", "--frequency", "0.25"}).out, "waves     frequency"));
 }
 
+TEST_F(Waves, OfASpacingHaveItsInverseAsFrequency) {
+  const auto written = [&](const Arguments& density) {
+    Arguments arguments = {"stripe", kTorus32, "-o", "a.ply", "-q"};
+    arguments.insert(arguments.end(), density.begin(), density.end());
+    EXPECT_EQ(run(arguments).exit_code, 0);
+    return content(folder / "a.ply");
+  };
+  EXPECT_TRUE(written({"--spacing", "0.08"}) == written({"--frequency", "12.5"}));
+  const Json part = report({"stripe", kTorus32, "--spacing", "5%"});
+  EXPECT_NEAR(part.at("stripes").get<double>(), 20, 1e-4);
+  write_field("f.csv", 61, "1,0,0,0.125", "1,0,0,0.25");
+  const Json over = report({"stripe", "plane.obj", "--field", "f.csv", "--spacing", "5"});
+  EXPECT_FLOAT_EQ(over.at("frequency_min").get<float>(), 0.2f);
+  EXPECT_FLOAT_EQ(over.at("frequency_max").get<float>(), 0.2f);
+  for (const char* other : {"--stripes", "--frequency"}) {
+    expect_refusal(2, other, {"stripe", kTorus32, "--spacing", "0.1", other, "9"});
+  }
+  expect_refusal(2, "--spacing", {"stripe", kTorus32, "--spacing", "0"});
+}
+
 TEST_F(Waves, RunAlongAxesByTheirNames) {
   const std::vector<std::pair<std::string, std::string>> axes = {
       {"x", "1,0,0"}, {"y", "0,1,0"}, {"z", "0,0,1"}, {"-x", "-1,0,0"}, {"-z", "0,0,-1"}};

@@ -44,8 +44,8 @@ Words with(const Words& front, const Words& back) {
 TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines",      "both", "--stripes-v",  "12",
                          "--min-length", "10%",  "--line-width", "1%"};
-  for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"},
-                            Words{"--trim", "0"}, Words{"--join", "--fair", "0.25"}}) {
+  for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"}, Words{"--trim", "0"},
+                            Words{"--join", "--fair", "0.25"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
     ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
               0);

@@ -98,7 +98,7 @@ const std::map<std::string_view, std::string_view> kGroupsWithoutProperty = {
     {"Textures", "ParaView draws"},
     {"Outlines and depth", "ParaView draws"},
     {"Picture", "ParaView draws"},
-    {"Output", "ParaView writes"},
+    {"Output", "ParaView writes, and its filter Feature Edges finds creases"},
     {"Solver", "those that the tool takes suit everybody"},
 };
 
@@ -121,6 +121,7 @@ const std::map<std::string_view, std::string_view> kWithoutProperty = {
     {"hold-out", "not yet asked for"},
     {"field-mesh", "the filter Resample With Dataset"},
     {"max-distance", "of field-mesh"},
+    {"spacing", "Frequency, of which it is the inverse"},
     {"stripe-width", "of the representation"},
     {"calm", "not yet asked for"},
     {"merge-branches", "takes long"},

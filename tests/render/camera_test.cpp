@@ -122,8 +122,13 @@ TEST(CameraView, IsReadFromText) {
   EXPECT_EQ(view->zoom, 2);
   EXPECT_EQ(view->up, UpAxis::z);
   EXPECT_EQ(parse_camera_view("10,20")->zoom, 1);
-  for (const char* text : {"", "10", "10,", "10,20,", "10,20,1,1", "a,b", "10 20", "10,91",
-                           "10,20,0", "nan,0", "inf,0", "10,20,-1", "1e99,0", " 10,20"}) {
+  const auto top = parse_camera_view("top,2", UpAxis::z);
+  ASSERT_TRUE(top);
+  EXPECT_EQ(*top, *parse_camera_view("0,90,2", UpAxis::z));
+  EXPECT_EQ(*parse_camera_view("left"), *parse_camera_view("-90,0"));
+  for (const char* text :
+       {"tops", "top,", "top,2,1", "top,x", "", "10", "10,", "10,20,", "10,20,1,1", "a,b", "10 20",
+        "10,91", "10,20,0", "nan,0", "inf,0", "10,20,-1", "1e99,0", " 10,20"}) {
     EXPECT_FALSE(parse_camera_view(text)) << text;
   }
 }

@@ -455,8 +455,10 @@ TEST(Session, FollowsChangesOfOneSurface) {
 
 /// What the parser of a document's command has, but what a session has another way.
 std::set<std::string> options_of_command(Shown shown) {
-  const std::set<std::string> elsewhere = {"camera", "size",   "min-area", "quality", "threads",
-                                           "output", "report", "quiet",    "uv",      "help"};
+  std::set<std::string> elsewhere = {"camera",  "projection", "size",   "min-area",
+                                     "quality", "threads",    "output", "report",
+                                     "quiet",   "uv",         "help"};
+  if (shown == Shown::curves) elsewhere.insert("creases");
   SessionDocument document;
   document.shown = shown;
   const ParsedSession parsed(document);

@@ -11,6 +11,7 @@ namespace {
 
 TEST(FrequencyField, StripesAreCountedAlongTheDiagonal) {
   EXPECT_FLOAT_EQ(frequency_of_stripes(40, 2.5f), 16);
+  EXPECT_EQ(frequency_of_spacing(0.4f), 2.5f);
   EXPECT_EQ(constant_frequency_field(3, 2), (FrequencyField{3, 3}));
 }
 
@@ -20,6 +21,7 @@ TEST(FrequencyField, RefusesWhatIsNotFiniteAndAboveZero) {
     EXPECT_THROW(constant_frequency_field(bad, 1), Error);
     EXPECT_THROW(frequency_of_stripes(bad, 1), Error);
     EXPECT_THROW(frequency_of_stripes(1, bad), Error);
+    EXPECT_THROW(frequency_of_spacing(bad), Error);
   }
 }
 

@@ -4,8 +4,8 @@ import createModule from './module.js';
 import { readGLB, writeGLB } from './glb.js';
 import { choice, creased, fail, floats, options } from './checks.js';
 import { BrindleError } from './error.js';
-import { Brindle as RealtimeBrindle, frameInput, frameOptions, Owned, Pattern as RealtimePattern, stripeOptions,
-         Surface as RealtimeSurface, turned } from './realtime.js';
+import { Brindle as RealtimeBrindle, frameInput, frameOptions, frequencyOptions, Owned, Pattern as RealtimePattern,
+         stripeOptions, Surface as RealtimeSurface, turned } from './realtime.js';
 
 export { BrindleError };
 export { Animator } from './realtime.js';
@@ -29,7 +29,7 @@ export class Surface extends RealtimeSurface {
   }
   measuredField(vectors, given) {
     const o = options(given, { symmetry: 2, periods: 1, fill: 2, singularities: undefined,
-                               confidence: undefined, stripes: undefined, frequency: undefined },
+                               confidence: undefined, ...frequencyOptions },
                       'measuredField');
     const field = floats(vectors, 3 * this.vertexCount, 'the field');
     return this.module.detailedField(this.raw, field, this.frequencies(o), o);

@@ -65,10 +65,12 @@ export interface SmoothFieldOptions extends RotateOption {
 }
 
 export interface FrequencyOptions {
-  /** Stripes along the diagonal of the bounding box; default 40. Excludes `frequency`. */
+  /** Stripes along the diagonal of the surface's box; 40 if nothing is said. Excludes the others. */
   stripes?: number;
   /** Stripes per unit length: one number, or one per vertex. */
   frequency?: number | Numbers;
+  /** Distance between stripes: the same as a `frequency` of 1 / spacing. */
+  spacing?: number;
 }
 
 export interface MeasuredFieldOptions extends FrequencyOptions {

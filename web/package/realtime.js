@@ -35,7 +35,8 @@ export function turned(surface, field, degrees) {
   return degrees === 0 ? field : surface.module.rotatedField(surface.raw, field, degrees);
 }
 
-export const stripeOptions = { stripes: undefined, frequency: undefined, slack: 0, cycles: 0, lastPhases: undefined };
+export const frequencyOptions = { stripes: undefined, frequency: undefined, spacing: undefined };
+export const stripeOptions = { ...frequencyOptions, slack: 0, cycles: 0, lastPhases: undefined };
 
 export class Surface extends Owned {
   constructor(module, raw) {
@@ -92,16 +93,17 @@ export class Surface extends Owned {
     return this.module.rotatedField(this.raw, floats(field, 3 * this.vertexCount, 'the field'), degrees);
   }
 
-  // `stripes` along the diagonal, by default 40, or `frequency` in stripes per unit length.
-  frequencies({ stripes, frequency } = {}) {
-    if (stripes !== undefined && frequency !== undefined) {
-      fail("'stripes' and 'frequency' exclude each other");
+  // `stripes` along the diagonal, 40 if nothing is said, `frequency` in stripes per unit length, or `spacing`.
+  frequencies({ stripes, frequency, spacing } = {}) {
+    if ([stripes, frequency, spacing].filter((given) => given !== undefined).length > 1) {
+      fail("'stripes', 'frequency' and 'spacing' exclude each other");
     }
     if (frequency !== undefined && typeof frequency !== 'number') {
       return floats(frequency, this.vertexCount, "'frequency'");
     }
-    const number = frequency ?? Math.fround(stripes ?? 40) / Math.fround(this.diagonal);
-    if (!(number > 0 && Number.isFinite(number))) fail("'stripes' and 'frequency' must be above 0");
+    const number = frequency ?? (spacing === undefined ? Math.fround(stripes ?? 40) / Math.fround(this.diagonal)
+                                                       : 1 / Math.fround(spacing));
+    if (!(number > 0 && Number.isFinite(number))) fail("'stripes', 'frequency' and 'spacing' must be above 0");
     return new Float32Array(this.vertexCount).fill(number);
   }
 
@@ -142,7 +144,7 @@ export class Pattern extends Owned {
   }
 }
 
-export const frameOptions = { directions: undefined, frequencies: undefined, stripes: undefined, frequency: undefined,
+export const frameOptions = { ...frequencyOptions, directions: undefined, frequencies: undefined,
                               positions: undefined, normals: undefined };
 
 // The common input of all animators' frames.

@@ -88,6 +88,8 @@ test('options that are unknown, of another type or exclude each other are refuse
   refused(() => torus.stripes(field, { strips: 10 }), /no option 'strips'/);
   refused(() => torus.stripes(field, { slack: '1' }), /finite number/);
   refused(() => torus.stripes(field, { stripes: 10, frequency: 2 }), /exclude/);
+  refused(() => torus.stripes(field, { spacing: 0.1, frequency: 10 }), /exclude/);
+  refused(() => torus.stripes(field, { spacing: 0 }), /above 0/);
   refused(() => torus.stripes(field, { stripes: 0 }), /above 0/);
   refused(() => torus.stripes(field.slice(3)), /must have \d+ numbers/);
   refused(() => torus.stripes(field, { slack: -1 }), /slack/);
@@ -95,6 +97,12 @@ test('options that are unknown, of another type or exclude each other are refuse
   refused(() => torus.smoothField({ curvatureDirection: 'up' }), /max or min/);
   refused(() => brindle.shape('tours'), /torus/);
   refused(() => torus.smoothField({ strokes: [{ points: [0, 0, 0], radius: 1 }] }), /stroke/);
+});
+
+test('a spacing is the inverse of a frequency', () => {
+  const torus = brindle.shape('torus,resolution=24');
+  const phases = (options) => torus.stripes(torus.smoothField(), options).phases();
+  assert.deepEqual(phases({ spacing: 0.08 }), phases({ frequency: 12.5 }));
 });
 
 test('what was disposed of says so, and disposing twice does no harm', () => {

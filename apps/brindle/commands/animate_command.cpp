@@ -87,7 +87,8 @@ std::optional<PhaseShiftKind> parse_smooth_phase_shift(std::string_view name) {
 
 /// Options of fields and waves for series only, not for scenes.
 std::vector<std::string> series_options() {
-  const std::set<std::string_view> of_scenes = {"direction", "along", "stripes", "frequency"};
+  const std::set<std::string_view> of_scenes = {"direction", "along", "stripes", "frequency",
+                                                "spacing"};
   std::vector<std::string> options;
   for (const OptionInfo& row : option_table()) {
     const bool of_waves =

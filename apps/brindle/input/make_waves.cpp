@@ -180,7 +180,7 @@ std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const W
     return frequencies_by(surface, frequency_values(surface, wanted, data, arrays),
                           constant_frequency(surface.mesh, options), wanted.range);
   }
-  if (!field.frequencies.empty() && !options.stripes && !options.frequency) return std::nullopt;
+  if (!field.frequencies.empty() && !says_one_frequency(options)) return std::nullopt;
   FrequencyField constant = constant_frequency_field(constant_frequency(surface.mesh, options),
                                                      surface.mesh.vertex_count());
   keep_gaps(field.frequencies, constant);

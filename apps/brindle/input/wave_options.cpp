@@ -84,6 +84,10 @@ bool says_frequencies(const WaveOptions& options) {
   return !options.arrays.frequency.empty() || !options.arrays.frequency_by.empty();
 }
 
+bool says_one_frequency(const WaveOptions& options) {
+  return options.stripes || options.frequency || options.spacing;
+}
+
 void refuse_frequency_detail() {
   throw CLI::ValidationError("--frequency-detail",
                              std::string("has no effect here: ") + kSameFrequency);
@@ -91,7 +95,7 @@ void refuse_frequency_detail() {
 
 bool may_vary(const WaveOptions& options) {
   if (says_frequencies(options)) return true;
-  return is_field_file(options) && !options.stripes && !options.frequency;
+  return is_field_file(options) && !says_one_frequency(options);
 }
 
 void check_field_options(const CLI::App& command, const WaveOptions& options) {
@@ -136,6 +140,7 @@ float constant_frequency(const Mesh& mesh, const WaveOptions& options) {
 
 float constant_frequency(float diagonal, const WaveOptions& options) {
   if (options.frequency) return *options.frequency;
+  if (options.spacing) return frequency_of_spacing(options.spacing->on(diagonal));
   return frequency_of_stripes(options.stripes.value_or(kDefaultStripes), diagonal);
 }
 

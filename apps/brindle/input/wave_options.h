@@ -32,6 +32,7 @@ struct WaveOptions {
   float rotate_deg = 0;
   std::optional<float> stripes;    ///< along the diagonal of the bounding box
   std::optional<float> frequency;  ///< stripes per unit length, instead of `stripes`
+  std::optional<Length> spacing;   ///< between stripes, instead of both
   std::optional<float> stripes_v;  ///< the same of the crossing stripes
   std::optional<float> frequency_v;
   bool oriented = false;       ///< for textures: keep the field's signs
@@ -53,6 +54,7 @@ struct WaveOptions {
     add("--rotate", rotate_deg);
     add("--along", along);
     add("--stripes", stripes);
+    add("--spacing", spacing);
   }
 
   /// The same for textures.
@@ -89,7 +91,10 @@ bool is_field_file(const WaveOptions& options);
 /// Whether an option sets frequencies per vertex.
 bool says_frequencies(const WaveOptions& options);
 
-/// Throws CLI::ValidationError: the frequency is uniform.
+/// Whether an option says one frequency for all vertices.
+bool says_one_frequency(const WaveOptions& options);
+
+/// Throws CLI::ValidationError: there is one for all.
 [[noreturn]] void refuse_frequency_detail();
 
 /// Whether frequencies may differ between vertices: from an array, a file or a value.

@@ -25,6 +25,7 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_parsed_option(command, "--wales", arguments.second.wales, parse_wales);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
+  add_field(command, "--creases", arguments.crease_deg);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_camera_options(command);
 }
@@ -59,6 +60,11 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
     }
     refuse_light_option(command, arguments.waves,
                         "a drawing of lines shows no light; add --output FILE.png");
+  }
+  if (!has(files, CurveOutput::lines)) {
+    refuse_given(command, {"--creases"},
+                 "no lines are written; add --output FILE.obj, .ply, .vtp or .csv (drawings have "
+                 "their outline)");
   }
   if (!picture && !has(files, CurveOutput::tubes)) {
     refuse_given(command, {"--tube-radius", "--tube-sides"},

@@ -63,6 +63,7 @@ struct CurvesArguments : TracingOptions {
   SecondWaveOptions second;
   SolvingOptions solving;
   MakingOptions making;
+  std::optional<float> crease_deg;  ///< lines along sharper edges, and borders
   std::shared_ptr<PictureOptions> picture;
   std::vector<std::string> outputs;
   std::string report;

@@ -16,22 +16,24 @@ constexpr const char* kEdges = "edges";
 
 std::string stripes_of(const char* family) { return std::string("stripes of ") + family; }
 
-// Advice for a pattern with more curves than memory.
-std::string fewer_stripes(const WaveOptions& waves, double share) {
+// What to ask for instead of more curves than there is room for.
+std::string fewer_stripes(const Mesh& mesh, const WaveOptions& waves, double share) {
   const auto fewer = [&](const char* option, float asked) {
     return std::string("; ") + option + ' ' + rounded_down(static_cast<double>(asked) * share) +
            " would do";
   };
   if (waves.stripes) return fewer("--stripes", *waves.stripes);
-  return waves.frequency ? fewer("--frequency", *waves.frequency) : "";
+  if (!waves.frequency && !waves.spacing) return "";
+  return fewer("--frequency", constant_frequency(mesh, waves));
 }
 
-StripeCurves traced_curves(const StripeTracer& tracer, const StripePattern& pattern,
-                           const CurvesArguments& arguments, const Progress& progress) {
+StripeCurves traced_curves(const StripeTracer& tracer, const Mesh& mesh,
+                           const StripePattern& pattern, const CurvesArguments& arguments,
+                           const Progress& progress) {
   try {
     return tracer.curves(pattern, arguments.curves, progress);
   } catch (const TooLarge& error) {
-    throw Error(error.what() + fewer_stripes(arguments.waves, error.share()));
+    throw Error(error.what() + fewer_stripes(mesh, arguments.waves, error.share()));
   }
 }
 
@@ -116,7 +118,7 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
   family.jogs = shift_stripes(surface, arguments.offset, pattern);
   listener.stage("curves");
   Stopwatch watch;
-  family.curves = traced_curves(tracer, pattern, arguments, listener.progress());
+  family.curves = traced_curves(tracer, surface.mesh, pattern, arguments, listener.progress());
   family.extract_milliseconds = watch.lap();
   family.ends = family.curves.end_counts();
   measure_spacing(tracer, figures, family, listener);

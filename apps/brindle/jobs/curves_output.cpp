@@ -7,6 +7,7 @@
 #include "brindle/base/output_file.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
+#include "brindle/feature_lines.h"
 #include "brindle/files.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
@@ -53,9 +54,10 @@ namespace {
 const std::vector<std::string> kCurveColumns = {"kind",   "curve",    "closed",      "length",
                                                 "normal", "triangle", "barycentric", "frequency"};
 
-// The position of each point on the mesh, and the arrays there.
-std::vector<DataArray> arrays_of(const CurveFamily& family, const Mesh& mesh, DataArrays input) {
-  const std::vector<TrianglePoint>& places = family.curves.lines.places;
+// Where each point is on the mesh, and what is there.
+std::vector<DataArray> arrays_of(const std::vector<TrianglePoint>& places,
+                                 const FrequencyField& frequencies, const Mesh& mesh,
+                                 DataArrays input) {
   std::vector<Index> triangles;
   std::vector<float> barycentric;
   for (const TrianglePoint& place : places) {
@@ -64,8 +66,7 @@ std::vector<DataArray> arrays_of(const CurveFamily& family, const Mesh& mesh, Da
   }
   std::vector<DataArray> arrays = {make_data_array("triangle", 1, triangles),
                                    make_data_array("barycentric", 3, barycentric)};
-  input.points.insert(input.points.begin(),
-                      make_data_array("frequency", 1, family.pattern.waves.frequencies));
+  input.points.insert(input.points.begin(), make_data_array("frequency", 1, frequencies));
   for (DataArray& array : arrays_at(places, mesh.triangles, input)) {
     arrays.push_back(std::move(array));
   }
@@ -74,10 +75,18 @@ std::vector<DataArray> arrays_of(const CurveFamily& family, const Mesh& mesh, Da
 
 void write_lines(const std::string& path, const TracedSurface& traced, JobListener& listener) {
   const DataArrays input = held_beside(kCurveColumns, path, traced.arrays, listener);
+  const Surface& surface = traced.surface;
   std::vector<NamedLines> lines;
+  const auto add = [&](const std::string& name, const Polylines& named, const WaveSet& waves) {
+    lines.push_back({name, named, arrays_of(named.places, waves.frequencies, surface.mesh, input)});
+  };
   for (const CurveFamily& family : traced.families) {
-    lines.push_back(
-        {family.name, family.curves.lines, arrays_of(family, traced.surface.mesh, input)});
+    add(family.name, family.curves.lines, family.pattern.waves);
+  }
+  Polylines creases;
+  if (traced.arguments.crease_deg) {
+    creases = crease_lines(surface.mesh, surface.normals, *traced.arguments.crease_deg);
+    add("creases", creases, traced.families.front().pattern.waves);
   }
   write_polylines(path, lines, listener.progress());
 }

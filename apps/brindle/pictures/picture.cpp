@@ -100,6 +100,7 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   auto options = std::make_shared<PictureOptions>();
   RenderOptions& render = options->render;
   add_render_option(app, "--camera", render, set_camera);
+  add_field(app, "--projection", options->projection);
   add_field(app, "--up", options->up);
   add_render_option(app, "--light-from", render, set_light);
   app.add_option_function<std::string>(
@@ -121,9 +122,9 @@ void stand_upright(PictureOptions& options, const std::string& mesh) {
 }
 
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
-  const RenderOptions render =
-      render_options({options.view, options.up, {}, options.render}, Eigen::Vector3d::Zero());
-  // y is only the default up axis of pictures of files; heights stay along z.
+  const RenderOptions render = render_options(
+      {options.view, options.up, options.projection, {}, options.render}, Eigen::Vector3d::Zero());
+  // A file's pictures have y up only because nobody has said what is; its heights stay along z.
   return Viewpoint{
       render.camera,    render.width, render.height, std::nullopt, options.up.value_or(UpAxis::z),
       render.light_from};
@@ -158,6 +159,7 @@ RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3
   if (options.slice && !options.slice->in_shares) render.camera.slice->point -= origin;
   if (options.view != View::stripes) render = with_faint_stripes(render);
   render.camera.up = options.up.value_or(render.camera.up);
+  render.camera.projection = options.projection.value_or(render.camera.projection);
   return render;
 }
 

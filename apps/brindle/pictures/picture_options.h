@@ -15,8 +15,9 @@ enum class View { stripes, branches, angle_error };
 
 struct PictureOptions {
   View view = View::stripes;
-  std::optional<UpAxis> up;    // if given
-  std::optional<Slice> slice;  // in file coordinates
+  std::optional<UpAxis> up;  // the user's choice
+  std::optional<Projection> projection;
+  std::optional<Slice> slice;  // in the coordinates of the mesh's file
   RenderOptions render;
 
   /// Calls `add("--option", field)` for options of stripes.

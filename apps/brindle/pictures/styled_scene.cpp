@@ -9,6 +9,7 @@
 #include "brindle/feature_lines.h"
 #include "brindle/ink.h"
 #include "brindle/mesh.h"
+#include "brindle/render/drawing/pen_order.h"
 #include "brindle/render/parsed_words.h"
 #include "pictures/picture_options.h"
 #include "pictures/texture_options.h"
@@ -32,6 +33,7 @@ Preparation prepare_other(const OtherSurfaceChoice& choice, const WaveOptions& w
   own.frequency_v.reset();
   own.stripes = choice.stripes;
   own.frequency.reset();
+  own.spacing.reset();
   if (!choice.stripes) {
     own.frequency = frequency;  // the density of MESH
     own.frequency_factor = 1;   // already included
@@ -364,7 +366,11 @@ std::vector<Pen> pens_of_lines(const StyledScene& scene, std::span<const StyledS
                                const Progress& progress) {
   if (!style.has_lines()) return {};
   const float width = line_width_of(style, options.render.height);
-  return lines_of(scene, surfaces, style, options, width, progress).pens(scale);
+  constexpr double kOrdered = 0.95;
+  std::vector<Pen> pens =
+      lines_of(scene, surfaces, style, options, width, progress.part(0, kOrdered)).pens(scale);
+  order_strokes(pens, progress.part(kOrdered, 1));
+  return pens;
 }
 
 }  // namespace brindle::tool

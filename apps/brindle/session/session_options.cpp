@@ -20,9 +20,10 @@
 namespace brindle::tool {
 namespace {
 
-/// Options that sessions do not have, and their replacements.
-constexpr std::array<std::pair<const char*, const char*>, 11> kElsewhere = {{
+/// Options that sessions do not have, and what there is instead.
+constexpr std::array<std::pair<const char*, const char*>, 13> kElsewhere = {{
     {"camera", "the session's camera says where from"},
+    {"projection", "the session's camera has it"},
     {"size", "the session's size says it"},
     {"quality", "pictures are fast while something moves and careful when it rests"},
     {"threads", "a session does not depend on the machine; give --threads to the command"},
@@ -30,6 +31,7 @@ constexpr std::array<std::pair<const char*, const char*>, 11> kElsewhere = {{
     {"report", "a session has one picture"},
     {"quiet", "a session has one picture"},
     {"uv", "a session has one picture, and no mesh is written"},
+    {"creases", "pictures of curves have none; give --creases to 'brindle curves'"},
     {"min-area", "drawings of sessions leave out what is below 0.1 square pixels"},
     {"between-stripes", "it is called --between there"},
     {"help", "a session does not ask"},

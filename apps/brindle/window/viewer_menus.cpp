@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <string>
 #include <utility>
 
 #define GLFW_INCLUDE_NONE
@@ -9,6 +11,7 @@
 #include <imgui.h>
 
 #include "brindle/error.h"
+#include "brindle/render/parsed_words.h"
 #include "brindle/version.h"
 #include "pictures/drawing_file.h"
 #include "session/session_export.h"
@@ -16,18 +19,6 @@
 
 namespace brindle::tool {
 namespace {
-
-struct Side {
-  const char* name;
-  float azimuth_deg;
-  float elevation_deg;
-};
-constexpr std::array<Side, 6> kSides = {{{"Front", 0, 0},
-                                         {"Back", 180, 0},
-                                         {"Left", -90, 0},
-                                         {"Right", 90, 0},
-                                         {"Top", 0, 90},
-                                         {"Bottom", 0, -90}}};
 
 constexpr std::array kViews = {"stripes", "branches", "angle_error"};
 
@@ -220,8 +211,10 @@ void Viewer::draw_side_items() {
   const bool open = ImGui::BeginMenu("From");
   log_.note_widget("item From");
   if (!open) return;
-  for (const Side& side : kSides) {
-    if (item(side.name, nullptr)) {
+  for (const ViewSide& side : kViewSides) {
+    std::string name(side.name);
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    if (item(name.c_str(), nullptr)) {
       set_camera(from_side(live_.document().camera, side.azimuth_deg, side.elevation_deg));
     }
   }

@@ -199,8 +199,25 @@ std::optional<Slice> parse_slice(std::string_view text) {
   return slice;
 }
 
+namespace {
+
+/// Azimuth, elevation and, if given, zoom.
+std::vector<float> camera_numbers(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  const auto side = ranges::find(kViewSides, text.substr(0, comma), &ViewSide::name);
+  if (side == kViewSides.end()) return numbers_in<float>(text);
+  std::vector<float> numbers = {side->azimuth_deg, side->elevation_deg};
+  if (comma == text.npos) return numbers;
+  const std::vector<float> zoom = numbers_in<float>(text.substr(comma + 1));
+  if (zoom.size() != 1) return {};
+  numbers.push_back(zoom.front());
+  return numbers;
+}
+
+}  // namespace
+
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up) {
-  const std::vector<float> numbers = numbers_in<float>(text);
+  const std::vector<float> numbers = camera_numbers(text);
   if (numbers.size() < 2 || numbers.size() > 3 || std::abs(numbers[1]) > 90) return {};
   const float zoom = numbers.size() == 3 ? numbers[2] : 1.0f;
   if (zoom < 0.01f || zoom > 10000) return {};

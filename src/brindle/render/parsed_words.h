@@ -1,6 +1,7 @@
 /// Parsers for pictures on command lines and in scripts.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,9 +14,9 @@
 
 namespace brindle {
 
-/// Parses "azimuth,elevation" or "azimuth,elevation,zoom", in degrees, with the given `up`. Empty
-/// for other text, numbers that are not finite, an elevation outside -90 .. 90 or a zoom outside
-/// 0.01 .. 10000.
+/// Reads "azimuth,elevation", in degrees, or the name of a side such as "front", either with
+/// ",zoom", into a view with `up`. Empty if the text is not that, a number is not finite, elevation
+/// is beyond -90 .. 90 or zoom is not in 0.01 .. 10000.
 std::optional<CameraView> parse_camera_view(std::string_view text, UpAxis up = UpAxis::y);
 
 /// Reads "x", "y", "z", "-x", "-y" and "-z". Empty if the text is none of these.
@@ -28,8 +29,20 @@ std::optional<UpAxis> usual_up_axis(const std::string& mesh);
 
 /// What `parse_camera_view` reads, for messages.
 inline constexpr const char* kCameraViewForm =
-    "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,ZOOM, elevation from -90 to 90, zoom from 0.01 to "
-    "10000";
+    "AZIMUTH,ELEVATION[,ZOOM], elevation from -90 to 90, zoom from 0.01 to 10000, or front, back, "
+    "left, right, top or bottom[,ZOOM]";
+
+/// A side that a view may be from.
+struct ViewSide {
+  std::string_view name;
+  float azimuth_deg, elevation_deg;
+};
+inline constexpr std::array<ViewSide, 6> kViewSides = {{{"front", 0, 0},
+                                                        {"back", 180, 0},
+                                                        {"left", -90, 0},
+                                                        {"right", 90, 0},
+                                                        {"top", 0, 90},
+                                                        {"bottom", 0, -90}}};
 
 /// Parses "azimuth,elevation" in degrees. Empty for other text, numbers that are not finite or an
 /// elevation outside -90 .. 90.

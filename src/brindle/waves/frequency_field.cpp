@@ -28,4 +28,9 @@ float frequency_of_stripes(float stripes, float diagonal) {
   return stripes / diagonal;
 }
 
+float frequency_of_spacing(float spacing) {
+  require_positive(spacing, "spacing");
+  return 1 / spacing;
+}
+
 }  // namespace brindle

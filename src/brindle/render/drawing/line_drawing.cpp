@@ -13,6 +13,7 @@
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
 #include "brindle/render/drawing/drawing_size.h"
+#include "brindle/render/drawing/pen_order.h"
 
 namespace brindle {
 namespace {
@@ -385,7 +386,7 @@ std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
   // The outline is smooth; the one in the depth cells beside it has corners.
   constexpr float kOutlineTolerance = 0.01f;
   constexpr Color kOutlineColor{0.25f, 0.25f, 0.27f};
-  constexpr double kSeen = 0.3, kDrawn = 0.7, kOutlined = 0.95;
+  constexpr double kSeen = 0.3, kDrawn = 0.7, kOutlined = 0.9, kOrdered = 0.95;
   const Visibility visibility(mesh, view, width, height, progress.part(0, kSeen));
   std::vector<Pen> pens;
   for (const PenLines& lines : drawn) {
@@ -400,13 +401,15 @@ std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
       outline(mesh, normals, view, width, height, progress.part(kDrawn, kOutlined));
   pens.push_back(
       {"outline", kOutlineColor, 1.4f,
-       visibility.strokes(bounds, kOutlineTolerance, false, progress.part(kOutlined, 1))});
+       visibility.strokes(bounds, kOutlineTolerance, false, progress.part(kOutlined, kOrdered))});
   const Camera camera = drawing_camera(mesh, view, width, height);
-  if (!camera.slice) return pens;
-  const Polylines edge = slice_lines(mesh, normals, *camera.slice);
-  for (Stroke& stroke : visibility.strokes(edge, kOutlineTolerance)) {
-    pens.back().strokes.push_back(std::move(stroke));
+  if (camera.slice) {
+    const Polylines edge = slice_lines(mesh, normals, *camera.slice);
+    for (Stroke& stroke : visibility.strokes(edge, kOutlineTolerance)) {
+      pens.back().strokes.push_back(std::move(stroke));
+    }
   }
+  order_strokes(pens, progress.part(kOrdered, 1));
   return pens;
 }
 
