@@ -44,7 +44,8 @@ std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves&
 WarningWords words_of_options(const std::string& source, std::optional<int> subdivided) {
   WarningWords words;
   words.fewer =
-      "lower --stripes or --frequency, which counts stripes per unit of the mesh's own length";
+      "take fewer stripes: lower --stripes or --frequency, which counts stripes per unit of the "
+      "mesh's own length";
   words.subdivide = subdivided ? "--subdivide" : "";
   words.subdivided = subdivided.value_or(0);
   words.field = "--field";
