@@ -54,8 +54,8 @@ auto members(T& all) {
 
 template <Of<Surface> T>
 auto members(T& all) {
-  auto& [mesh, neighborhood, normals, creases, linked] = all;
-  return std::tie(mesh, neighborhood, normals, creases, linked);
+  auto& [mesh, neighborhood, normals, creases, linked, turned] = all;
+  return std::tie(mesh, neighborhood, normals, creases, linked, turned);
 }
 
 template <Of<DataArray> T>
@@ -86,6 +86,12 @@ template <Of<StripePattern> T>
 auto members(T& all) {
   auto& [waves, wanted, change, phase_shift, solution, corners, quality, milliseconds] = all;
   return std::tie(waves, wanted, change, phase_shift, solution, corners, quality, milliseconds);
+}
+
+template <Of<FieldSupport> T>
+auto members(T& all) {
+  auto& [agreement, filled] = all;
+  return std::tie(agreement, filled);
 }
 
 template <Of<PreparationFigures> T>
@@ -142,10 +148,10 @@ auto members(T& all) {
 
 template <Of<SurfaceData> T>
 auto members(T& all) {
-  auto& [surface, name, stands_on_z, repair, point_repair, arrays, left_out, vertex_of_row,
-         partners, original_ids, joined, crease_angle, load, topology] = all;
-  return std::tie(surface, name, stands_on_z, repair, point_repair, arrays, left_out, vertex_of_row,
-                  partners, original_ids, joined, crease_angle, load, topology);
+  auto& [surface, name, repair, point_repair, arrays, left_out, vertex_of_row, partners,
+         original_ids, joined, crease_angle, load, topology] = all;
+  return std::tie(surface, name, repair, point_repair, arrays, left_out, vertex_of_row, partners,
+                  original_ids, joined, crease_angle, load, topology);
 }
 
 template <Of<StripesData> T>
