@@ -24,7 +24,7 @@ Curvature = Literal["max", "min"]
 TensorAxis = Literal["major", "minor", "max-abs", "tangent-major", "tangent-minor"]
 View = Literal["stripes", "branches", "angle_error"]
 Tiles = Literal["whole", "cut"]
-Up = Literal["y", "z"]
+Up = Literal["x", "y", "z", "-x", "-y", "-z"]
 
 Error = _core.Error
 Cancelled = _core.Cancelled

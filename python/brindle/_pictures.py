@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
 
 from . import _core
-from ._arguments import Error, flag, number, path_of, warn, whole_number, word
+from ._arguments import Error, Tiles, Up, View, flag, number, path_of, warn, whole_number, word
 from ._curves import Curves, Samples
 from ._stripes import Stripes
 from ._surface import Surface, as_surface

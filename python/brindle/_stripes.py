@@ -330,8 +330,8 @@ def fitting(path: str, points: Mapping[str, Any], cells: Mapping[str, Any]) -> t
 
 def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, spacing: Optional[float] = None, along: bool = False,
-            solver: str = "multilevel",
-            phase_shift: str = "aligned", weights: str = "paper", epsilon: Optional[float] = None,
+            solver: Solver = "multilevel",
+            phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, slack: Any = None,
@@ -421,7 +421,7 @@ _DEFAULTS = defaults_of(stripes)
 def stripes_from_phases(surface: Any, phases: "ArrayLike", directions: "ArrayLike", *,
                         stripes: Any = None, frequency: Any = None,
                         spacing: Optional[float] = None,
-                        phase_shift: str = "aligned") -> Stripes:
+                        phase_shift: PhaseShift = "aligned") -> Stripes:
     """The pattern of phases that are known, such as those of ``Animator.frame`` or of a file:
     complex (n,), exp(i Phi) per vertex; where they are 0 or NaN (``np.exp(1j *
     p.point_data["phase"])``), there is no wave. Directions and frequencies are those of the frame.

@@ -201,7 +201,8 @@ py::tuple array_field(const SurfaceData& data, const std::string& name, py::hand
 
 py::tuple tensor_field(const SurfaceData& data, const std::string& name, py::handle tensors,
                        const std::string& axis, const std::string& order) {
-  const DataArray array = in_vtk_order(data_array_of(name, tensors), tensor_order(order));
+  const DataArray array =
+      in_vtk_order(data_array_of(name, tensors, data.surface.mesh), tensor_order(order));
   TensorField field = tensor_field_of(data.surface, array, tensor_axis(axis));
   return py::make_tuple(owned(std::move(field.directions)), nonfinite_rows(array),
                         field.near_normal, field.isotropic, field.not_symmetric);

@@ -337,7 +337,7 @@ const savers = {
     draw();
     canvas.toBlob((blob) => done(save(blob, 'image/png', 'png')));
   }),
-  svg: async () => save(await live.pattern.svg({ camera: { rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900 }, trim: 0.6, fair: 0.25 }),
+  svg: async () => save(await live.pattern.svg({ camera: { rotation: camera.rotation, zoom: camera.zoom, width: 1200, height: 900 }, fair: 0.25 }),
                         'image/svg+xml', 'svg'),
   obj: async () => save(await live.pattern.curvesFile('obj'), 'model/obj', 'obj'),
   glb: async () => {
