@@ -117,7 +117,7 @@ TEST(OptionCatalogTest, OptionsOfOneGroupStandTogether) {
 
 TEST(OptionCatalogTest, WhatExcludesAnotherSaysSo) {
   const auto entries = all_entries();
-  EXPECT_EQ(entries.at("stripes").excludes, std::vector<std::string>{"frequency"});
+  EXPECT_EQ(entries.at("stripes").excludes, (std::vector<std::string>{"frequency", "spacing"}));
   EXPECT_EQ(entries.at("direction").excludes, std::vector<std::string>{"field"});
 }
 
@@ -147,9 +147,9 @@ const std::set<std::string> kWithoutStandard = {
     "frequency",       "frequency-v",    "global-iterations",
     "line-width",      "merge-branches", "min-length",
     "normal-radius",   "pixel-width",    "resample",
-    "simplify",        "stripes-v",      "stroke-spacing",
-    "subdivide",       "sweeps",         "threshold",
-    "tube-radius",     "wales"};
+    "simplify",        "spacing",        "stripes-v",
+    "stroke-spacing",  "subdivide",      "sweeps",
+    "threshold",       "tube-radius",    "wales"};
 
 TEST(OptionCatalogTest, SlidersReachTheirStandards) {
   std::set<std::string> without;
