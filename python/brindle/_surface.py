@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import (TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union)
 
 from . import _core
-from ._arguments import (Curvature, Error, Match, TensorAxis, count_and_frequency, distance, flag,
-                         number, path_of, warn, whole_number, word)
+from ._arguments import (Curvature, Error, Match, TensorAxis, TensorOrder,
+                         count_and_frequency, distance, flag, number, path_of, warn, whole_number, word)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -329,7 +329,7 @@ class Surface:
         return _core.array_field(self._core, name, array)[0]
 
     def tensor_field(self, tensors: "Union[str, ArrayLike]",
-                     axis: TensorAxis = "major", order: str = "vtk") -> "NDArray[np.float32]":
+                     axis: TensorAxis = "major", order: TensorOrder = "vtk") -> "NDArray[np.float32]":
         """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
         YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
         "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface.

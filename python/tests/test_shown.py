@@ -66,7 +66,7 @@ def test_types_name_the_choices(torus):
         with pytest.raises(brindle.Error) as error:
             call()
         words = re.sub(r".*expected one of|.*? is (none of|neither)|, got .*", "", str(error.value))
-        return set(re.findall(r"[a-z][\w-]*", words)) - {"nor"}
+        return set(re.findall(r"-?[a-z][\w-]*", words)) - {"nor"}
 
     tensors = np.ones((torus.vertex_count, 6))
     for kind, call in (
@@ -78,8 +78,9 @@ def test_types_name_the_choices(torus):
             ("Match", lambda: brindle.stripes(torus, previous=p, match="x")),
             ("Curvature", lambda: torus.curvature_field("x")),
             ("TensorAxis", lambda: torus.tensor_field(tensors, "x")),
+            ("TensorOrder", lambda: torus.tensor_field(tensors, order="x")),
             ("View", lambda: brindle.render(torus, p, view="x")),
-            ("Up", lambda: brindle.render(torus, p, up="x")),
+            ("Up", lambda: brindle.render(torus, p, up="w")),
             ("Tiles", lambda: brindle.render(torus, brindle.texture(torus, stripes=5), tiles="x"))):
         assert set(typing.get_args(getattr(_arguments, kind))) == named_by(call), kind
 
