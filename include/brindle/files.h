@@ -82,7 +82,7 @@ struct CellArrays {
   DataArray points;                 ///< three coordinates per point
   DataArray corners;                ///< numbers of points, cell after cell
   DataArray ends;                   ///< per cell the end of its corners
-  std::vector<std::uint8_t> types;  ///< per cell, as in vtkCellType.h
+  std::vector<std::uint8_t> types;  ///< per cell, VTK's numbers of cell types
   DataArrays arrays = {};           ///< a row per point and per cell
 };
 

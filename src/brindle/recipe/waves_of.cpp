@@ -50,8 +50,8 @@ void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
   found.directions = std::move(field.directions);
   made.seen_field = found.directions;
   made.support.agreement = std::move(field.agreement);
-  mark_filled(made.support.filled, field.filled.size(),
-              [&](std::size_t v) { return field.filled[v] != 0; });
+  const std::vector<std::uint8_t>& filled = field.filled;
+  mark_filled(made.support.filled, filled.size(), [&](std::size_t v) { return filled[v] != 0; });
   made.detail = figures;
   found.missing.unfilled = unfilled_alone(figures, found.missing);
 }
