@@ -42,7 +42,7 @@ function texturePattern() {
     'precision highp sampler2D;\n#define precise\n', ours('texture_access.glsl'), source('pattern_buffers_300es'), source('pattern_access'),
     exchanged(source('surface_point'), [/uniform vec4 tile;[^\n]*/g, 'const vec4 tile = vec4(1.0, 1.0, 0.0, 0.0);']),
     source('fragment_phase'),
-    exchanged(source('texture_tile'), [/samplerBuffer/g, 'sampler2D'], [/texelFetch\(buffer_of_waves, /g, 'texel_of(buffer_of_waves, ']),
+    exchanged(source('texture_tile'), [/samplerBuffer/g, 'sampler2D'], [/texelFetch\(texture_/g, 'texel_of(texture_']),
     exchanged(source('broken_tiles'), [/layout\(std430[^}]*\};/g, ''], [/broken_tiles\[([^\]]*)\]/g, 'broken_word($1)']),
     source('texture_pattern'), source('light'), ours('stripes.frag'),
   ];

@@ -67,7 +67,7 @@ void fill(vtkPolyData& from, const brindle::Polylines& lines, vtkPolyData* outpu
 
 vtkStandardNewMacro(vtkBrindleCurves);
 
-vtkBrindleCurves::vtkBrindleCurves() = default;
+vtkBrindleCurves::vtkBrindleCurves() : Trim(brindle::CurveOptions::kTrim) {}
 vtkBrindleCurves::~vtkBrindleCurves() = default;
 
 void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {

@@ -1,8 +1,6 @@
 /// Centre lines of stripes.
 #pragma once
 
-#include <brindle/curves.h>
-
 #include "BrindleFiltersModule.h"  // export macro
 #include "vtkBrindleFilter.h"
 
@@ -40,7 +38,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleCurves : public vtkBrindleFilter {
 
  private:
   bool Join = false;
-  double Trim = brindle::CurveOptions::kTrim;
+  double Trim;
   double Fair = 0;
   double MinimumLength = 0;
 };
