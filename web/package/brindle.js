@@ -70,7 +70,7 @@ export class Surface extends RealtimeSurface {
 
 // What a camera gives; drawings need but the last four.
 const seen = { viewFromWorld: undefined, clipFromView: undefined, up: undefined, rotation: undefined, zoom: 1, width: 800, height: 600 };
-const AS_BY_DEFAULT = { join: false, trim: NaN, fair: 0 };  // NaN: as the library has it
+const curveOptions = { join: false, trim: NaN, fair: 0 };  // NaN: as the library has it
 
 export class Pattern extends RealtimePattern {
   curves(given) {
@@ -78,14 +78,14 @@ export class Pattern extends RealtimePattern {
     return this.module.curves(this.raw, o.join, o.trim, o.fair);
   }
   curvesFile(format, given) {
-    const o = options(given, AS_BY_DEFAULT, 'curvesFile');
+    const o = options(given, curveOptions, 'curvesFile');
     return this.module.curvesFile(this.raw, choice(format, ['obj', 'ply', 'vtp', 'csv'], 'format'), o.join, o.trim, o.fair);
   }
   samplesWith(other) {
     return this.module.samples(this.raw, other.raw);
   }
   svg(given) {
-    const o = options(given, { camera: undefined, ...AS_BY_DEFAULT }, 'svg');
+    const o = options(given, { camera: undefined, ...curveOptions }, 'svg');
     const { rotation, zoom, width, height } = options(o.camera, seen, 'camera of svg');
     const turn = rotation && floats(rotation, 4, 'rotation');
     return this.module.drawing(this.raw, turn, zoom, width, height, o.join, o.trim, o.fair);

@@ -75,7 +75,8 @@ export class LivePattern {
 
   async fieldFor({ field, rotate, detail, stripes, tile }) {
     // Arrows have a sense, and those that face each other cancel.
-    const oriented = tile === 'arrows', seen = isData(field) && detail > 0 ? { stripes, periods: detail, symmetry: oriented ? 1 : 2 } : null;
+    const oriented = isData(field) && tile === 'arrows';
+    const seen = isData(field) && detail > 0 ? { stripes, periods: detail, symmetry: oriented ? 1 : 2 } : null;
     const key = JSON.stringify([field, rotate, seen, oriented, this.strokes]);
     if (key === this.fieldKey) return this.field;
     const axis = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }[field];
