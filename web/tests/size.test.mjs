@@ -8,10 +8,11 @@ import { gzipSync } from 'node:zlib';
 const weight = (folder, name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length;
 
 // A bound is no aim: what makes a part heavier says so, and what for.
-// stripes.wasm is above 150 kB for creases: a wave for every smooth sector of a vertex. brindle.wasm is above
-// 385 kB for files as others write them: skins, instances and sparse accessors of glTF, faces with bridged holes; and above
-// 395 kB for surfaces that are subdivided with their arrays.
-for (const [name, most] of [['stripes.wasm', 158_000], ['brindle.wasm', 401_000]]) {
+// stripes.wasm is above 150 kB for creases, a wave for every smooth sector of a vertex, and above 158 kB for
+// triangles that are wound against their neighbours. brindle.wasm is above 385 kB for files as others write them (skins,
+// instances and sparse accessors of glTF, faces with bridged holes), and above 395 kB for surfaces that are subdivided
+// with their arrays, warnings of textures and data that are held out.
+for (const [name, most] of [['stripes.wasm', 160_000], ['brindle.wasm', 405_000]]) {
   test(`${name} is at most ${most / 1000} kB gzipped`, () => {
     const bytes = weight(process.env.BRINDLE_PACKAGE, name);
     assert.ok(bytes > 50_000 && bytes <= most, `${bytes} bytes`);
