@@ -42,6 +42,7 @@ MovingNormals::MovingNormals(const Surface& surface)
     : mesh_(surface.mesh), around_(vertex_triangles(surface.mesh)), turned_(surface.turned) {}
 
 std::span<const Vec3> MovingNormals::at(std::span<const Vec3> positions) {
+  if (!normals_.empty() && ranges::equal(mesh_.positions, positions)) return normals_;
   mesh_.positions.assign(positions.begin(), positions.end());
   fill_vertex_normals(mesh_, around_, turned_, angles_, normals_);
   return normals_;

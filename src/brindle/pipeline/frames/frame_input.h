@@ -25,7 +25,7 @@ struct RestNormals {
   std::vector<Vec3> positions, normals;  ///< empty: no normals
 };
 
-/// Normals of moved vertices, for links across creases.
+/// Normals of moved vertices; computed again only where positions differ from the last ones.
 class MovingNormals {
  public:
   MovingNormals() = default;
@@ -34,8 +34,10 @@ class MovingNormals {
   /// The normals at these positions, valid until the next call.
   std::span<const Vec3> at(std::span<const Vec3> positions);
 
+  std::span<const Triangle> triangles() const { return mesh_.triangles; }
+
  private:
-  Mesh mesh_;
+  Mesh mesh_;  ///< with the positions of the last normals
   VertexTriangles around_;
   std::vector<std::uint8_t> turned_;
   std::vector<TriangleAngles> angles_;

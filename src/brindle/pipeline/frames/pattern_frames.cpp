@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/normals_around.h"
 #include "brindle/pipeline/frames/frame_input.h"
 
 namespace brindle {
@@ -27,22 +25,12 @@ void check_phases(std::size_t phases, std::size_t vertices) {
 
 struct PatternFrames::State {
   explicit State(const Surface& surface)
-      : mesh{.positions = {}, .triangles = surface.mesh.triangles},
-        vertices(surface.mesh.vertex_count()),
-        around(vertex_triangles(surface.mesh)),
-        turned(surface.turned),
-        angles(mesh.triangle_count()),
-        normals(vertices),
-        corners(mesh.triangle_count()) {
-    mesh.positions.reserve(vertices);
-  }
+      : vertices(surface.mesh.vertex_count()),
+        moving(surface),
+        corners(surface.mesh.triangle_count()) {}
 
-  Mesh mesh;  ///< with the positions of the last normals; none before the first call
   std::size_t vertices;
-  VertexTriangles around;
-  std::vector<std::uint8_t> turned;
-  std::vector<TriangleAngles> angles;
-  std::vector<Vec3> normals;
+  MovingNormals moving;
   WaveSet waves;  ///< of the last corner phases
   std::vector<CornerPhases> corners;
 };
@@ -64,10 +52,7 @@ std::span<const Vec3> PatternFrames::normals(std::span<const Vec3> positions) {
     throw Error("pattern frames: there are " + std::to_string(positions.size()) +
                 " positions for " + std::to_string(s.vertices) + " vertices");
   }
-  if (ranges::equal(s.mesh.positions, positions)) return s.normals;
-  s.mesh.positions.assign(positions.begin(), positions.end());
-  fill_vertex_normals(s.mesh, s.around, s.turned, s.angles, s.normals);
-  return s.normals;
+  return s.moving.at(positions);
 }
 
 std::span<const CornerPhases> PatternFrames::corners(const FrameInput& input,
@@ -80,7 +65,7 @@ std::span<const CornerPhases> PatternFrames::corners(const FrameInput& input,
   s.waves.positions.assign(input.positions.begin(), input.positions.end());
   s.waves.directions.assign(input.directions.begin(), input.directions.end());
   s.waves.frequencies.assign(frequencies.begin(), frequencies.end());
-  fill_corner_phases(s.mesh.triangles, s.waves, frame.z, kind, s.corners);
+  fill_corner_phases(s.moving.triangles(), s.waves, frame.z, kind, s.corners);
   return s.corners;
 }
 
