@@ -78,7 +78,8 @@ void shapes() {
   // Implicit functions take long on a processor that is acted.
   const std::vector<std::string> implicit = {"vessels", "molecule", "box"};
   for (std::string name : brindle::shape_names()) {
-    if (std::find(implicit.begin(), implicit.end(), name) != implicit.end()) name += ",resolution=20";
+    if (std::find(implicit.begin(), implicit.end(), name) != implicit.end())
+      name += ",resolution=20";
     print(name, Fingerprint().add(brindle::make_shape(name).positions));
   }
 }

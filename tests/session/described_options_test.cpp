@@ -50,7 +50,8 @@ bool takes(PatternJob job, const OptionInfo& info, const std::string& value) {
   for (const auto& [command, its_job] : commands.jobs) {
     if (its_job != job) continue;
     std::vector<std::string> words = {"--" + std::string(info.name) + "=" + value};
-    for (const std::string& name : words_between_spaces(info.needs)) words.push_back("--" + name + "=dots");
+    for (const std::string& name : words_between_spaces(info.needs))
+      words.push_back("--" + name + "=dots");
     words.push_back("shape:torus");
     words.push_back(command.app->get_name());
     try {

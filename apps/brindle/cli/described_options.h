@@ -16,8 +16,8 @@ PatternJob job_of(const std::string& command);
 /// The row of an option, by any of its names; null if the table has none.
 const OptionInfo* row_of(const CLI::Option& option, PatternJob job);
 
-/// Sets help, group, form, range, needs and excludes of the options of `app` from the table. Options with
-/// a description keep it.
+/// Sets help, group, form, range, needs and excludes of the options of `app` from the table.
+/// Options with a description keep it.
 void describe_options(CLI::App& app, PatternJob job);
 
 /// The words of `needs`, `excludes` and `files`.
