@@ -52,6 +52,14 @@ struct Soup {
 const std::array<Vec3, 3> kLarge{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)};    // area 2
 const std::array<Vec3, 3> kSmall{Vec3(0, 0, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};  // area 1/2
 
+TEST(Quality, AnglesAreThoseBetweenLines) {
+  for (const float turned_deg : {60.0f, 120.0f, 240.0f, 300.0f}) {
+    Soup soup;
+    soup.add(kLarge, turned_deg);
+    EXPECT_NEAR(soup.quality().angle_error_mean_deg, 60, 1e-2) << turned_deg;
+  }
+}
+
 TEST(Quality, MeansAreWeightedByArea) {
   Soup soup;
   soup.add(kLarge, 2);

@@ -3,7 +3,7 @@ import { StripeDrawing } from './brindle/draw.js';
 import { Camera, firstHit } from './camera.js';
 import { LivePattern } from './pattern.js';
 import { Settings } from './settings.js';
-import { brushed, readStrokes, writtenStrokes } from './strokes.js';
+import { brushed, distance, leavesSurface, readStrokes, writtenStrokes } from './strokes.js';
 
 const $ = (id) => document.getElementById(id);
 const canvas = $('canvas'), body = document.body;
@@ -222,7 +222,7 @@ addEventListener('drop', (event) => {
 // Mouse, fingers, keys
 
 const fingers = new Map();
-let brushing = false, stroke = null;
+let brushing = false, combed = null;  // strokes of this press, which end where the surface ends; lists of points
 
 function brush(isOn) {
   brushing = isOn;
@@ -237,45 +237,50 @@ $('unbrush').addEventListener('click', () => {
   live.ask(settings.values);
 });
 
-function hit(event) {
-  const box = canvas.getBoundingClientRect();
-  const ray = camera.ray(event.clientX - box.left, event.clientY - box.top, box.width, box.height);
-  return live?.shape ? firstHit(ray, live.shape, drawing.center) : null;
+function hit([x, y]) {
+  const { width, height } = canvas.getBoundingClientRect();
+  return live?.shape ? firstHit(camera.ray(x, y, width, height), live.shape, drawing.center) : null;
 }
 
-function trail(event) {
-  const line = $('trail').firstElementChild, box = canvas.getBoundingClientRect();
-  if (!event) line.removeAttribute('points');
-  else line.setAttribute('points', `${line.getAttribute('points') ?? ''} ${event.clientX - box.left},${event.clientY - box.top}`);
+function pixelOf(event) {
+  const { left, top } = canvas.getBoundingClientRect();
+  return [event.clientX - left, event.clientY - top];
 }
+
+const trail = (strokes) => $('trail').firstElementChild.setAttribute('d',
+  strokes.filter((stroke) => stroke.length > 1).map((stroke) => `M${stroke.map(({ pixel }) => pixel).join('L')}`).join(''));
 
 function extend(event) {
-  const point = hit(event);
-  if (!point) return;
-  const last = stroke.slice(-3), least = 0.004 * live.surface.diagonal / camera.zoom;
-  if (last.length && Math.hypot(...point.map((c, axis) => c - last[axis])) < least) return;
-  stroke.push(...point);
-  trail(event);
+  const pixel = pixelOf(event), place = hit(pixel), stroke = combed.at(-1), last = stroke.at(-1);
+  if (!place) {
+    if (last) combed.push([]);
+  } else if (last && leavesSurface(last, { pixel, place }, hit)) {
+    combed.push([{ pixel, place }]);
+  } else if (!last || distance(place, last.place) >= 0.004 * live.surface.diagonal / camera.zoom) {
+    stroke.push({ pixel, place });
+  }
+  trail(combed);
 }
 
-function endStroke() {
-  if (stroke.length >= 6) {
+function endStrokes() {
+  const lines = combed.filter((stroke) => stroke.length > 1).map((stroke) => stroke.flatMap(({ place }) => place));
+  if (lines.length > 0) {
     // Rounded as in the link, which then shows the same.
-    const { diagonal } = live.surface, strokes = [...live.strokes, brushed(stroke, diagonal)];
+    const { diagonal } = live.surface, strokes = [...live.strokes, ...lines.map((line) => brushed(line, diagonal))];
     live.strokes = readStrokes(writtenStrokes(strokes, diagonal), diagonal);
     keepStrokes();
     live.ask(settings.values);
   }
-  stroke = null;
-  trail(null);
+  combed = null;
+  trail([]);
 }
 
 canvas.addEventListener('pointerdown', (event) => {
   canvas.setPointerCapture(event.pointerId);
   fingers.set(event.pointerId, [event.clientX, event.clientY]);
   turning = false;
-  if (brushing && fingers.size === 1 && hit(event)) {
-    stroke = [];
+  if (brushing && fingers.size === 1 && hit(pixelOf(event))) {
+    combed = [[]];
     extend(event);
   }
 });
@@ -283,7 +288,7 @@ canvas.addEventListener('pointermove', (event) => {
   const last = fingers.get(event.pointerId);
   if (!last) return;
   const place = [event.clientX, event.clientY];
-  if (stroke) return extend(event);
+  if (combed) return extend(event);
   const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
   if (other) {
     const apart = (a) => Math.hypot(a[0] - other[0], a[1] - other[1]);
@@ -297,7 +302,7 @@ canvas.addEventListener('pointermove', (event) => {
 for (const name of ['pointerup', 'pointercancel']) {
   canvas.addEventListener(name, (event) => {
     fingers.delete(event.pointerId);
-    if (stroke) endStroke();
+    if (combed) endStrokes();
   });
 }
 canvas.addEventListener('wheel', (event) => {

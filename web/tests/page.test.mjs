@@ -257,6 +257,28 @@ test('vectors of a dropped mesh are directions, seen as finely as one likes', as
   assert.deepEqual(complaints, []);
 });
 
+test('strokes end where the surface ends', async () => {
+  const link = async (hash, ...places) => {
+    await visit({ hash, width: 900, height: 640 });
+    await page.click('#brush');
+    const box = await (await page.$('#canvas')).boundingBox(), side = 0.5 * Math.min(box.width, box.height);
+    const to = ([x, y]) => [box.x + box.width / 2 + x * side, box.y + box.height / 2 + y * side];
+    await page.mouse.move(...to(places[0]));
+    await page.mouse.down();
+    for (const place of places.slice(1)) await page.mouse.move(...to(place), { steps: 10 });
+    await screenshot('strokes_end');
+    await page.mouse.up();
+    await page.waitForFunction(() => !document.getElementById('unbrush').disabled);
+    await ready();
+    assert.deepEqual(complaints, []);
+    return page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get('strokes').split('~').length);
+  };
+  // Through the hole, past the rim and back, and over the surface alone.
+  assert.equal(await link('#shape=torus&stripes=30', [-0.6, 0], [0.6, 0]), 2);
+  assert.equal(await link('#shape=sphere&stripes=30', [0.5, -0.1], [1.4, 0], [0.5, 0.1]), 2);
+  assert.equal(await link('#shape=sphere&stripes=30', [-0.5, -0.1], [0.5, 0.1]), 1);
+});
+
 test('a stroke changes the field, and can be taken back', async () => {
   await visit({ hash: '#shape=sphere&stripes=30', width: 900, height: 640 });
   const said = without(await figures());
