@@ -253,12 +253,7 @@ const Creases& KnownCreases::split(Mesh& mesh, float angle) {
   return creases_;
 }
 
-DataArray InputSurface::array(const std::string& name, bool of_points) const {
-  if (!of_points) {
-    const DataArray rows = array_of_triangles(name);
-    return piece ? piece->cells_to_points(surface->mesh, rows)
-                 : cells_to_points(surface->mesh, rows);
-  }
+DataArray InputSurface::array_of_vertices(const std::string& name) const {
   if (piece) return rows_of_piece(name, true);
   DataArray rows = data_array_of(found_array(*triangles, name, true));
   return joined ? rows_of(rows, point_of_vertex) : std::move(rows);
@@ -267,6 +262,11 @@ DataArray InputSurface::array(const std::string& name, bool of_points) const {
 DataArray InputSurface::array_of_triangles(const std::string& name) const {
   if (piece) return rows_of_piece(name, false);
   return rows_of(data_array_of(found_array(*triangles, name, false)), cell_of_triangle);
+}
+
+DataArray InputSurface::cells_to_points(const DataArray& rows) const {
+  return piece ? piece->cells_to_points(surface->mesh, rows)
+               : brindle::cells_to_points(surface->mesh, rows);
 }
 
 /// One row per vertex or triangle. Ranks without rows may lack the array.

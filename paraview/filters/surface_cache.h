@@ -53,12 +53,15 @@ struct InputSurface {
     return point < own ? point : copied_points[point - own];
   }
 
-  /// Collective. The array of that name with a row per vertex: of points or, averaged, of cells.
-  /// Throws Error if the array is missing or not numeric.
-  DataArray array(const std::string& name, bool of_points) const;
+  /// Collective. The array of points of that name, with a row per vertex. Throws Error if the array
+  /// is missing or not numeric.
+  DataArray array_of_vertices(const std::string& name) const;
 
   /// The cell array of that name with a row per triangle; throws the same.
   DataArray array_of_triangles(const std::string& name) const;
+
+  /// Collective. Rows of triangles, averaged at the vertices.
+  DataArray cells_to_points(const DataArray& rows) const;
 
  private:
   DataArray rows_of_piece(const std::string& name, bool of_points) const;

@@ -138,6 +138,7 @@ struct vtkBrindleFilter::State {
     settings.frequency_source = static_cast<bp::FrequencySource>(filter.FrequencySource);
     settings.stripes = number(filter.Stripes);
     settings.frequency = number(filter.Frequency);
+    settings.spacing = number(filter.Spacing);
     settings.range.lowest = number(filter.FrequencyRange[0]);
     settings.range.highest = number(filter.FrequencyRange[1]);
     return settings;
@@ -168,14 +169,21 @@ struct ChosenArray {
 
 /// The array selected for a use, if any.
 ChosenArray chosen_array(vtkAlgorithm& filter, int use, const bp::InputSurface& input,
-                         bool cells = false) {
+                         bool cells = false,
+                         brindle::TensorOrder order = brindle::TensorOrder::vtk) {
   vtkInformation* chosen = filter.GetInputArrayInformation(use);
   const char* name = chosen->Get(vtkDataObject::FIELD_NAME());
   if (name == nullptr || *name == '\0' || std::string_view(name) == kNoArray) return {};
   const bool points =
       chosen->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  ChosenArray array{input.array(name, points), std::nullopt};
-  if (!points && cells) array.of_cells = input.array_of_triangles(name);
+  const auto ordered = [&](brindle::DataArray rows) {
+    if (order == brindle::TensorOrder::vtk) return rows;
+    return brindle::in_vtk_order(rows, order);
+  };
+  if (points) return {ordered(input.array_of_vertices(name)), std::nullopt};
+  const brindle::DataArray rows = ordered(input.array_of_triangles(name));
+  ChosenArray array{input.cells_to_points(rows), std::nullopt};
+  if (cells) array.of_cells = rows;
   return array;
 }
 
@@ -255,7 +263,8 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   ChosenArray vectors, frequencies, weights;
   const bool is_seen = settings.detail > 0 && settings.field == bp::FieldSource::array;
   if (settings.field == bp::FieldSource::array) {
-    vectors = chosen_array(*this, 0, *run.input, is_seen);
+    const auto order = static_cast<brindle::TensorOrder>(this->TensorOrder);
+    vectors = chosen_array(*this, 0, *run.input, is_seen, order);
   }
   if (settings.needs_frequency_array()) frequencies = chosen_array(*this, 1, *run.input);
   if (is_seen) weights = chosen_array(*this, 2, *run.input, true);
@@ -329,6 +338,7 @@ void vtkBrindleFilter::PrintSelf(ostream& os, vtkIndent indent) {
      << indent << "FrequencySource: " << this->FrequencySource << '\n'
      << indent << "Stripes: " << this->Stripes << '\n'
      << indent << "Frequency: " << this->Frequency << '\n'
+     << indent << "Spacing: " << this->Spacing << '\n'
      << indent << "Slack: " << this->Slack << '\n'
      << indent << "TimeAnchor: " << this->TimeAnchor << '\n'
      << indent << "SurfacesMade: " << this->GetSurfacesMade() << '\n'

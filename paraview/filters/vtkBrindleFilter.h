@@ -27,6 +27,10 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   /// 4 major and minor of the tangential part.
   vtkSetClampMacro(TensorAxis, int, 0, 4);
   vtkGetMacro(TensorAxis, int);
+  /// The order of a tensor's components: 0 VTK's (6 or 9 numbers), 1 Voigt's (6), 2 of the x-y
+  /// plane (3 or 4).
+  vtkSetClampMacro(TensorOrder, int, 0, 2);
+  vtkGetMacro(TensorOrder, int);
   /// For direction fields: any vector but zero.
   vtkSetVector3Macro(Direction, double);
   vtkGetVector3Macro(Direction, double);
@@ -63,8 +67,8 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   vtkGetMacro(CreaseAngle, double);
 
   /// The source of frequencies, in the order of FrequencySource: 0 Stripes, 1 Frequency, 2 an
-  /// array, 3 Stripes times a factor that follows an array.
-  vtkSetClampMacro(FrequencySource, int, 0, 3);
+  /// array, 3 Stripes times a factor that follows an array, 4 Spacing.
+  vtkSetClampMacro(FrequencySource, int, 0, 4);
   vtkGetMacro(FrequencySource, int);
   /// Stripes along the diagonal of the bounding box; above 0.
   vtkSetMacro(Stripes, double);
@@ -72,6 +76,9 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   /// Stripes per unit length; above 0.
   vtkSetMacro(Frequency, double);
   vtkGetMacro(Frequency, double);
+  /// Distance between neighbouring stripes; above 0.
+  vtkSetMacro(Spacing, double);
+  vtkGetMacro(Spacing, double);
   /// Factors at the smallest and the largest number of the array.
   vtkSetVector2Macro(FrequencyRange, double);
   vtkGetVector2Macro(FrequencyRange, double);
@@ -118,6 +125,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   int Field = 0;
   int CurvatureDirection = 0;
   int TensorAxis = 0;
+  int TensorOrder = 0;
   double Direction[3] = {0, 0, 1};
   bool Along = false;
   double FieldDetail = 0;
@@ -131,6 +139,7 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   int FrequencySource = 0;
   double Stripes = 40;
   double Frequency = 1;
+  double Spacing = 1;
   double FrequencyRange[2] = {0.4, 2.5};
   double Slack = 0;
   double TimeAnchor = 0.025;

@@ -124,6 +124,9 @@ FrequencyField make_frequencies(const Surface& surface, const WaveSettings& sett
       return frequencies_by(surface, *frequencies, along_diagonal(), settings.range);
     case FrequencySource::per_length:
       return constant_frequency_field(settings.frequency, surface.mesh.vertex_count());
+    case FrequencySource::spacing:
+      return constant_frequency_field(frequency_of_spacing(settings.spacing),
+                                      surface.mesh.vertex_count());
     case FrequencySource::along_diagonal:
       break;
   }

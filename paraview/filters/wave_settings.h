@@ -26,7 +26,8 @@ enum class FrequencySource {
   along_diagonal,  ///< `stripes` along the diagonal of the bounding box
   per_length,      ///< `frequency`, stripes per unit length
   array,           ///< an array of stripes per unit length
-  by_array         ///< `stripes` along the diagonal, times a factor that follows an array
+  by_array,        ///< `stripes` along the diagonal, times a factor that follows an array
+  spacing          ///< one stripe per `spacing`
 };
 
 struct WaveSettings {
@@ -44,6 +45,7 @@ struct WaveSettings {
   FrequencySource frequency_source = FrequencySource::along_diagonal;
   float stripes = 40;
   float frequency = 1;
+  float spacing = 1;
   FrequencyRange range;
 
   /// Whether directions depend on the surface and these settings alone.

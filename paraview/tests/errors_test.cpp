@@ -44,6 +44,9 @@ TEST(BrindleStripes, SaysWhatIsWrong) {
   filter->SetFrequencySource(kFrequencyArray);
   choose(*filter, 1, "number");
   has(only_error(*filter), "'number'");
+  filter->SetFrequencySource(kSpacing);
+  filter->SetSpacing(0);
+  has(only_error(*filter), "spacing");
   filter->SetFrequencySource(kStripes);
   filter->SetField(kDirection);
   filter->SetDirection(0, 0, 0);

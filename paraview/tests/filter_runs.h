@@ -17,7 +17,7 @@
 namespace brindle::paraview {
 
 enum { kSmooth, kCurvature, kDirection, kArray };
-enum { kStripes, kFrequency, kFrequencyArray, kByArray };
+enum { kStripes, kFrequency, kFrequencyArray, kByArray, kSpacing };
 
 inline vtkSmartPointer<vtkPolyData> swirling(const char* shape, float angle = 0) {
   auto data = polygons_of(make_shape(shape));

@@ -111,6 +111,61 @@ TEST(BrindleStripes, TakesFieldsOfCells) {
   for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-6f);
 }
 
+/// Plane tensors with their larger eigenvector along (1, 1, 0), in the components of an order.
+vtkSmartPointer<vtkDoubleArray> plane_tensors(const char* name, vtkIdType count,
+                                              std::initializer_list<double> row) {
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(row.size()));
+  for (vtkIdType i = 0; i < count; ++i) array->InsertNextTuple(row.begin());
+  return array;
+}
+
+TEST(BrindleStripes, TakesTensorsInTheOrderOfTheirComponents) {
+  const auto data = polygons_of(make_shape("sphere,resolution=24"));
+  for (vtkDataSetAttributes* rows : {static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(data->GetCellData())}) {
+    const bool points = rows == data->GetPointData();
+    const vtkIdType count = points ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+    rows->AddArray(plane_tensors("vtk", count, {2, 2, 0, 1, 0, 0}));
+    rows->AddArray(plane_tensors("voigt", count, {2, 2, 0, 0, 0, 1}));
+    rows->AddArray(plane_tensors("plane", count, {2, 2, 1}));
+    rows->AddArray(plane_tensors("matrix", count, {2, 1, 1, 2}));
+    vtkNew<vtkBrindleStripes> filter;
+    filter->SetInputData(data);
+    filter->SetField(kArray);
+    const auto directions = [&](const char* name, int order) {
+      choose(*filter, 0, name, points);
+      filter->SetTensorOrder(order);
+      filter->Update();
+      return numbers(*filter->GetOutput(), "direction");
+    };
+    const std::vector<float> vtk = directions("vtk", 0);
+    EXPECT_EQ(directions("voigt", 1), vtk);
+    EXPECT_EQ(directions("plane", 2), vtk);
+    EXPECT_EQ(directions("matrix", 2), vtk);
+    EXPECT_NE(directions("voigt", 0), vtk);
+    choose(*filter, 0, "plane", points);
+    filter->SetTensorOrder(1);
+    EXPECT_NE(only_error(*filter).find("'plane'"), std::string::npos);
+  }
+}
+
+TEST(BrindleStripes, TakesTheDistanceBetweenStripes) {
+  const auto data = polygons_of(make_shape("torus,resolution=24"));
+  vtkNew<vtkBrindleStripes> by_spacing, by_frequency;
+  by_spacing->SetFrequencySource(kSpacing);
+  by_spacing->SetSpacing(0.125);
+  by_frequency->SetFrequencySource(kFrequency);
+  by_frequency->SetFrequency(8);
+  for (vtkBrindleStripes* filter : {by_spacing.Get(), by_frequency.Get()}) {
+    filter->SetInputData(data);
+    filter->Update();
+  }
+  EXPECT_EQ(numbers(*by_spacing->GetOutput(), "sin_phase"),
+            numbers(*by_frequency->GetOutput(), "sin_phase"));
+}
+
 TEST(BrindleStripes, FollowsFrequenciesOfAnArray) {
   const auto data = swirling("sphere,resolution=24");
   vtkNew<vtkFloatArray> wanted;
