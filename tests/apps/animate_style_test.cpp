@@ -1,4 +1,5 @@
 // Frames in styles.
+#include <filesystem>
 #include <string>
 
 #include "tool.h"
@@ -80,6 +81,23 @@ TEST_F(AnimateStyle, StylesFollowMovingShapes) {
                style);
     EXPECT_NE(picture("0.png").pixels, picture("1.png").pixels) << style[0];
   }
+}
+
+TEST_F(AnimateStyle, WarnsOnceThatMotifsAreLeftOut) {
+  const std::string noise = "shape:sphere,noise=1,resolution=16";
+  run({"stripe", noise, "--field", "raw-curvature", "--stripes", "60", "-o", "step0.vtp"});
+  std::filesystem::copy(folder / "step0.vtp", folder / "step1.vtp");
+  const auto warnings = [&](const char* tile) {
+    const ToolResult result =
+        run({"animate", "--series", "step%d.vtp", "--field", "array:direction", "--stripes", "60",
+             "--texture", tile, "--size", "96x72", "-o", "frame%d.png"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const std::size_t first = result.err.find("motifs are whole in only");
+    if (first == std::string::npos) return 0;
+    return result.err.find("motifs are whole in only", first + 1) == std::string::npos ? 1 : 2;
+  };
+  EXPECT_EQ(warnings("arrows"), 1);
+  EXPECT_EQ(warnings("checker"), 0);  // cut, not left out
 }
 
 TEST_F(AnimateStyle, ArraysAreThoseOfTheStep) {

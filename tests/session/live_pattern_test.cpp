@@ -267,6 +267,23 @@ TEST(LivePattern, MeasuresNoMoreCurvesThanOneWaitsFor) {
   EXPECT_TRUE(says_so());
 }
 
+TEST(LivePattern, WarnsOfMotifsThatAreLeftOut) {
+  SessionDocument document = with(torus(), "texture", "arrows");
+  LivePattern pattern(CurveFigures::brief);
+  const auto warns = [&] {
+    return std::ranges::any_of(pattern.state()->notes, [](const std::string& note) {
+      return note.find("the others are left out") != note.npos;
+    });
+  };
+  pattern.update(document, Follow::afresh);
+  EXPECT_FALSE(warns());
+  document.mesh = "shape:sphere,noise=1,resolution=32";
+  document.options["field"] = {"raw-curvature"};
+  document.options["stripes"] = {"60"};
+  pattern.update(document, Follow::afresh);
+  EXPECT_TRUE(warns());
+}
+
 TEST(LivePattern, ReadsAndSolvesForAStyleOnce) {
   SessionDocument document = with(torus(), "color-by", "height");
   document.options["with"] = {"shape:box,resolution=6@striped"};

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"
@@ -346,13 +347,16 @@ std::optional<FrameStyle> frame_style(const CLI::App& command, const AnimateArgu
                     .display = display};
 }
 
-/// Frames in which the slice leaves nothing: reported for the first one at once, for all at the
-/// end.
-class EmptyFrames {
+/// Warnings of frames, which are printed for the first such frame; of those in which the slice
+/// leaves nothing the number, too.
+class FrameWarnings {
  public:
-  void note(const std::string& nothing_left, JobListener& listener) {
-    if (!nothing_left.empty() && empty_++ == 0) {
-      listener.note("warning: frame " + std::to_string(frames_) + ": " + nothing_left);
+  void note(const FrameNotes& notes, JobListener& listener) {
+    if (!notes.nothing_left.empty() && empty_++ == 0) {
+      listener.note("warning: frame " + std::to_string(frames_) + ": " + notes.nothing_left);
+    }
+    if (!notes.few_tiles.empty() && !std::exchange(had_few_tiles_, true)) {
+      listener.note(notes.few_tiles);
     }
     ++frames_;
   }
@@ -365,6 +369,7 @@ class EmptyFrames {
 
  private:
   std::size_t frames_ = 0, empty_ = 0;
+  bool had_few_tiles_ = false;
 };
 
 void run_animate(const CLI::App& command, AnimateArguments arguments) {
@@ -385,13 +390,13 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     const Device device(arguments.device);
     const std::optional<FrameStyle> style = frame_style(command, arguments, display);
     std::optional<MovingPicture> picture;
-    EmptyFrames empty;
+    FrameWarnings warnings;
     ShowFrame show;
     if (draws(arguments)) {
       picture.emplace(of_kind(arguments.outputs, false), *arguments.picture,
                       arguments.frames_per_second, !device.has_context(),
                       style ? &*style : nullptr);
-      show = [&](const SolvedFrame& frame) { empty.note(picture->add(frame), display); };
+      show = [&](const SolvedFrame& frame) { warnings.note(picture->add(frame), display); };
     }
     report = series ? play_series(arguments, *series, show, display)
                     : play_scene(arguments, device, show, display);
@@ -402,7 +407,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
     device.check_errors("solving on the GPU");
     if (picture) picture->finish();
-    empty.say(display);
+    warnings.say(display);
     if (!arguments.report.empty()) {
       write_json(arguments.report, to_json(report), display.progress());
     }

@@ -44,7 +44,7 @@ class PlainFrames : public FramePainter {
     return renderer_.draw(render_);
   }
 
-  std::string nothing_left() const override { return nothing_left_; }
+  FrameNotes notes() const override { return {nothing_left_, ""}; }
 
  private:
   void upload(const SolvedFrame& solved, const Overlay& overlay);
@@ -153,13 +153,13 @@ MovingPicture::MovingPicture(std::vector<FrameOutput> outputs, const PictureOpti
 
 MovingPicture::~MovingPicture() = default;
 
-std::string MovingPicture::add(const SolvedFrame& frame) {
+FrameNotes MovingPicture::add(const SolvedFrame& frame) {
   State& s = *state_;
   Image image = s.painter->paint(frame);
   if (s.context) s.context->check_errors("drawing a frame");
   s.write(std::move(image));
   ++s.count;
-  return s.painter->nothing_left();
+  return s.painter->notes();
 }
 
 void MovingPicture::finish() {

@@ -23,9 +23,8 @@ class MovingPicture {
   ~MovingPicture();
 
   /// Draws the next frame, with points as marks, and writes it in the background. Throws Error if
-  /// an earlier one could not be written. Returns the reason why nothing is visible, such as a
-  /// slice, or nothing.
-  std::string add(const SolvedFrame& frame);
+  /// an earlier one could not be written.
+  FrameNotes add(const SolvedFrame& frame);
 
   /// Waits for all frames and completes videos; without this call, no video file remains.
   void finish();

@@ -9,6 +9,7 @@
 
 #include "brindle/frequency_field.h"
 #include "brindle/legend.h"
+#include "brindle/recipe/wave_report.h"
 #include "brindle/render/slice_refusal.h"
 #include "brindle/shapes.h"
 #include "brindle/styled_picture.h"
@@ -157,7 +158,7 @@ class StyledFrames : public FramePainter {
         viewpoint_(seen_viewpoint_of(picture)) {}
 
   Image paint(const SolvedFrame& frame) override;
-  std::string nothing_left() const override { return nothing_left_; }
+  FrameNotes notes() const override { return notes_; }
 
  private:
   void begin(const SolvedFrame& frame, const Surface& surface);
@@ -179,7 +180,7 @@ class StyledFrames : public FramePainter {
   StyledRenderer renderer_;
   std::size_t uploaded_ = 0;  ///< surfaces and points
   std::size_t count_ = 0;
-  std::string nothing_left_;
+  FrameNotes notes_;
 };
 
 StyleBindings StyledFrames::follow_frame(const SolvedFrame& frame, const Surface& surface) {
@@ -222,6 +223,8 @@ StyledScene StyledFrames::scene_of(const SolvedFrame& frame, const Surface& surf
     scene.texture.emplace(
         TextureView{texture_->frame(surface, waves), *style_.tile, texture_->shift(count_)});
     scene.texture->broken = texture_->broken(*scene.texture, followed);
+    const LeftOutTiles& broken = scene.texture->broken.front();
+    if (broken) notes_.few_tiles = tile_warning(*broken, surface.mesh.triangle_count());
   } else if (style_.style.cross_hatch) {
     across_ = waves_across(waves, surface.normals);
     const std::span<const DataArray> arrays =
@@ -264,7 +267,7 @@ Image StyledFrames::paint(const SolvedFrame& frame) {
   const StyledScene scene = scene_of(frame, surface, followed);
   const std::vector<StyledSurface> surfaces =
       surfaces_of(scene, style_.style, options.render, followed);
-  nothing_left_ = slice_refusal(surfaces, styled_camera(surfaces, options), "--slice");
+  notes_.nothing_left = slice_refusal(surfaces, styled_camera(surfaces, options), "--slice");
   show(surfaces, frame.scene.points);
   Image image = renderer_.draw(options);
   draw_lines(image, scene, surfaces, style_.style, options, {});

@@ -15,6 +15,12 @@
 
 namespace brindle::tool {
 
+/// What is to be said of a frame.
+struct FrameNotes {
+  std::string nothing_left;  ///< the reason why it shows nothing (`slice_refusal`); else empty
+  std::string few_tiles;     ///< `tile_warning`
+};
+
 /// Draws frame after frame.
 class FramePainter {
  public:
@@ -23,8 +29,8 @@ class FramePainter {
   /// The next frame, with the camera of the first one.
   virtual Image paint(const SolvedFrame& frame) = 0;
 
-  /// The reason why the last frame shows nothing (`slice_refusal`); else empty.
-  virtual std::string nothing_left() const = 0;
+  /// Of the last frame.
+  virtual FrameNotes notes() const = 0;
 };
 
 /// Points of a frame, as in the paper's Fig. 1: orange and blue for two vortex cores.

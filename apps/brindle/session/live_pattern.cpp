@@ -437,6 +437,7 @@ class StageUpdate {
     const Report& report = made->job.report;
     add_times(report, times_);
     listener_.note(quality_warning(report.waves, report.quality, report.triangles));
+    listener_.note(warning_of_tiles(made->job.result.texture(), made->job.surface->mesh));
     stages_.pattern = {key_of_pattern(), std::move(made), listener_.take()};
     ++stages_.patterns;
     ++stages_.changes;

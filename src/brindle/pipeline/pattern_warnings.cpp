@@ -98,7 +98,7 @@ std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t tr
                                        const WarningWords& words) {
   const double whole = broken.whole_share(triangles);
   if (whole >= kFewestWhole) return {};
-  return {formatted("motifs are whole in %.1f %% of the triangles alone, and the others are left "
+  return {formatted("motifs are whole in only %.1f %% of the triangles, and the others are left "
                     "out; ",
                     100 * whole) +
           words.fewer + "; or a smoother " + words.field + "; or cut motifs"};
