@@ -282,10 +282,10 @@ std::vector<Job> pattern_jobs() {
         animator.frame({torus().mesh.positions, rough_field(), wanted}, p);
       });
   add(
-      "merge_branches", [] { rough_pattern(); },
+      "cancel_branches", [] { rough_pattern(); },
       [](const Progress& p) {
         StripePattern merged = rough_pattern();
-        merge_branches(torus(), merged, {0.1}, {}, p);
+        cancel_branches(torus(), merged, {0.1}, {}, p);
       });
   add(
       "cross_pattern", [] { rough_field(); },

@@ -55,7 +55,7 @@ void measure(const std::string& shape, float stripes) {
   const FrequencyField frequencies = constant_frequency_field(
       frequency_of_stripes(stripes, bounding_box(surface.mesh).diagonal()), field.size());
   StripeAnimator animator(surface);
-  FieldDetail going_on(surface), of_new_noise(surface);
+  FieldSmoothing going_on(surface), of_new_noise(surface);
   std::vector<double> frame, scratch, moved, renewed;
   for (int round = 0; round < kRounds; ++round) {
     const float turn = 0.01f * static_cast<float>(round);
@@ -65,7 +65,7 @@ void measure(const std::string& shape, float stripes) {
     frame.push_back(milliseconds([&] {
       animator.frame({surface.mesh.positions, turned, frequencies});
     }));
-    scratch.push_back(milliseconds([&] { FieldDetail(surface).frame(same, frequencies); }));
+    scratch.push_back(milliseconds([&] { FieldSmoothing(surface).frame(same, frequencies); }));
     moved.push_back(milliseconds([&] { going_on.frame(same, frequencies); }));
     renewed.push_back(milliseconds([&] { of_new_noise.frame(other, frequencies); }));
   }

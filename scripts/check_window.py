@@ -89,11 +89,11 @@ def check_measured_field_is_seen_at_its_scale(start, folder):
     window.click("group Field")
     window.move(*window.point("option direction"))
     for _ in range(40):
-        if "option field-detail" in window.places:
+        if "option field-smoothing" in window.places:
             break
         window.hand("click", 5)
     since = window.now()
-    window.drag_slider("option field-detail", 0.02, 0.5)
+    window.drag_slider("option field-smoothing", 0.02, 0.5)
     seen = window.settled(since)
     expect(4 * seen["branches"] < as_given["branches"],
            f"of {as_given['branches']} branches {seen['branches']} are left")
@@ -386,12 +386,12 @@ def check_options_are_searched(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "20")
     window.settled()
     window.click("search")
-    window.type("calm")
+    window.type("avoid")
     # Of a group that is closed otherwise, and by its help.
-    window.place("option calm")
+    window.place("option avoid-branches")
     window.wait_until(lambda: "option stripes" not in window.places, "end of what is not meant")
     window.type(" nothing of that kind")
-    window.wait_until(lambda: "option calm" not in window.places, "end of all options")
+    window.wait_until(lambda: "option avoid-branches" not in window.places, "end of all options")
     window.key("Escape")
     window.place("option stripes")
     since = window.now()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Errors of noisy fields as given and smoothed (--field-detail), with branches.
+"""Errors of noisy fields as given and smoothed (--field-smoothing), with branches.
 
     PYTHONPATH=build/release/python scripts/measured_table.py [--shape trefoil,resolution=100]
 
@@ -37,7 +37,7 @@ def row(surface, truth, name, degrees, holes=0.0, outliers=0.0):
     plain = brindle.stripes(surface, field, stripes=STRIPES)
     cells = [f"{error(field[known], truth[known]):.2f}° · {plain.report['branches']}"]
     for detail in DETAILS:
-        seen = brindle.stripes(surface, field, stripes=STRIPES, field_detail=detail)
+        seen = brindle.stripes(surface, field, stripes=STRIPES, field_smoothing=detail)
         cells.append(f"{error(seen.directions, truth):.2f}° · {seen.report['branches']}")
     print(f"| {name} | {' | '.join(cells)} |")
 

@@ -327,8 +327,8 @@ def plan(drivers, tasks):
     add("crosses", "Brindle, `--cross --slack 0.3`", striped("--cross", "--slack", 0.3))
     add("crosses", "Brindle, `--cross --normal-radius 1%`",
         striped("--cross", "--normal-radius", "1%"))
-    add("crosses", "Brindle, `--cross --normal-radius 1% --merge-branches 0`",
-        striped("--cross", "--normal-radius", "1%", "--merge-branches", 0))
+    add("crosses", "Brindle, `--cross --normal-radius 1% --cancel-branches 0`",
+        striped("--cross", "--normal-radius", "1%", "--cancel-branches", 0))
     if "libigl" in drivers:
         add("stripes, curvature", "libigl, then Brindle", of_libigl)
     add("stripes, curvature", "Brindle, `raw-curvature`", striped("--field", "raw-curvature"))

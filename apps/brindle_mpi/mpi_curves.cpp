@@ -148,11 +148,11 @@ JoinedFamily make_family(const char* name, const GatheredSurface& whole,
     family.curves = longer_than(family.curves, static_cast<double>(least));
     family.short_curves = all - family.curves.lines.count();
   }
-  if (arguments.line_width) {
+  if (arguments.path_width) {
     ranks.throw_on_all([&] {
       if (!whole.is_first()) return;
       family.coverage = measure_coverage(whole.surface().mesh, family.curves.lines,
-                                         arguments.line_width->on(diagonal));
+                                         arguments.path_width->on(diagonal));
     });
   }
   reshape(family.curves.lines, arguments, diagonal);
@@ -199,7 +199,7 @@ void check(const CLI::App& command, const MpiCurvesArguments& arguments, Communi
   if (writes_pieces(arguments)) {
     refuse_given(
         command,
-        {"--fair", "--min-length", "--simplify", "--resample", "--line-width", "--tube-radius",
+        {"--fair", "--min-length", "--simplify", "--resample", "--path-width", "--tube-radius",
          "--tube-sides"},
         "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or .csv");
   } else if (!arguments.output.empty()) {

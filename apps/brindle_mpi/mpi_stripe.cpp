@@ -96,10 +96,10 @@ DataArrays arrays_of(WaveSet waves, const FrameResult& frame, std::vector<Corner
 
 /// Pieces without a vertex have the arrays, too.
 void add_support_of_piece(std::vector<DataArray>& arrays, const PieceWaves& waves) {
-  const auto& [agreement, filled] = waves.support;
+  const auto& [coherence, filled] = waves.support;
   const bool detail = waves.figures.detail.has_value();
-  if (detail) arrays.push_back(make_data_array("agreement", 1, agreement));
-  if (!detail && !waves.figures.frequency_detail) return;
+  if (detail) arrays.push_back(make_data_array("coherence", 1, coherence));
+  if (!detail && !waves.figures.frequency_smoothing) return;
   arrays.push_back(
       make_data_array("filled", 1, std::vector<std::uint8_t>(filled.begin(), filled.end())));
 }

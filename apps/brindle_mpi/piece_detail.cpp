@@ -8,7 +8,7 @@
 #include "brindle/recipe/field_data.h"
 #include "cli/command_line.h"
 #include "first_rank.h"
-#include "input/field_detail.h"
+#include "input/field_smoothing.h"
 #include "input/vertex_values.h"
 #include "piece_rows.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kWeight = "--field-weight";
 
 FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
-                         const ReadPiece& read, const FieldDetailChoice& choice,
+                         const ReadPiece& read, const FieldSmoothingChoice& choice,
                          const PieceField& field) {
   const bool of_triangles = ranks.any(field.data.of_triangles);
   if (is_own_weight(choice.weight)) return {choice.weight, {}};

@@ -10,8 +10,8 @@
 
 namespace brindle::tool {
 
-/// Collective. The data of a field with their weights; empty without --field-detail. Throws on all
-/// ranks: CLI::ValidationError for invalid weights, and what the library throws.
+/// Collective. The data of a field with their weights; empty without --field-smoothing. Throws on
+/// all ranks: CLI::ValidationError for invalid weights, and what the library throws.
 MeasuredField piece_measured(Communicator& ranks, const DistributedSurface& surface,
                              const ReadPiece& read, const WaveOptions& options,
                              const PieceField& field);

@@ -83,7 +83,7 @@ void choose_piece_frequencies(Communicator& ranks, const DistributedSurface& sur
   const bool field_says = ranks.any(!field.frequencies.empty());
   field.frequencies = chosen_frequencies(ranks, surface, read, options, field);
   if (options.detail.frequency_periods == 0) return;
-  if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
+  if (!says_frequencies(options) && !field_says) refuse_frequency_smoothing();
 }
 
 }  // namespace brindle::tool

@@ -10,9 +10,9 @@
 
 namespace brindle::tool {
 
-/// Collective. Rank 0 reads the file of --calm, with rows of the whole mesh or, if rank 0 read one,
-/// of its file, and distributes the rows. Throws on all ranks what `make_slack` and `piece_rows`
-/// throw.
+/// Collective. Rank 0 reads the file of --avoid-branches, with rows of the whole mesh or, if rank 0
+/// read one, of its file, and distributes the rows. Throws on all ranks what `make_slack` and
+/// `piece_rows` throw.
 Slack piece_slack(Communicator& ranks, const SlackOptions& options, const ReadPiece& read,
                   std::size_t vertices_of_all);
 

@@ -55,7 +55,7 @@ PieceWaves make_piece_waves(Communicator& ranks, const DistributedSurface& surfa
   made.figures.measured = is_measured(options);
   made.figures.subdivided = read.subdivided;
   made.figures.detail = seen.detail;
-  made.figures.frequency_detail = seen.frequency_detail;
+  made.figures.frequency_smoothing = seen.frequency_smoothing;
   ranks.throw_on_all([&] { check_wave_report(made.figures, source_of(options)); });
   listener.note(warnings(made.figures, source_of(options)));
   made.milliseconds = watch.lap();

@@ -10,15 +10,15 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Results of `merge_branches`.
-struct MergedBranches {
+/// Results of `cancel_branches`.
+struct CancelledBranches {
   std::size_t pairs = 0;  ///< cancelled
   std::size_t branches_before = 0, branches_after = 0;
   double energy_before = 0, energy_after = 0;
 };
 
-/// Options of `merge_branches`.
-struct MergingOptions {
+/// Options of `cancel_branches`.
+struct CancellationOptions {
   double share = 0;      ///< largest rise of the energy, as a share of it: 0 or above
   double distance = 10;  ///< from a branch to its opposite, in periods: above 0, 1000 at most
 };
@@ -30,20 +30,21 @@ struct MergingOptions {
 /// `distance` from such a path, and fixed ones, do not change. Throws Error for options out of
 /// range, points without triangles and a pattern of another surface; Cancelled if `progress`
 /// cancels. Then the pattern is unchanged.
-MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
-                              const MergingOptions& merging, const StripeOptions& options = {},
-                              const Progress& progress = {});
+CancelledBranches cancel_branches(const Surface& surface, StripePattern& pattern,
+                                  const CancellationOptions& cancellation,
+                                  const StripeOptions& options = {}, const Progress& progress = {});
 
 /// As above for both stripe patterns of a texture, which is then oriented and measured again.
 /// `share` applies to each pattern's energy; the results add up both patterns.
-MergedBranches merge_branches(const Surface& surface, TexturePattern& pattern,
-                              const MergingOptions& merging, const TextureOptions& options = {},
-                              const Progress& progress = {});
+CancelledBranches cancel_branches(const Surface& surface, TexturePattern& pattern,
+                                  const CancellationOptions& cancellation,
+                                  const TextureOptions& options = {},
+                                  const Progress& progress = {});
 
 /// As above for both waves of a cross field together. The results exclude branches at
 /// singularities, which stay.
-MergedBranches merge_branches(const Surface& surface, CrossPattern& pattern,
-                              const MergingOptions& merging, const StripeOptions& options = {},
-                              const Progress& progress = {});
+CancelledBranches cancel_branches(const Surface& surface, CrossPattern& pattern,
+                                  const CancellationOptions& cancellation,
+                                  const StripeOptions& options = {}, const Progress& progress = {});
 
 }  // namespace brindle

@@ -16,8 +16,8 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-/// Options of a StripeAnimator; weights by edge are rejected. Slack and `calm` by vertex have one
-/// entry per vertex of the partition; the owner's values of a vertex count.
+/// Options of a StripeAnimator; weights by edge are rejected. Slack and `branch_penalty` by vertex
+/// have one entry per vertex of the partition; the owner's values of a vertex count.
 struct DistributedOptions : AnimatorOptions {
   /// Rank 0 alone solves levels with fewer nodes on all ranks together.
   std::size_t gather_below = 16384;
@@ -79,7 +79,8 @@ class DistributedStripeAnimator {
   /// repartitioning. The owner's values of a vertex count.
   void set_last_phases(std::span<const Complex> z);
 
-  /// As StripeAnimator::set_slack. For slack and `calm` by vertex, the owner's values count.
+  /// As StripeAnimator::set_slack. For slack and `branch_penalty` by vertex, the owner's values
+  /// count.
   void set_slack(const Slack& slack);
 
   DistributedFigures figures() const;

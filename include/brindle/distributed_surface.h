@@ -122,24 +122,24 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, floa
 
 /// A field smoothed at the scale of its stripes.
 struct DistributedDetail {
-  DetailedField field;         ///< at the partition's vertices
-  FieldDetailFigures figures;  ///< of the whole, on every rank
+  SmoothedField field;            ///< at the partition's vertices
+  FieldSmoothingFigures figures;  ///< of the whole, on every rank
 };
 
-/// Collective. The result of FieldDetail for the whole field. `measured` has one datum per vertex
-/// of the partition, of which the owner's count, or per triangle, of which ghosts do not count.
-/// `frequencies` and `last` have one entry per vertex; `last` is given on all ranks or none. Throws
-/// on all ranks what FieldDetail throws, and Error for other numbers of entries; Cancelled if the
-/// `progress` of any rank cancels.
-DistributedDetail detailed_field(const DistributedSurface& surface, const MeasuredField& measured,
+/// Collective. The result of FieldSmoothing for the whole field. `measured` has one datum per
+/// vertex of the partition, of which the owner's count, or per triangle, of which ghosts do not
+/// count. `frequencies` and `last` have one entry per vertex; `last` is given on all ranks or none.
+/// Throws on all ranks what FieldSmoothing throws, and Error for other numbers of entries;
+/// Cancelled if the `progress` of any rank cancels.
+DistributedDetail smoothed_field(const DistributedSurface& surface, const MeasuredField& measured,
                                  std::span<const float> frequencies,
-                                 const FieldDetailOptions& options = {},
+                                 const FieldSmoothingOptions& options = {},
                                  const MeasuredField& last = {}, const Progress& progress = {});
 
-/// Collective. `detailed_frequencies` of measured_field.h for those of the whole.
-DetailedFrequencies detailed_frequencies(const DistributedSurface& surface,
+/// Collective. `smoothed_frequencies` of measured_field.h for those of the whole.
+SmoothedFrequencies smoothed_frequencies(const DistributedSurface& surface,
                                          std::span<const float> frequencies,
-                                         const FrequencyDetailOptions& options = {},
+                                         const FrequencySmoothingOptions& options = {},
                                          const Progress& progress = {});
 
 /// Collective. The principal curvature directions of the piece's vertices.

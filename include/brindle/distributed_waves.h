@@ -27,12 +27,12 @@ class PieceSurface final : public WaveSurface {
   std::size_t opposite_edges() const override;
   /// The mean frequency and the number are over all ranks.
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
-  DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                            const FrequencyDetailOptions& options,
+  SmoothedFrequencies frequencies_at_detail(std::span<const float> frequencies,
+                                            const FrequencySmoothingOptions& options,
                                             const Progress& progress) const override;
-  std::pair<DetailedField, FieldDetailFigures> field_at_detail(
+  std::pair<SmoothedField, FieldSmoothingFigures> field_at_detail(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-      const FieldDetailOptions& options, const Progress& progress) const override;
+      const FieldSmoothingOptions& options, const Progress& progress) const override;
 
  private:
   const DistributedSurface& surface_;

@@ -236,11 +236,12 @@ struct FieldFile {
 FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_count,
                          std::span<const Index> vertex_of_row = {});
 
-/// Reads a CSV file of one number from 0 to 1 per row, or with a column `calm`: the weight of
-/// branch avoidance (`Slack::calm`). Rows are assigned to vertices as in `read_field_csv`; the
-/// greatest of several rows of one vertex is used. Throws Error as that does.
-std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
-                                 std::span<const Index> vertex_of_row = {});
+/// Reads a CSV file of one number from 0 to 1 per row, or with a column `avoid_branches`: the
+/// weight of branch avoidance (`Slack::branch_penalty`). Rows are assigned to vertices as in
+/// `read_field_csv`; the greatest of several rows of one vertex is used. Throws Error as that does.
+std::vector<float> read_branch_penalty_csv(const std::filesystem::path& path,
+                                           std::size_t vertex_count,
+                                           std::span<const Index> vertex_of_row = {});
 
 /// Reads strokes from JSON, with these keys and no others:
 ///

@@ -56,7 +56,7 @@ inline constexpr const char* kTurnArray = "turn_deg";
 /// Adds the array `kTurnArray`, unless the angle is 0.
 void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows);
 
-/// Adds the arrays "agreement" and "filled" of smoothed fields, each unless it is empty.
+/// Adds the arrays "coherence" and "filled" of smoothed fields, each unless it is empty.
 void add_support(std::vector<DataArray>& arrays, const FieldSupport& support);
 
 /// The same at the vertices of a mesh with texture coordinates. Vertices between others are filled

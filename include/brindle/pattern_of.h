@@ -34,12 +34,12 @@ enum class PatternKind : std::uint8_t {
 struct MakingOptions {
   std::optional<float> anchor_boundary;  ///< periods from the rim to the first stripe
   std::vector<WantedWinding> windings;
-  std::optional<float> merge_branches;  ///< largest rise of the energy, as a share of it
-  std::optional<float> merge_distance;  ///< periods from a branch to its opposite; empty: 10
-  bool measure_windings = false;        ///< also if none are requested
+  std::optional<float> cancel_branches;  ///< largest rise of the energy, as a share of it
+  std::optional<float> cancel_distance;  ///< periods from a branch to its opposite; empty: 10
+  bool measure_windings = false;         ///< also if none are requested
 
   /// Whether these options change the pattern of the waves.
-  bool change_pattern() const { return anchor_boundary || !windings.empty() || merge_branches; }
+  bool change_pattern() const { return anchor_boundary || !windings.empty() || cancel_branches; }
 };
 
 /// Results of these options.
@@ -52,7 +52,7 @@ struct MakingFigures {
   std::vector<Winding> windings_before = {};  ///< empty if none were requested
   double energy_before = 0;
   double largest_turn_deg = 0, mean_turn_deg = 0, largest_frequency_change = 0;
-  std::optional<MergedBranches> merged;
+  std::optional<CancelledBranches> cancelled_branches;
   std::size_t fixed_vertices = 0;  ///< with a phase from `anchor_boundary`
 };
 
@@ -60,7 +60,7 @@ struct MakingFigures {
 struct PatternRequest {
   PatternKind kind = PatternKind::stripes;
   StripeOptions solving = {};
-  MakingOptions making = {};          ///< only `merge_branches` for textures and crosses
+  MakingOptions making = {};          ///< only `cancel_branches` for textures and crosses
   FrequencyField frequencies_v = {};  ///< of textures, as in TextureOptions
   bool oriented = false;              ///< of textures, as in TextureOptions
 };
@@ -78,7 +78,7 @@ struct PatternResult {
 };
 
 /// Solves for the pattern. `waves` has one entry per vertex. Throws what `stripe_pattern`,
-/// `texture_pattern`, `cross_pattern`, `wind` and `merge_branches` throw; Error for options that
+/// `texture_pattern`, `cross_pattern`, `wind` and `cancel_branches` throw; Error for options that
 /// the kind of pattern does not support, and for boundaries without stripes along them.
 PatternResult pattern_of(const Surface& surface, WaveSet waves, const PatternRequest& request,
                          const Progress& progress = {});

@@ -45,8 +45,8 @@ std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t tr
 /// Warns of `WaveResult::turned_apart`.
 std::vector<std::string> turn_warnings(std::size_t turned_apart);
 
-/// Warns of more singularities than `FieldDetailOptions::singularities` allows.
-std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
+/// Warns of more singularities than `FieldSmoothingOptions::singularities` allows.
+std::vector<std::string> detail_warnings(const FieldSmoothingFigures& figures,
                                          const WarningWords& words = {});
 
 }  // namespace brindle

@@ -28,9 +28,9 @@ struct PatternQuality {
   double spacing_error_mean = 0;  ///< mean of | |gradient| / (2 pi f) - 1 |
   /// The same against the requested frequencies, which spacing tolerance changes.
   double spacing_error_wanted_mean = 0;
-  /// `branches` in triangles with a mean `Slack::calm` of at least a half; empty without branch
-  /// avoidance.
-  std::optional<std::size_t> branches_in_calm;
+  /// `branches` in triangles with a mean `Slack::branch_penalty` of at least a half; empty without
+  /// branch avoidance.
+  std::optional<std::size_t> branches_in_avoided_area;
   std::size_t vertices_without_wave = 0;  ///< with the direction zero: nothing is drawn
 };
 

@@ -112,7 +112,7 @@ class StripeAnimator {
   void set_last_phases(std::span<const Complex> z);
 
   /// Sets the spacing tolerance of all following frames. Frequencies continue from the last ones
-  /// or, if `calm` changes, from those of the input. Throws Error for a slack that
+  /// or, if `branch_penalty` changes, from those of the input. Throws Error for a slack that
   /// YieldingFrequency rejects, and for an animator that was made without slack; then nothing
   /// changes.
   void set_slack(const Slack& slack);

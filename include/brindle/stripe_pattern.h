@@ -54,7 +54,7 @@ struct StripeMilliseconds {
   double couple = 0;     ///< phase shifts
   double solve = 0;
   double pattern = 0;  ///< corner phases and quality
-  double merge = 0;    ///< `merge_branches`, if requested
+  double cancel = 0;   ///< `cancel_branches`, if requested
 };
 
 /// A pattern with its input and metrics.
@@ -89,9 +89,9 @@ StripePattern stripe_pattern(const Surface& surface, DirectionField field,
                              const Progress& progress = {});
 
 /// Recomputes `corners` and `quality`, including errors against the requested frequencies, from the
-/// rest of the pattern, such as one solved elsewhere. `calm` is Slack::calm.
-void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
-                     const Progress& progress = {});
+/// rest of the pattern, such as one solved elsewhere. `branch_penalty` is Slack::branch_penalty.
+void measure_pattern(const Surface& surface, std::span<const float> branch_penalty,
+                     StripePattern& pattern, const Progress& progress = {});
 
 /// The centre lines of the pattern's stripes, sin Phi = 1, over its whole surface. At high
 /// frequencies several cross a triangle. Curves do not cross; each is closed, or both its ends have
@@ -102,10 +102,10 @@ StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
                            const CurveOptions& options = {}, const Progress& progress = {});
 
 /// Fabrication measures of curves that `stripe_curves` traced from this pattern: lengths, gaps and,
-/// for a `line_width` above 0 (units of length), coverage. Throws Error as `stripe_curves` does,
+/// for a `path_width` above 0 (units of length), coverage. Throws Error as `stripe_curves` does,
 /// and for a width below 0 or not finite; Cancelled if `progress` cancels.
 CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
-                             const StripeCurves& curves, double line_width = 0,
+                             const StripeCurves& curves, double path_width = 0,
                              const Progress& progress = {});
 
 /// Points where the stripes of two patterns on one surface cross, with or without triangles. Of

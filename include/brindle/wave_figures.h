@@ -48,12 +48,12 @@ struct WarningWords {
       "take fewer stripes, or a lower frequency, which counts stripes per unit of the mesh's own "
       "length";
   std::string subdivide = "subdivide the mesh, times:";  ///< a number follows; empty: in no way
-  int subdivided = 0;                  ///< subdivisions already made, added to that number
-  std::string field = "field";         ///< as in "a smoother field"
-  std::string source = "the field";    ///< of directions
-  std::string detail = "FieldDetail";  ///< what smooths measured fields to stripe resolution
-  std::string singularities = "FieldDetailOptions::singularities";  ///< what limits their number
-  std::string join = "join them with make_repaired_mesh";           ///< vertices at one place
+  int subdivided = 0;                     ///< subdivisions already made, added to that number
+  std::string field = "field";            ///< as in "a smoother field"
+  std::string source = "the field";       ///< of directions
+  std::string detail = "FieldSmoothing";  ///< what smooths measured fields to stripe resolution
+  std::string singularities = "FieldSmoothingOptions::singularities";  ///< what limits their number
+  std::string join = "join them with make_repaired_mesh";              ///< vertices at one place
 };
 
 /// Warnings of likely mistakes, one sentence each without a full stop: more than 1 % of the

@@ -67,16 +67,16 @@ struct MissingWaves {
 };
 
 /// Metrics of smoothed frequencies.
-struct FrequencyDetailReport {
-  double changed_median = 0;  ///< as in DetailedFrequencies
-  std::size_t filled = 0;     ///< as in DetailedFrequencies
+struct FrequencySmoothingReport {
+  double changed_median = 0;  ///< as in SmoothedFrequencies
+  std::size_t filled = 0;     ///< as in SmoothedFrequencies
 };
 
 /// Options of waves.
 struct WaveRequest {
-  float turn_deg = 0;                                        ///< of waves against their field
-  FieldDetailOptions detail = {.periods = 0};                ///< periods 0: no smoothing
-  FrequencyDetailOptions frequency_detail = {.periods = 0};  ///< periods 0: no smoothing
+  float turn_deg = 0;                                              ///< of waves against their field
+  FieldSmoothingOptions detail = {.periods = 0};                   ///< periods 0: no smoothing
+  FrequencySmoothingOptions frequency_smoothing = {.periods = 0};  ///< periods 0: no smoothing
 };
 
 /// A field and frequencies, with a row per vertex.
@@ -94,7 +94,7 @@ struct WaveInput {
 
 /// What smoothed waves rest on, one entry per vertex.
 struct FieldSupport {
-  std::vector<float> agreement;  ///< `DetailedField::agreement`; empty without a smoothed field
+  std::vector<float> coherence;  ///< `SmoothedField::coherence`; empty without a smoothed field
   /// 1 where the direction or the frequency fills a hole, else 0; empty without smoothing.
   std::vector<float> filled;
 };
@@ -107,8 +107,8 @@ struct WaveResult {
   /// Edges whose ends the turn rotates in opposite senses, as their normals point to opposite sides
   /// of the surface. 0 for turns that give the same waves in both senses.
   std::size_t turned_apart = 0;
-  std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
-  std::optional<FrequencyDetailReport> frequency_detail = {};
+  std::optional<FieldSmoothingFigures> detail = {};  ///< of a smoothed field
+  std::optional<FrequencySmoothingReport> frequency_smoothing = {};
   FieldSupport support = {};  ///< of smoothed fields and frequencies
   /// The smoothed field before it is turned; empty without smoothing.
   DirectionField seen_field = {};
@@ -127,14 +127,14 @@ class WaveSurface {
   virtual std::size_t opposite_edges() const = 0;
   /// `drop_waves_without_frequency` of array_field.h for the whole surface.
   virtual std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const = 0;
-  /// As `detailed_frequencies` of measured_field.h.
-  virtual DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                                    const FrequencyDetailOptions& options,
+  /// As `smoothed_frequencies` of measured_field.h.
+  virtual SmoothedFrequencies frequencies_at_detail(std::span<const float> frequencies,
+                                                    const FrequencySmoothingOptions& options,
                                                     const Progress& progress) const = 0;
-  /// A frame of a `FieldDetail`; `places` are frequencies, 0 where there is no wave.
-  virtual std::pair<DetailedField, FieldDetailFigures> field_at_detail(
+  /// A frame of a `FieldSmoothing`; `places` are frequencies, 0 where there is no wave.
+  virtual std::pair<SmoothedField, FieldSmoothingFigures> field_at_detail(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-      const FieldDetailOptions& options, const Progress& progress) const = 0;
+      const FieldSmoothingOptions& options, const Progress& progress) const = 0;
 };
 
 /// The surface of one process.
@@ -148,12 +148,12 @@ class WholeSurface final : public WaveSurface {
   bool any(bool here) const override { return here; }
   std::size_t opposite_edges() const override;
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
-  DetailedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                            const FrequencyDetailOptions& options,
+  SmoothedFrequencies frequencies_at_detail(std::span<const float> frequencies,
+                                            const FrequencySmoothingOptions& options,
                                             const Progress& progress) const override;
-  std::pair<DetailedField, FieldDetailFigures> field_at_detail(
+  std::pair<SmoothedField, FieldSmoothingFigures> field_at_detail(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-      const FieldDetailOptions& options, const Progress& progress) const override;
+      const FieldSmoothingOptions& options, const Progress& progress) const override;
 
  private:
   const Surface& surface_;

@@ -24,7 +24,7 @@ struct Slack {
   std::vector<float> by_vertex;  ///< S_i in place of `everywhere`; empty: none
   /// By vertex, from 0 to 1: where to avoid branches. Curl has up to 10 times the weight there, and
   /// slack is up to 3 times as large, so that branches appear elsewhere. Empty: 0.
-  std::vector<float> calm;
+  std::vector<float> branch_penalty;
 
   /// Whether frequencies may change.
   bool yields() const { return everywhere > 0 || !by_vertex.empty(); }
@@ -58,9 +58,9 @@ struct FrequencyChange {
 /// neighbours.
 class YieldingFrequency {
  public:
-  /// Throws Error for a slack that is negative or not finite and for `calm` outside 0 to 1, naming
-  /// the vertex, and unless lists are empty or have one entry per vertex; Cancelled if `progress`
-  /// cancels.
+  /// Throws Error for a slack that is negative or not finite and for `branch_penalty` outside 0 to
+  /// 1, naming the vertex, and unless lists are empty or have one entry per vertex; Cancelled if
+  /// `progress` cancels.
   YieldingFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
   ~YieldingFrequency();
   YieldingFrequency(YieldingFrequency&&) noexcept;

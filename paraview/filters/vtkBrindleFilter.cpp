@@ -41,7 +41,7 @@ struct vtkBrindleFilter::State {
   bp::PatternSurface made_surface;
   std::pair<int, int> made_settings;
   bool made_follows = false;  ///< continued from those of the last time
-  /// For FieldMemory: the last smoothed field, and the one it continued.
+  /// For TemporalSmoothing: the last smoothed field, and the one it continued.
   struct {
     brindle::DirectionField seen, before;
     bp::PatternSurface surface;
@@ -115,9 +115,9 @@ struct vtkBrindleFilter::State {
         static_cast<brindle::CurvatureDirection>(filter.CurvatureDirection);
     settings.tensor_axis = static_cast<brindle::TensorAxis>(filter.TensorAxis);
     for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
-    settings.detail = number(filter.FieldDetail);
-    settings.frequency_detail = number(filter.FrequencyDetail);
-    settings.memory = number(filter.FieldMemory);
+    settings.detail = number(filter.FieldSmoothing);
+    settings.frequency_smoothing = number(filter.FrequencySmoothing);
+    settings.memory = number(filter.TemporalSmoothing);
     settings.fill = number(filter.FillPeriods);
     settings.arrows = filter.FieldArrows;
     settings.singularities = filter.FieldSingularities;
@@ -125,10 +125,10 @@ struct vtkBrindleFilter::State {
       if (periods >= 0 && periods <= 100) return;
       throw Error(name + " must be a number of periods from 0 to 100");
     };
-    check_periods(settings.detail, "Field Detail");
-    check_periods(settings.frequency_detail, "Frequency Detail");
+    check_periods(settings.detail, "Field Smoothing");
+    check_periods(settings.frequency_smoothing, "Frequency Smoothing");
     if (!std::isfinite(settings.memory) || settings.memory < 0) {
-      throw Error("Field Memory must be 0 or above");
+      throw Error("Temporal Smoothing must be 0 or above");
     }
     settings.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
     if (!std::isfinite(settings.turn_deg)) throw Error("Rotate must be a finite number of degrees");
@@ -333,7 +333,7 @@ void vtkBrindleFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Field: " << this->Field << '\n'
      << indent << "Along: " << this->Along << '\n'
-     << indent << "FieldDetail: " << this->FieldDetail << '\n'
+     << indent << "FieldSmoothing: " << this->FieldSmoothing << '\n'
      << indent << "Rotate: " << this->Rotate << '\n'
      << indent << "FrequencySource: " << this->FrequencySource << '\n'
      << indent << "Stripes: " << this->Stripes << '\n'

@@ -39,22 +39,22 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   vtkGetMacro(Along, bool);
   /// Smooths an array over this many periods of the stripes and fills holes; 0 to 100, 0: none.
   /// Input array 2, if set, has the weights of the data.
-  vtkSetMacro(FieldDetail, double);
-  vtkGetMacro(FieldDetail, double);
+  vtkSetMacro(FieldSmoothing, double);
+  vtkGetMacro(FieldSmoothing, double);
   /// The same for an array of frequencies.
-  vtkSetMacro(FrequencyDetail, double);
-  vtkGetMacro(FrequencyDetail, double);
-  /// With FieldDetail: temporal smoothing, the weight of the last time's field; 0 or above.
-  vtkSetMacro(FieldMemory, double);
-  vtkGetMacro(FieldMemory, double);
-  /// With FieldDetail and FrequencyDetail: distance over which holes are filled, in periods; 0 or
-  /// above.
+  vtkSetMacro(FrequencySmoothing, double);
+  vtkGetMacro(FrequencySmoothing, double);
+  /// With FieldSmoothing: temporal smoothing, the weight of the last time's field; 0 or above.
+  vtkSetMacro(TemporalSmoothing, double);
+  vtkGetMacro(TemporalSmoothing, double);
+  /// With FieldSmoothing and FrequencySmoothing: distance over which holes are filled, in periods;
+  /// 0 or above.
   vtkSetMacro(FillPeriods, double);
   vtkGetMacro(FillPeriods, double);
-  /// With FieldDetail: vectors have signs, and opposite ones cancel.
+  /// With FieldSmoothing: vectors have signs, and opposite ones cancel.
   vtkSetMacro(FieldArrows, bool);
   vtkGetMacro(FieldArrows, bool);
-  /// With FieldDetail: cancels pairs of singularities until at most this many remain; -1: none.
+  /// With FieldSmoothing: cancels pairs of singularities until at most this many remain; -1: none.
   vtkSetClampMacro(FieldSingularities, int, -1, 1000000);
   vtkGetMacro(FieldSingularities, int);
   /// Turns the field about the normals, in degrees.
@@ -128,10 +128,10 @@ class BRINDLEFILTERS_EXPORT vtkBrindleFilter : public vtkPolyDataAlgorithm {
   int TensorOrder = 0;
   double Direction[3] = {0, 0, 1};
   bool Along = false;
-  double FieldDetail = 0;
+  double FieldSmoothing = 0;
   double FillPeriods = 2;
-  double FrequencyDetail = 0;
-  double FieldMemory = 0;
+  double FrequencySmoothing = 0;
+  double TemporalSmoothing = 0;
   bool FieldArrows = false;
   int FieldSingularities = -1;
   double Rotate = 0;

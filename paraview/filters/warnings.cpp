@@ -19,7 +19,7 @@ WarningWords words_of_panels() {
       "length";
   words.subdivide = "apply the filter Subdivide before, Number of Subdivisions:";
   words.field = "Field";
-  words.detail = "Field Detail 1";
+  words.detail = "Field Smoothing 1";
   words.singularities = "Field Singularities";
   words.source = "the frequency is not finite, or the field";
   return words;

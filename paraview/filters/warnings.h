@@ -21,11 +21,11 @@ WaveFigures wave_figures(const PatternSurface& surface, const WaveSet& waves);
 /// Metrics of a run's waves and patterns, the same on all ranks.
 struct RunFigures {
   WaveFigures waves;
-  std::optional<WaveFigures> crossing;       ///< of waves across these, if there are others
-  PatternQuality quality;                    ///< of two patterns what is worse (`worse_of`)
-  std::size_t turned_apart = 0;              ///< as in WaveResult
-  bool measured = false;                     ///< the field is an array, taken as it is
-  std::optional<FieldDetailFigures> detail;  ///< of an array seen at the scale of its stripes
+  std::optional<WaveFigures> crossing;          ///< of waves across these, if there are others
+  PatternQuality quality;                       ///< of two patterns what is worse (`worse_of`)
+  std::size_t turned_apart = 0;                 ///< as in WaveResult
+  bool measured = false;                        ///< the field is an array, taken as it is
+  std::optional<FieldSmoothingFigures> detail;  ///< of an array seen at the scale of its stripes
 };
 
 /// The library's warnings in terms of ParaView's panels, a sentence each, and one for waves that

@@ -152,8 +152,8 @@ MeasuredField measured_data(const Surface& surface, const WaveArrays& arrays,
   return measured_field(data, directions, weight);
 }
 
-FieldDetailOptions detail_options(const WaveSettings& settings) {
-  FieldDetailOptions options;
+FieldSmoothingOptions detail_options(const WaveSettings& settings) {
+  FieldSmoothingOptions options;
   options.periods = settings.detail;
   options.fill = settings.fill;
   options.symmetry = settings.arrows ? 1 : 2;
@@ -169,8 +169,8 @@ WaveRequest request_of(const WaveSettings& settings) {
   request.turn_deg = settings.turn_deg;
   if (settings.field == FieldSource::array) request.detail = detail_options(settings);
   if (settings.needs_frequency_array()) {
-    request.frequency_detail.periods = settings.frequency_detail;
-    request.frequency_detail.fill = settings.fill;
+    request.frequency_smoothing.periods = settings.frequency_smoothing;
+    request.frequency_smoothing.fill = settings.fill;
   }
   return request;
 }

@@ -40,7 +40,7 @@ struct WaveSettings {
   bool arrows = false;             ///< vectors of an array have signs
   int singularities = -1;          ///< largest number to keep; below 0: all
   float memory = 0;                ///< weight of the last time's field
-  float frequency_detail = 0;      ///< the same smoothing for an array of frequencies
+  float frequency_smoothing = 0;   ///< the same smoothing for an array of frequencies
   float turn_deg = 0;              ///< about the normals, counter-clockwise seen from their tips
   FrequencySource frequency_source = FrequencySource::along_diagonal;
   float stripes = 40;

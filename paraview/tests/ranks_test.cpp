@@ -191,16 +191,16 @@ const std::vector<Waves>& all_waves() {
          f.SetField(kArray);
          choose(f, 0, "cells", false);
          choose(f, 2, "number");
-         f.SetFieldDetail(1);
+         f.SetFieldSmoothing(1);
        }},
       {"tensors and numbers at the scale of stripes",
        [](vtkBrindleStripes& f) {
          f.SetField(kArray);
          choose(f, 0, "tensor");
-         f.SetFieldDetail(0.5);
+         f.SetFieldSmoothing(0.5);
          f.SetFrequencySource(kByArray);
          choose(f, 1, "number");
-         f.SetFrequencyDetail(1.5);
+         f.SetFrequencySmoothing(1.5);
          f.SetRotate(30);
        }},
   };

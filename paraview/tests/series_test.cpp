@@ -96,12 +96,12 @@ TEST_F(Series, PropertiesAndInputsWithoutTimeStartAfresh) {
 /// With a memory, the last time's field has a weight, also if phases do not continue.
 TEST_F(Series, FieldsRememberThoseOfTheTimeBefore) {
   filter->SetTimeAnchor(0);
-  filter->SetFieldDetail(1);
-  filter->SetFieldMemory(2);
+  filter->SetFieldSmoothing(1);
+  filter->SetTemporalSmoothing(2);
   filter->SetTextureCoordinates(false);
   const FrequencyField frequencies = waves_at(surface, 0).frequencies;
   const auto seen_after = [&](const DirectionField& last, float angle) {
-    return FieldDetail(surface, {.memory = 2})
+    return FieldSmoothing(surface, {.memory = 2})
         .frame({waves_at(surface, angle).directions, {}}, frequencies, {last, {}})
         .directions;
   };

@@ -129,8 +129,8 @@ TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
         tangent_direction(Vec3(v[i], v[i + 1], v[i + 2]), surface.normals[i / 3]));
   const FrequencyField frequencies = constant_frequency_field(
       frequency_of_stripes(12, bounding_box(surface.mesh).diagonal()), v.size() / 3);
-  const DetailedField field =
-      FieldDetail(surface, {.periods = 1.5f, .singularities = 0}).frame(measured, frequencies);
+  const SmoothedField field =
+      FieldSmoothing(surface, {.periods = 1.5f, .singularities = 0}).frame(measured, frequencies);
   const StripePattern pattern = stripe_pattern(surface, field.directions, frequencies);
 
   vtkNew<vtkBrindleStripes> filter;
@@ -141,10 +141,10 @@ TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   Errors warnings(*filter, vtkCommand::WarningEvent);
   filter->Update();
   EXPECT_TRUE(std::ranges::any_of(warnings.messages, [](const std::string& message) {
-    return message.find("Field Detail 1") != std::string::npos;
+    return message.find("Field Smoothing 1") != std::string::npos;
   })) << "noise is warned of";
   const double as_given = figure(*filter->GetOutput(), "branches");
-  filter->SetFieldDetail(1.5);
+  filter->SetFieldSmoothing(1.5);
   filter->SetFieldSingularities(0);
   filter->SetTextureCoordinates(false);
   filter->Update();
@@ -152,7 +152,7 @@ TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   EXPECT_EQ(figure(*filter->GetOutput(), "branches"),
             static_cast<double>(pattern.quality.branches));
   EXPECT_GT(as_given, 2 * static_cast<double>(pattern.quality.branches) + 10);
-  filter->SetFieldDetail(101);
+  filter->SetFieldSmoothing(101);
   EXPECT_NE(only_error(*filter).find("0 to 100"), std::string::npos);
 }
 
@@ -178,7 +178,7 @@ TEST(BrindleStripes, CountsDataOfCellsAsTheyAreAndByTheirWeights) {
   data->GetCellData()->AddArray(weights);
   const FrequencyField frequencies = constant_frequency_field(
       frequency_of_stripes(12, bounding_box(surface.mesh).diagonal()), surface.normals.size());
-  const DetailedField field = FieldDetail(surface).frame(measured, frequencies);
+  const SmoothedField field = FieldSmoothing(surface).frame(measured, frequencies);
 
   vtkNew<vtkBrindleStripes> filter;
   filter->SetInputData(data);
@@ -186,21 +186,21 @@ TEST(BrindleStripes, CountsDataOfCellsAsTheyAreAndByTheirWeights) {
   choose(*filter, 0, "cells", false);
   choose(*filter, 2, "weight", false);
   filter->SetStripes(12);
-  filter->SetFieldDetail(1);
+  filter->SetFieldSmoothing(1);
   filter->SetTextureCoordinates(false);
   filter->Update();
   expect_phases(*filter->GetOutput(),
                 stripe_pattern(surface, field.directions, frequencies).solution.z);
-  EXPECT_EQ(numbers(*filter->GetOutput(), "agreement"), field.agreement);
+  EXPECT_EQ(numbers(*filter->GetOutput(), "coherence"), field.coherence);
   choose(*filter, 2, "None");
   filter->Update();
-  EXPECT_NE(numbers(*filter->GetOutput(), "agreement"), field.agreement);
+  EXPECT_NE(numbers(*filter->GetOutput(), "coherence"), field.coherence);
   filter->SetTextureCoordinates(true);
   filter->Update();
-  EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("agreement"));
-  filter->SetFieldDetail(0);
+  EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("coherence"));
+  filter->SetFieldSmoothing(0);
   filter->Update();
-  EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray("agreement"));
+  EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray("coherence"));
 }
 
 TEST(BrindleStripes, SeesFrequenciesAtTheScaleOfTheirStripes) {
@@ -222,12 +222,12 @@ TEST(BrindleStripes, SeesFrequenciesAtTheScaleOfTheirStripes) {
   filter->SetFrequencySource(kFrequencyArray);
   choose(*filter, 1, "density");
   filter->SetTextureCoordinates(false);
-  filter->SetFrequencyDetail(1);
+  filter->SetFrequencySmoothing(1);
   filter->Update();
   EXPECT_EQ(numbers(*filter->GetOutput(), "frequency"),
-            detailed_frequencies(surface, given).frequencies);
-  filter->SetFrequencyDetail(-1);
-  EXPECT_NE(only_error(*filter).find("Frequency Detail"), std::string::npos);
+            smoothed_frequencies(surface, given).frequencies);
+  filter->SetFrequencySmoothing(-1);
+  EXPECT_NE(only_error(*filter).find("Frequency Smoothing"), std::string::npos);
 }
 
 TEST(BrindleStripes, MakesFieldsAsTheLibraryDoes) {

@@ -18,7 +18,7 @@ import importlib
 
 # Loaded on demand, because the C++ module loads a dozen libraries.
 _HOMES = {
-    "_animate": ("Animator", "FieldAnimator", "FieldDetail", "PatternFrames", "TextureAnimator"),
+    "_animate": ("Animator", "FieldAnimator", "FieldSmoothing", "PatternFrames", "TextureAnimator"),
     "_arguments": ("Cancelled", "Error", "PatternWarning"),
     "_curves": ("Curves", "Samples", "samples", "samples_of"),
     "_pictures": ("has_opengl", "read_png", "render", "write_png"),

@@ -1,6 +1,6 @@
 from ._animate import Animator as Animator
 from ._animate import FieldAnimator as FieldAnimator
-from ._animate import FieldDetail as FieldDetail
+from ._animate import FieldSmoothing as FieldSmoothing
 from ._animate import PatternFrames as PatternFrames
 from ._animate import TextureAnimator as TextureAnimator
 from ._arguments import Cancelled as Cancelled

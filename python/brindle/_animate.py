@@ -22,7 +22,7 @@ class Animator(Running):
     Data that depend on the triangles alone are built in the first frame; later ones take a few
     milliseconds. ``lambda_``: weight of the last frame's phases, 0 for none. ``solver``:
     "multilevel" (``sweeps``, ``cycles``) or "relaxation" (``iterations``). ``edge_weights``: one
-    per directed edge (``Surface.neighbors``). ``slack`` and ``calm``: as for ``brindle.stripes``.
+    per directed edge (``Surface.neighbors``). ``slack`` and ``avoid_branches``: as for ``brindle.stripes``.
 
     One frame at a time: a concurrent call raises Error. A failed call leaves the animator
     unchanged.
@@ -34,15 +34,15 @@ class Animator(Running):
     def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: FrameSolver = "multilevel",
                  sweeps: int = 2, cycles: int = 0, iterations: int = 3,
                  phase_shift: FramePhaseShift = "aligned", edge_weights: "Optional[ArrayLike]" = None,
-                 slack: Any = None, calm: "Optional[ArrayLike]" = None) -> None:
+                 slack: Any = None, avoid_branches: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, calm, self.surface)
+        check_slack(slack, avoid_branches, self.surface)
         self._core = _core.Animator(self.surface._core, word(solver, "solver"),
                                     number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
                                     whole_number(cycles, "cycles"),
                                     whole_number(iterations, "iterations"),
                                     word(phase_shift, "phase_shift"), edge_weights, slack,
-                                    calm)
+                                    avoid_branches)
 
     def frame(self, directions: "ArrayLike", frequencies: "ArrayLike",
               positions: "Optional[ArrayLike]" = None, *,
@@ -109,17 +109,17 @@ class Animator(Running):
 
 class TextureAnimator(Running):
     """Lays a texture over one surface whose field changes from frame to frame. Triangles go on
-    running as they ran, so that the seam stays where it is. ``oriented``, ``slack`` and ``calm`` as
+    running as they ran, so that the seam stays where it is. ``oriented``, ``slack`` and ``avoid_branches`` as
     for ``brindle.texture``, all else as for ``Animator``."""
 
     def __init__(self, surface: Any, *, oriented: bool = False, lambda_: float = 0.025,
                  sweeps: int = 2, cycles: int = 0, slack: Any = None,
-                 calm: "Optional[ArrayLike]" = None) -> None:
+                 avoid_branches: "Optional[ArrayLike]" = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, calm, self.surface)
+        check_slack(slack, avoid_branches, self.surface)
         self._core = _core.TextureAnimator(self.surface._core, flag(oriented, "oriented"),
                                            number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
-                                           whole_number(cycles, "cycles"), slack, calm)
+                                           whole_number(cycles, "cycles"), slack, avoid_branches)
 
     def frame(self, directions: "ArrayLike", frequencies: "ArrayLike",
               positions: "Optional[ArrayLike]" = None, *,
@@ -204,7 +204,7 @@ class FieldAnimator(Running):
         return self._core.frame(vertices, directions, weights, progress)
 
 
-class FieldDetail(Running):
+class FieldSmoothing(Running):
     """Measured fields on one surface, one after the other, seen at the scale of their stripes: what
     depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
     lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
@@ -219,7 +219,7 @@ class FieldDetail(Running):
                  hold_out: float = 0) -> None:
         self.surface: Surface = as_surface(surface)
         left = None if singularities is None else whole_number(singularities, "singularities")
-        self._core = _core.FieldDetail(self.surface._core, number(periods, "periods"),
+        self._core = _core.FieldSmoothing(self.surface._core, number(periods, "periods"),
                                        whole_number(symmetry, "symmetry"), number(fill, "fill"),
                                        left, number(memory, "memory"),
                                        number(hold_out, "hold_out"))

@@ -157,7 +157,7 @@ def check_scalar(name: str, value: Any) -> None:
         in_range(name, value, value)
 
 
-_NUMBERS = ("epsilon", "momentum", "anchor_boundary", "merge_branches", "merge_distance",
+_NUMBERS = ("epsilon", "momentum", "anchor_boundary", "cancel_branches", "cancel_distance",
             "lambda_")
 _WHOLE_NUMBERS = ("seed", "sweeps", "cycles", "global_iterations")
 
@@ -168,12 +168,12 @@ def check_slack_type(slack: Any) -> None:
         raise TypeError(f"slack: expected a number or an array, got {slack!r}")
 
 
-def check_slack(slack: Any, calm: Any, surface: "Surface") -> None:
-    """The same; Error for calm without slack."""
+def check_slack(slack: Any, avoid_branches: Any, surface: "Surface") -> None:
+    """The same; Error for avoid_branches without slack."""
     check_slack_type(slack)
     made = _core.Solving()
-    made.set_slack(slack, calm, surface._core)
-    made.check(options_of({"calm": calm}), False)
+    made.set_slack(slack, avoid_branches, surface._core)
+    made.check(options_of({"avoid_branches": avoid_branches}), False)
 
 
 def set_windings(made: "_core.Solving", winding: Any) -> None:
@@ -207,7 +207,7 @@ def solving(given: Mapping[str, Any], surface: "Surface") -> "_core.Solving":
     made.threads = whole_number(options.get("threads", 0), "threads")
     check_slack_type(options.get("slack"))
     check_scalar("slack", options.get("slack"))
-    made.set_slack(options.get("slack"), options.get("calm"), surface._core)
+    made.set_slack(options.get("slack"), options.get("avoid_branches"), surface._core)
     if "winding" in options:
         set_windings(made, options["winding"])
     for names, converted in ((_NUMBERS, number), (_WHOLE_NUMBERS, whole_number)):

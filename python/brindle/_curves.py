@@ -114,11 +114,11 @@ class Curves(Result):
                 **json.loads(self.stripes._core.making()),
                 **{key: quality[key] for key in ("frequency_change",) if key in quality}}
 
-    def measures(self, line_width: float = 0) -> dict[str, Any]:
+    def measures(self, path_width: float = 0) -> dict[str, Any]:
         """Metrics for fabrication: ``lengths``, ``gaps`` between neighbours (in a build with
         nanoflann) and, for a width above 0, ``coverage``, the share of the surface's area that
         lines of this width cover. Lengths are in the units of the vertices."""
-        return self._core.measures(self.stripes._core, number(line_width, "line_width"))
+        return self._core.measures(self.stripes._core, number(path_width, "path_width"))
 
     def tubes(self, radius: float, sides: int = 8) -> Surface:
         """Tubes around the curves, as a surface, for printing and pictures."""
@@ -233,15 +233,15 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             frequency: Any = None, spacing: Optional[float] = None,
             directions_v: "Optional[ArrayLike]" = None, stripes_v: Any = None,
             frequency_v: Any = None, min_distance: float = 0.25,
-            slack: Any = None, calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
+            slack: Any = None, avoid_branches: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
             phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None,
-            field_detail: Optional[float] = None, field_weight: Any = None,
+            field_smoothing: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
-            frequency_detail: Optional[float] = None, threads: int = 0,
+            frequency_smoothing: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Samples:
     """Regular points along a field: crossings of the stripes across ``directions`` (U) with those
     along them (V). ``points, normals = brindle.samples(s, d, stripes=40)``.

@@ -24,8 +24,8 @@ _TENSOR_COLUMNS = (6, 9)
 _TURN = "turn_deg"
 
 
-_DETAIL = ("field_detail", "field_weight", "fill", "field_arrows", "field_singularities", "hold_out",
-           "frequency_detail")
+_DETAIL = ("field_smoothing", "field_weight", "fill", "field_arrows", "field_singularities", "hold_out",
+           "frequency_smoothing")
 _OWN_WEIGHTS = ("length", "anisotropy")
 
 
@@ -62,12 +62,12 @@ class Field:
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
             given["field_arrows"] = True
-        for name in ("field_detail", "fill", "field_singularities", "hold_out",
-                     "frequency_detail"):
+        for name in ("field_smoothing", "fill", "field_singularities", "hold_out",
+                     "frequency_smoothing"):
             check_scalar(name, given.get(name))
         request = _core.DetailArguments()
-        request.periods = number(given.get("field_detail", 0), "field_detail")
-        request.frequency_periods = number(given.get("frequency_detail", 0), "frequency_detail")
+        request.periods = number(given.get("field_smoothing", 0), "field_smoothing")
+        request.frequency_periods = number(given.get("frequency_smoothing", 0), "frequency_smoothing")
         request.frequency_varies = not _is_number(options.get("frequency"))
         request.symmetry = 1 if "field_arrows" in given and symmetry == 2 else symmetry
         if "fill" in given:
@@ -207,9 +207,9 @@ class Stripes(Result):
         return self._core.turned()
 
     @property
-    def merged(self) -> Optional[dict[str, float]]:
-        """With ``merge_branches``: cancelled pairs, branches and energy before and after."""
-        return self._core.merged()
+    def cancelled_branches(self) -> Optional[dict[str, float]]:
+        """With ``cancel_branches``: cancelled pairs, branches and energy before and after."""
+        return self._core.cancelled_branches()
 
     def windings(self) -> dict[str, Optional[int]]:
         """Winding numbers of ``surface.loops()``, by name: 0 are rings, 1 a right-handed spiral,
@@ -335,14 +335,14 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
             global_iterations: Optional[int] = None, slack: Any = None,
-            calm: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
-            winding: Any = None, merge_branches: Optional[float] = None,
-            merge_distance: Optional[float] = None, previous: Optional[Stripes] = None,
+            avoid_branches: "Optional[ArrayLike]" = None, anchor_boundary: Optional[float] = None,
+            winding: Any = None, cancel_branches: Optional[float] = None,
+            cancel_distance: Optional[float] = None, previous: Optional[Stripes] = None,
             lambda_: Optional[float] = None, match: Optional[Match] = None,
-            field_detail: Optional[float] = None,
+            field_smoothing: Optional[float] = None,
             field_weight: Any = None, fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
-            frequency_detail: Optional[float] = None, threads: int = 0,
+            frequency_smoothing: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Stripes:
     """Lays stripes over a surface, across ``directions``: waves run along them.
 
@@ -363,7 +363,7 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     ``seed`` to relaxation and averaged; ``global_iterations`` to global.
 
     ``slack``: spacing tolerance S, a number or an array (n,): frequencies may vary between f / (1
-    + S) and f (1 + S) for fewer branches; 0 or None: not at all. ``calm``: weights (n,) from 0 to
+    + S) and f (1 + S) for fewer branches; 0 or None: not at all. ``avoid_branches``: weights (n,) from 0 to
     1, avoids branches there. ``p.frequency`` is then the chosen one.
 
     ``anchor_boundary``: lays the first stripe along boundaries, this many periods inside (0: on
@@ -371,8 +371,8 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     around a loop as helices: a number on surfaces with one loop, else a dict by the names of
     ``surface.loops()``. It turns the field by small angles.
 
-    ``merge_branches``: cancels pairs of opposite branches, cheapest first, while the energy stays
-    within 1 + this share of its value before; 0: only pairs that lower it. ``merge_distance``:
+    ``cancel_branches``: cancels pairs of opposite branches, cheapest first, while the energy stays
+    within 1 + this share of its value before; 0: only pairs that lower it. ``cancel_distance``:
     greatest distance within a pair, in periods (default 10).
 
     ``previous``: stays near to the phases of another pattern by ``lambda_`` (0.025), whose vertices
@@ -382,15 +382,15 @@ def stripes(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
     where the input is that of the other pattern; ``brindle.Animator`` then keeps them, and is faster,
     for the frames of one surface. Use ``previous`` where triangles change, or for single steps.
 
-    ``field_detail``: smooths measured directions over so many periods of the stripes (0: not; 1 for
+    ``field_smoothing``: smooths measured directions over so many periods of the stripes (0: not; 1 for
     noisy data).
     ``field_weight``: how much each counts, 0 or NaN if there is none: an array (n,), the name of
     one, "length" or "anisotropy". ``fill``: how far holes are filled, in periods (2).
     ``field_arrows``: directions have a sign. ``field_singularities``: pairs of singularities are
     cancelled, the nearest first, until at most so many remain or no pair is left.
     ``hold_out``: reports the mean angle between this share of the data and the field of the others.
-    ``p.point_data`` has ``agreement``, how much data agree around a vertex, and ``filled``, 1 where
-    the direction or frequency fills a hole. ``frequency_detail``: sees an array of
+    ``p.point_data`` has ``coherence``, how much data agree around a vertex, and ``filled``, 1 where
+    the direction or frequency fills a hole. ``frequency_smoothing``: sees an array of
     frequencies at the scale of so many periods, its NaN filled as far as ``fill``.
 
     ``threads``: at most this many, 0 for all; results do not depend on it. ``progress(stage,

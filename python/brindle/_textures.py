@@ -165,10 +165,10 @@ class Texture(Result):
         return Stripes(core, Surface._of(core.surface), self._said, (self.surface, *self._also_on))
 
     @property
-    def merged(self) -> Optional[dict[str, float]]:
-        """With ``merge_branches``: cancelled pairs, branches and energy before and after, of U
+    def cancelled_branches(self) -> Optional[dict[str, float]]:
+        """With ``cancel_branches``: cancelled pairs, branches and energy before and after, of U
         and V together; without those at singularities for crosses."""
-        return self._core.merged()
+        return self._core.cancelled_branches()
 
     @property
     def triangle_origins(self) -> "NDArray[np.int32]":
@@ -213,16 +213,16 @@ class Texture(Result):
 def texture(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, spacing: Optional[float] = None, stripes_v: Any = None,
             frequency_v: Any = None, oriented: bool = False, along: bool = False, slack: Any = None,
-            calm: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
+            avoid_branches: "Optional[ArrayLike]" = None, solver: Solver = "multilevel",
             phase_shift: PhaseShift = "aligned", weights: Weights = "paper", epsilon: Optional[float] = None,
             momentum: Optional[float] = None, seed: Optional[int] = None,
             sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
-            merge_distance: Optional[float] = None,
-            field_detail: Optional[float] = None, field_weight: Any = None,
+            global_iterations: Optional[int] = None, cancel_branches: Optional[float] = None,
+            cancel_distance: Optional[float] = None,
+            field_smoothing: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_arrows: bool = False,
             field_singularities: Optional[int] = None, hold_out: Optional[float] = None,
-            frequency_detail: Optional[float] = None, threads: int = 0,
+            frequency_smoothing: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Texture coordinates along a field (U) and across it (V); ``t.corner_uv`` is (m, 3, 2).
 
@@ -250,16 +250,16 @@ _DEFAULTS = defaults_of(texture)
 
 def crosses(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: Any = None,
             frequency: Any = None, spacing: Optional[float] = None, slack: Any = None,
-            calm: "Optional[ArrayLike]" = None,
+            avoid_branches: "Optional[ArrayLike]" = None,
             solver: Solver = "multilevel", phase_shift: PhaseShift = "aligned", weights: Weights = "paper",
             epsilon: Optional[float] = None, momentum: Optional[float] = None,
             seed: Optional[int] = None, sweeps: Optional[int] = None, cycles: Optional[int] = None,
-            global_iterations: Optional[int] = None, merge_branches: Optional[float] = None,
-            merge_distance: Optional[float] = None,
-            field_detail: Optional[float] = None, field_weight: Any = None,
+            global_iterations: Optional[int] = None, cancel_branches: Optional[float] = None,
+            cancel_distance: Optional[float] = None,
+            field_smoothing: Optional[float] = None, field_weight: Any = None,
             fill: Optional[float] = None, field_singularities: Optional[int] = None,
             hold_out: Optional[float] = None,
-            frequency_detail: Optional[float] = None, threads: int = 0,
+            frequency_smoothing: Optional[float] = None, threads: int = 0,
             progress: Optional[Progress] = None) -> Texture:
     """Square tiles along a cross field, whose directions are equivalent under quarter turns.
     ``directions``: as for ``brindle.stripes``; None: ``surface.smooth_field(symmetry=4)``. Other

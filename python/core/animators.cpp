@@ -38,7 +38,7 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
                                             int cycles, int iterations,
                                             const std::string& phase_shift,
                                             const py::object& edge_weights, py::handle slack,
-                                            py::handle calm) {
+                                            py::handle branch_penalty) {
   check_numbers(lambda, sweeps, cycles);
   saying_in_pythons_words([&] { check_number("--iterations", iterations); });
   AnimatorOptions options;
@@ -59,7 +59,7 @@ std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
                "directed edges");
     options.edge_weights = numbers_of(table.view, "edge_weights");
   }
-  options.slack = slack_of(slack, calm, surface->surface.mesh);
+  options.slack = slack_of(slack, branch_penalty, surface->surface.mesh);
   return std::make_unique<AnimatorData>(surface, StripeAnimator(surface->surface, options));
 }
 
@@ -158,7 +158,8 @@ void bind_animator(py::module_& module) {
   py::class_<AnimatorData>(module, "Animator")
       .def(py::init(&make_animator), py::arg("surface").none(false), py::arg("solver"),
            py::arg("lambda_"), py::arg("sweeps"), py::arg("cycles"), py::arg("iterations"),
-           py::arg("phase_shift"), py::arg("edge_weights"), py::arg("slack"), py::arg("calm"))
+           py::arg("phase_shift"), py::arg("edge_weights"), py::arg("slack"),
+           py::arg("avoid_branches"))
       .def_property_readonly("surface", [](const AnimatorData& data) { return data.surface; })
       .def("frame", frame, py::arg("directions"), py::arg("frequencies"), py::arg("positions"),
            py::arg("out"), py::arg("progress"))

@@ -195,14 +195,14 @@ py::dict dict_of(const CurveGaps& gaps) {
 
 // Lengths are those of the final curves, gaps those of all traced curves, and coverage that of the
 // remaining curves before reshaping.
-py::dict measures_of(const CurvesData& data, const StripesData& stripes, double line_width) {
+py::dict measures_of(const CurvesData& data, const StripesData& stripes, double path_width) {
   const Surface& surface = data.surface->surface;
   const StripeCurves& traced = data.traced ? *data.traced : data.curves;
   const Polylines& unshaped = data.unshaped ? *data.unshaped : data.curves.lines;
   std::optional<double> coverage;
   const CurveMeasures measures = until_interrupted([&](const Progress& progress) {
-    if (line_width != 0) {
-      coverage = curve_coverage(surface.mesh, unshaped, line_width, progress.part(0.7, 1));
+    if (path_width != 0) {
+      coverage = curve_coverage(surface.mesh, unshaped, path_width, progress.part(0.7, 1));
     }
     return measure_curves(surface, stripes.pattern, traced, 0, progress.part(0, 0.7));
   });
@@ -259,7 +259,7 @@ void bind_curve_properties(py::module_& module) {
       .def("lengths", lengths_of)
       .def("figures", figures_of)
       .def("warnings", warnings_of_curves)
-      .def("measures", measures_of, py::arg("stripes"), py::arg("line_width"))
+      .def("measures", measures_of, py::arg("stripes"), py::arg("path_width"))
       .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))
       .def("carried", carried_to_curves, py::arg("name"), py::arg("array"), py::arg("axes"))
       .def("write", [](const CurvesData& data, const std::string& path, const std::string& name,

@@ -31,10 +31,10 @@ struct Solving {
 };
 
 /// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
-Slack slack_of(py::handle slack, py::handle calm, const Mesh& mesh);
+Slack slack_of(py::handle slack, py::handle branch_penalty, const Mesh& mesh);
 
 /// A dict, or None without cancelled branch pairs.
-pybind11::object merged_of(const std::optional<brindle::MergedBranches>& merged);
+pybind11::object cancelled_branches_of(const std::optional<brindle::CancelledBranches>& merged);
 
 /// Shared by Python objects; immutable.
 struct StripesData {
@@ -59,7 +59,7 @@ struct TextureData {
   std::vector<Index> singular;          ///< for a cross field: triangles of the given surface
   brindle::WaveReport figures;
   brindle::PatternQuality quality;  ///< for warnings
-  std::optional<brindle::MergedBranches> merged;
+  std::optional<brindle::CancelledBranches> cancelled_branches;
   nlohmann::ordered_json report;  ///< without the invocation
 
   bool is_cross() const { return cover != nullptr; }
@@ -82,9 +82,9 @@ struct FieldOrigin {
   std::optional<double> field_turned_deg;  ///< of a smooth field that continues the last one
   bool measured = false;                   ///< given by the caller
   /// Smoothing of the field; 0: none. `turn_deg` is then applied later.
-  brindle::FieldDetailOptions detail = {.periods = 0};
+  brindle::FieldSmoothingOptions detail = {.periods = 0};
   /// Smoothing of frequencies from arrays.
-  brindle::FrequencyDetailOptions frequency_detail = {.periods = 0};
+  brindle::FrequencySmoothingOptions frequency_smoothing = {.periods = 0};
   brindle::FieldData data = {};
   brindle::FieldWeight weight = {};
 };
@@ -97,7 +97,7 @@ WavesIn waves_of_arrays(const SurfaceData& surface, py::handle directions, py::h
                         std::span<const Complex> phases = {});
 
 /// Frequencies of an array at the scale that the origin asks for, those that are not finite filled.
-brindle::DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
+brindle::SmoothedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                               const FieldOrigin& origin);
 
 void bind_solving(py::module_& module);
@@ -105,7 +105,7 @@ void bind_patterns(py::module_& module);
 void bind_textures(py::module_& module);
 void bind_curves(py::module_& module);
 void bind_animators(py::module_& module);
-void bind_field_detail(py::module_& module);
+void bind_field_smoothing(py::module_& module);
 void bind_texture_animator(py::module_& module);
 void bind_pattern_frames(py::module_& module);
 void bind_loops(py::module_& module);

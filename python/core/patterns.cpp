@@ -220,8 +220,8 @@ py::object frequency_change_of(const StripesData& data) {
   result["spacing_error_wanted_mean"] = data.pattern.quality.spacing_error_wanted_mean;
   result["sweeps"] = change.sweeps;
   result["residual"] = change.residual;
-  if (data.pattern.quality.branches_in_calm) {
-    result["branches_in_calm"] = *data.pattern.quality.branches_in_calm;
+  if (data.pattern.quality.branches_in_avoided_area) {
+    result["branches_in_avoided_area"] = *data.pattern.quality.branches_in_avoided_area;
   }
   return result;
 }
@@ -264,7 +264,10 @@ void bind_stripes(py::module_& module) {
       .def("turned", turned_of)
       .def_property_readonly("turn_deg",
                              [](const StripesData& data) { return data.prepared.turn_deg; })
-      .def("merged", [](const StripesData& data) { return merged_of(data.making.merged); })
+      .def("cancelled_branches",
+           [](const StripesData& data) {
+             return cancelled_branches_of(data.making.cancelled_branches);
+           })
       .def_property_readonly(
           "directions",
 
@@ -283,7 +286,7 @@ void bind_stripes(py::module_& module) {
 
 }  // namespace
 
-py::object merged_of(const std::optional<MergedBranches>& merged) {
+py::object cancelled_branches_of(const std::optional<CancelledBranches>& merged) {
   if (!merged) return py::none();
   py::dict result;
   result["pairs"] = merged->pairs;
@@ -294,7 +297,7 @@ py::object merged_of(const std::optional<MergedBranches>& merged) {
   return result;
 }
 
-Slack slack_of(py::handle slack, py::handle calm, const Mesh& mesh) {
+Slack slack_of(py::handle slack, py::handle branch_penalty, const Mesh& mesh) {
   Slack result;
   if (!slack.is_none()) {
     const Table table = table_of(slack, "slack");
@@ -306,10 +309,10 @@ Slack slack_of(py::handle slack, py::handle calm, const Mesh& mesh) {
       result.by_vertex = std::move(numbers);
     }
   }
-  if (!calm.is_none()) {
-    const Table table = table_of(calm, "calm");
-    check_rows(table.array, mesh, "calm");
-    result.calm = numbers_of(table.view, "calm");
+  if (!branch_penalty.is_none()) {
+    const Table table = table_of(branch_penalty, "avoid_branches");
+    check_rows(table.array, mesh, "avoid_branches");
+    result.branch_penalty = numbers_of(table.view, "avoid_branches");
   }
   return result;
 }
@@ -321,7 +324,7 @@ void check_solving(const Solving& solving, const std::set<std::string>& names, b
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   const SolverOptions& solver = solving.stripes.solver;
   saying_in_pythons_words([&] {
-    brindle::check_calm(given, solving.stripes.slack.yields());
+    brindle::check_avoid_branches(given, solving.stripes.slack.yields());
     brindle::check_solver_options(given, solver.solver, solver.cycles);
     brindle::check_following(given, given("--previous"), solver.solver);
     brindle::check_making(solving.making, solver.solver);
@@ -351,13 +354,14 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
                    const DetailArguments& request, py::handle weight) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   saying_in_pythons_words([&] {
-    brindle::check_field_detail(given, {request.periods, request.frequency_periods, origin.measured,
-                                        request.symmetry == 4, request.frequency_varies});
+    brindle::check_field_smoothing(
+        given, {request.periods, request.frequency_periods, origin.measured, request.symmetry == 4,
+                request.frequency_varies});
   });
   origin.detail.periods = request.periods;
   origin.detail.symmetry = request.symmetry;
-  origin.frequency_detail.periods = request.frequency_periods;
-  if (request.fill) origin.detail.fill = origin.frequency_detail.fill = *request.fill;
+  origin.frequency_smoothing.periods = request.frequency_periods;
+  if (request.fill) origin.detail.fill = origin.frequency_smoothing.fill = *request.fill;
   if (request.singularities) {
     origin.detail.singularities = static_cast<std::size_t>(*request.singularities);
   }
@@ -394,17 +398,17 @@ void bind_solving(py::module_& module) {
           "anchor_boundary", [](const Solving& s) { return s.making.anchor_boundary; },
           [](Solving& s, std::optional<float> periods) { s.making.anchor_boundary = periods; })
       .def_property(
-          "merge_branches", [](const Solving& s) { return s.making.merge_branches; },
-          [](Solving& s, std::optional<float> share) { s.making.merge_branches = share; })
+          "cancel_branches", [](const Solving& s) { return s.making.cancel_branches; },
+          [](Solving& s, std::optional<float> share) { s.making.cancel_branches = share; })
       .def_property(
-          "merge_distance", [](const Solving& s) { return s.making.merge_distance; },
-          [](Solving& s, std::optional<float> periods) { s.making.merge_distance = periods; })
+          "cancel_distance", [](const Solving& s) { return s.making.cancel_distance; },
+          [](Solving& s, std::optional<float> periods) { s.making.cancel_distance = periods; })
       .def(
           "set_slack",
-          [](Solving& s, py::handle slack, py::handle calm, const SurfaceData& surface) {
-            s.stripes.slack = slack_of(slack, calm, surface.surface.mesh);
+          [](Solving& s, py::handle slack, py::handle branch_penalty, const SurfaceData& surface) {
+            s.stripes.slack = slack_of(slack, branch_penalty, surface.surface.mesh);
           },
-          py::arg("slack"), py::arg("calm"), py::arg("surface"))
+          py::arg("slack"), py::arg("avoid_branches"), py::arg("surface"))
       .def(
           "add_winding",
           [](Solving& s, const std::string& loop, int periods) {
@@ -475,7 +479,7 @@ void bind_solving(py::module_& module) {
       .def(
           "see_frequencies_like",
           [](FieldOrigin& origin, const FieldOrigin& other) {
-            origin.frequency_detail = other.frequency_detail;
+            origin.frequency_smoothing = other.frequency_smoothing;
           },
           py::arg("other"))
       .def_readwrite("milliseconds", &FieldOrigin::milliseconds);

@@ -90,14 +90,14 @@ auto members(T& all) {
 
 template <Of<FieldSupport> T>
 auto members(T& all) {
-  auto& [agreement, filled] = all;
-  return std::tie(agreement, filled);
+  auto& [coherence, filled] = all;
+  return std::tie(coherence, filled);
 }
 
 template <Of<PreparationFigures> T>
 auto members(T& all) {
-  auto& [figures, nonfinite, step, turn_deg, agreement, joined, load, field, topology] = all;
-  return std::tie(figures, nonfinite, step, turn_deg, agreement, joined, load, field, topology);
+  auto& [figures, nonfinite, step, turn_deg, coherence, joined, load, field, topology] = all;
+  return std::tie(figures, nonfinite, step, turn_deg, coherence, joined, load, field, topology);
 }
 
 template <Of<FollowedReport> T>
@@ -121,9 +121,9 @@ auto members(T& all) {
 template <Of<MakingFigures> T>
 auto members(T& all) {
   auto& [loops, windings, branches, centers, sums, before, energy_before, largest_turn, mean_turn,
-         largest_change, merged, fixed] = all;
+         largest_change, cancelled_branches, fixed] = all;
   return std::tie(loops, windings, branches, centers, sums, before, energy_before, largest_turn,
-                  mean_turn, largest_change, merged, fixed);
+                  mean_turn, largest_change, cancelled_branches, fixed);
 }
 
 template <Of<TextureWaves> T>
@@ -163,9 +163,9 @@ auto members(T& all) {
 template <Of<TextureData> T>
 auto members(T& all) {
   auto& [surface, u, v, cover, waves, phase_shift, triangle_origins, singular, figures, quality,
-         merged, report] = all;
+         cancelled_branches, report] = all;
   return std::tie(surface, u, v, cover, waves, phase_shift, triangle_origins, singular, figures,
-                  quality, merged, report);
+                  quality, cancelled_branches, report);
 }
 
 /// Whether values of the type are their bytes. Eigen's vectors of fixed size are, although their

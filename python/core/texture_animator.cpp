@@ -35,14 +35,14 @@ struct TextureAnimatorData {
 std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer& surface,
                                                            bool oriented, float lambda, int sweeps,
                                                            int cycles, py::handle slack,
-                                                           py::handle calm) {
+                                                           py::handle branch_penalty) {
   check_numbers(lambda, sweeps, cycles);
   TextureAnimatorOptions options;
   options.oriented = oriented;
   options.stripes.lambda = lambda;
   options.stripes.sweeps = sweeps;
   options.stripes.cycles = cycles;
-  options.stripes.slack = slack_of(slack, calm, surface->surface.mesh);
+  options.stripes.slack = slack_of(slack, branch_penalty, surface->surface.mesh);
   return std::make_unique<TextureAnimatorData>(surface, options);
 }
 
@@ -91,7 +91,7 @@ void bind_texture_animator(py::module_& module) {
   py::class_<TextureAnimatorData>(module, "TextureAnimator")
       .def(py::init(&make_texture_animator), py::arg("surface").none(false), py::arg("oriented"),
            py::arg("lambda_"), py::arg("sweeps"), py::arg("cycles"), py::arg("slack"),
-           py::arg("calm"))
+           py::arg("avoid_branches"))
       .def_property_readonly("surface",
                              [](const TextureAnimatorData& data) { return data.surface; })
       .def_property_readonly("figures",

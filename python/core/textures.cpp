@@ -55,7 +55,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
   request.frequencies_v =
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField());
   request.oriented = oriented;
-  if (origin.frequency_detail.periods > 0 && !frequency_v.is_none() &&
+  if (origin.frequency_smoothing.periods > 0 && !frequency_v.is_none() &&
       !table_of(frequency_v, "frequency_v").is_number) {
     request.frequencies_v =
         seen_frequencies(surface->surface, std::move(request.frequencies_v), origin).frequencies;
@@ -69,7 +69,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
         brindle::make_report(surface->surface, in.prepared, laid, solver);
     made->report = brindle::to_json(report);
     made->surface = surface;
-    made->merged = laid.making.merged;
+    made->cancelled_branches = laid.making.cancelled_branches;
     made->figures = in.prepared.figures;
     made->quality = report.quality;
     made->phase_shift = pattern.phase_shift;
@@ -133,7 +133,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     const brindle::Report report =
         brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver);
     made->report = brindle::to_json(report);
-    made->merged = laid.making.merged;
+    made->cancelled_branches = laid.making.cancelled_branches;
     made->figures = in.prepared.figures;
     made->quality = report.quality;
     made->phase_shift = options.phase_shift;
@@ -150,7 +150,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     made->surface->original_ids = surface->original_ids;
     made->surface->original_ids.resize(made->surface->surface.mesh.vertex_count(), -1);
     brindle::PreparationFigures on_cover = in.prepared;
-    on_cover.support = {doubled(in.prepared.support.agreement),
+    on_cover.support = {doubled(in.prepared.support.coherence),
                         doubled(in.prepared.support.filled)};
     made->cover = stripes_data(cover_data(*surface, cross.cover, std::move(cross.surface)),
                                std::move(cross.pattern), on_cover, options.solver.solver);
@@ -294,7 +294,8 @@ void bind_textures(py::module_& module) {
                                return index_rows(py::cast<const TextureData&>(self).singular, 1,
                                                  self);
                              })
-      .def("merged", [](const TextureData& data) { return merged_of(data.merged); })
+      .def("cancelled_branches",
+           [](const TextureData& data) { return cancelled_branches_of(data.cancelled_branches); })
       .def("corner_uv", corner_uv)
       .def("mesh", textured_mesh)
       .def("warnings",

@@ -76,18 +76,18 @@ void find_frequencies(const Surface& surface, py::handle stripes, py::handle fre
 
 /// Frequency smoothing is for arrays only; fields without smoothing are turned here.
 brindle::WaveRequest request_of(const FieldOrigin& origin, bool array_of_frequencies) {
-  brindle::WaveRequest request{0, origin.detail, origin.frequency_detail};
+  brindle::WaveRequest request{0, origin.detail, origin.frequency_smoothing};
   if (origin.detail.periods > 0) request.turn_deg = origin.turn_deg;
-  if (!array_of_frequencies) request.frequency_detail.periods = 0;
+  if (!array_of_frequencies) request.frequency_smoothing.periods = 0;
   return request;
 }
 
 }  // namespace
 
-DetailedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
+SmoothedFrequencies seen_frequencies(const Surface& surface, FrequencyField frequencies,
                                      const FieldOrigin& origin) {
   return until_interrupted([&](const Progress& progress) {
-    return detailed_frequencies(surface, frequencies, origin.frequency_detail, progress);
+    return smoothed_frequencies(surface, frequencies, origin.frequency_smoothing, progress);
   });
 }
 
@@ -121,7 +121,7 @@ WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::hand
   in.prepared.figures.missing = made.missing;
   in.prepared.figures.turned_apart = made.turned_apart;
   in.prepared.figures.detail = made.detail;
-  in.prepared.figures.frequency_detail = made.frequency_detail;
+  in.prepared.figures.frequency_smoothing = made.frequency_smoothing;
   in.prepared.figures.measured = origin.measured;
   if (data.is_points()) in.prepared.figures.subdivided.reset();
   tell_origin(origin, in.prepared);

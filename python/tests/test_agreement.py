@@ -38,7 +38,7 @@ def folder(tmp_path_factory):
                   cell_data={"flow": velocity[surface.triangles[:, 0]]})
     np.savetxt(folder / "points.csv", np.concatenate([x, surface.normals], axis=1), delimiter=",",
                fmt="%.9g")
-    np.savetxt(folder / "calm.csv", (x[:, 0] > 0).astype(float), fmt="%g")
+    np.savetxt(folder / "avoid.csv", (x[:, 0] > 0).astype(float), fmt="%g")
     write_sleeve(folder / "sleeve.ply")
     run_tool("stripe", folder / "sleeve.ply", "--direction", "0,0,1", "--stripes", "9", "--quiet",
              "--output", folder / "last.vtp")
@@ -66,7 +66,7 @@ def up(s):
     return s.projected_field((0, 0, 1))
 
 
-def calm(s):
+def avoid_branches(s):
     return (np.array(s.vertices)[:, 0] > 0).astype(float)
 
 
@@ -106,28 +106,28 @@ REQUESTS = [
     ("stripe", "shape:trefoil,resolution=12", "--subdivide 2 --rounded",
      lambda s: brindle.stripes(s.subdivided(2, rounded=True))),
     # measured fields
-    ("stripe", "field.vtp", "--field array:velocity --field-detail 1.5",
-     stripes(directions="velocity", field_detail=1.5)),
-    ("stripe", "field.vtp", "--field array:velocity --field-detail 1 --field-weight length --field-arrows",
-     stripes(directions="velocity", field_detail=1, field_weight="length", field_arrows=True)),
-    ("stripe", "field.vtp", "--field array:cells/flow --field-detail 0.5 --fill 1",
-     stripes(directions="cells/flow", field_detail=0.5, fill=1)),
-    ("stripe", "field.vtp", "--field array:cells/flow --field-detail 2 --field-weight array:speed",
-     stripes(directions="cells/flow", field_detail=2, field_weight="speed")),
-    ("stripe", "field.vtp", "--field array:stress --field-detail 1 --along",
-     stripes(directions="stress", field_detail=1, along=True)),
-    ("stripe", "field.vtp", "--field array:velocity --field-detail 1 --frequency array:speed",
-     stripes(directions="velocity", field_detail=1, frequency="speed")),
-    ("stripe", "field.vtp", "--field array:velocity --frequency array:speed --frequency-detail 1 --fill 1",
-     stripes(directions="velocity", frequency="speed", frequency_detail=1, fill=1)),
-    ("stripe", "field.vtp", "--field array:velocity --field-detail 1 --frequency-by array:speed "
-     "--frequency-detail 0.5 --texture dots",
-     lambda s: brindle.texture(s, "velocity", field_detail=1, frequency=s.frequencies_by("speed"),
-                               frequency_detail=0.5)),
-    ("stripe", "field.vtp", "--field array:velocity --cross --field-detail 1",
-     lambda s: brindle.crosses(s, "velocity", field_detail=1)),
-    ("stripe", "field.vtp", "--field array:velocity --texture dots --field-detail 1",
-     lambda s: brindle.texture(s, "velocity", field_detail=1)),
+    ("stripe", "field.vtp", "--field array:velocity --field-smoothing 1.5",
+     stripes(directions="velocity", field_smoothing=1.5)),
+    ("stripe", "field.vtp", "--field array:velocity --field-smoothing 1 --field-weight length --field-arrows",
+     stripes(directions="velocity", field_smoothing=1, field_weight="length", field_arrows=True)),
+    ("stripe", "field.vtp", "--field array:cells/flow --field-smoothing 0.5 --fill 1",
+     stripes(directions="cells/flow", field_smoothing=0.5, fill=1)),
+    ("stripe", "field.vtp", "--field array:cells/flow --field-smoothing 2 --field-weight array:speed",
+     stripes(directions="cells/flow", field_smoothing=2, field_weight="speed")),
+    ("stripe", "field.vtp", "--field array:stress --field-smoothing 1 --along",
+     stripes(directions="stress", field_smoothing=1, along=True)),
+    ("stripe", "field.vtp", "--field array:velocity --field-smoothing 1 --frequency array:speed",
+     stripes(directions="velocity", field_smoothing=1, frequency="speed")),
+    ("stripe", "field.vtp", "--field array:velocity --frequency array:speed --frequency-smoothing 1 --fill 1",
+     stripes(directions="velocity", frequency="speed", frequency_smoothing=1, fill=1)),
+    ("stripe", "field.vtp", "--field array:velocity --field-smoothing 1 --frequency-by array:speed "
+     "--frequency-smoothing 0.5 --texture dots",
+     lambda s: brindle.texture(s, "velocity", field_smoothing=1, frequency=s.frequencies_by("speed"),
+                               frequency_smoothing=0.5)),
+    ("stripe", "field.vtp", "--field array:velocity --cross --field-smoothing 1",
+     lambda s: brindle.crosses(s, "velocity", field_smoothing=1)),
+    ("stripe", "field.vtp", "--field array:velocity --texture dots --field-smoothing 1",
+     lambda s: brindle.texture(s, "velocity", field_smoothing=1)),
     # frequencies
     ("stripe", TORUS, "--stripes 12.5", stripes(stripes=12.5)),
     ("stripe", TORUS, "--frequency 3", stripes(frequency=3)),
@@ -154,7 +154,7 @@ REQUESTS = [
     ("stripe", TREFOIL, "--slack 0.25", stripes(slack=0.25)),
     ("stripe", TORUS, "--slack 0.25 --weights cotangent --stripes 20",
      stripes(slack=0.25, weights="cotangent", stripes=20)),
-    ("stripe", TORUS, "--slack 0.2 --calm {folder}/calm.csv", lambda s: brindle.stripes(s, slack=0.2, calm=calm(s))),
+    ("stripe", TORUS, "--slack 0.2 --avoid-branches {folder}/avoid.csv", lambda s: brindle.stripes(s, slack=0.2, avoid_branches=avoid_branches(s))),
     ("stripe", TORUS, "--slack 0", stripes(slack=0)),
     # what a maker asks for
     ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding 1", with_field(up, stripes=9, winding=1)),
@@ -164,11 +164,11 @@ REQUESTS = [
      with_field(up, stripes=9, anchor_boundary=0.5)),
     ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --anchor-boundary 0 --winding 0",
      with_field(up, stripes=9, anchor_boundary=0, winding=0)),
-    ("stripe", TREFOIL, "--direction 0.31,0.9,0.27 --merge-branches 0.05",
-     with_field(lambda s: s.projected_field((0.31, 0.9, 0.27)), merge_branches=0.05)),
-    ("stripe", TREFOIL, "--slack 0.1 --merge-branches 0", stripes(slack=0.1, merge_branches=0)),
-    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding 2 --merge-branches 0.1 --slack 0.1",
-     with_field(up, stripes=9, winding=2, merge_branches=0.1, slack=0.1)),
+    ("stripe", TREFOIL, "--direction 0.31,0.9,0.27 --cancel-branches 0.05",
+     with_field(lambda s: s.projected_field((0.31, 0.9, 0.27)), cancel_branches=0.05)),
+    ("stripe", TREFOIL, "--slack 0.1 --cancel-branches 0", stripes(slack=0.1, cancel_branches=0)),
+    ("stripe", "sleeve.ply", "--direction 0,0,1 --stripes 9 --winding 2 --cancel-branches 0.1 --slack 0.1",
+     with_field(up, stripes=9, winding=2, cancel_branches=0.1, slack=0.1)),
     # textures
     ("stripe", TORUS, "--texture dots --stripes 12", lambda s: brindle.texture(s, stripes=12)),
     ("stripe", TORUS, "--texture arrows --oriented --direction 0,0,1 --stripes 12",
@@ -181,11 +181,11 @@ REQUESTS = [
      lambda s: brindle.texture(s, stripes=12, slack=0.2, weights="cotangent")),
     ("stripe", TORUS, "--texture dots --stripes 12 --solver averaged",
      lambda s: brindle.texture(s, stripes=12, solver="averaged")),
-    ("stripe", TREFOIL, "--direction 0.31,0.9,0.27 --texture dots --merge-branches 0.05 --merge-distance 12",
-     lambda s: brindle.texture(s, s.projected_field((0.31, 0.9, 0.27)), merge_branches=0.05, merge_distance=12)),
+    ("stripe", TREFOIL, "--direction 0.31,0.9,0.27 --texture dots --cancel-branches 0.05 --cancel-distance 12",
+     lambda s: brindle.texture(s, s.projected_field((0.31, 0.9, 0.27)), cancel_branches=0.05, cancel_distance=12)),
     # crosses
-    ("stripe", "shape:molecule,resolution=20", "--cross --stripes 25 --slack 0.1 --merge-branches 0.1",
-     lambda s: brindle.crosses(s, stripes=25, slack=0.1, merge_branches=0.1)),
+    ("stripe", "shape:molecule,resolution=20", "--cross --stripes 25 --slack 0.1 --cancel-branches 0.1",
+     lambda s: brindle.crosses(s, stripes=25, slack=0.1, cancel_branches=0.1)),
     ("stripe", "shape:box", "--cross --stripes 20", lambda s: brindle.crosses(s, stripes=20)),
     ("stripe", TORUS, "--cross --frequency 3 --slack 0.2",
      lambda s: brindle.crosses(s, frequency=3, slack=0.2)),
@@ -266,11 +266,11 @@ REFUSALS = [
     ("stripe", TORUS, "--momentum 0.1", stripes(momentum=0.1)),
     ("stripe", TORUS, "--seed 1 --solver global", stripes(seed=1, solver="global")),
     ("stripe", TORUS, "--global-iterations 3", stripes(global_iterations=3)),
-    ("stripe", TORUS, "--calm {folder}/calm.csv", lambda s: brindle.stripes(s, calm=calm(s))),
-    ("stripe", TORUS, "--calm {folder}/calm.csv --slack 0", lambda s: brindle.stripes(s, calm=calm(s), slack=0)),
-    ("stripe", TORUS, "--texture dots --calm {folder}/calm.csv", lambda s: brindle.texture(s, calm=calm(s))),
-    ("stripe", TORUS, "--cross --calm {folder}/calm.csv", lambda s: brindle.crosses(s, calm=calm(s))),
-    ("stripe", TORUS, "--cross --merge-distance 5", lambda s: brindle.crosses(s, merge_distance=5)),
+    ("stripe", TORUS, "--avoid-branches {folder}/avoid.csv", lambda s: brindle.stripes(s, avoid_branches=avoid_branches(s))),
+    ("stripe", TORUS, "--avoid-branches {folder}/avoid.csv --slack 0", lambda s: brindle.stripes(s, avoid_branches=avoid_branches(s), slack=0)),
+    ("stripe", TORUS, "--texture dots --avoid-branches {folder}/avoid.csv", lambda s: brindle.texture(s, avoid_branches=avoid_branches(s))),
+    ("stripe", TORUS, "--cross --avoid-branches {folder}/avoid.csv", lambda s: brindle.crosses(s, avoid_branches=avoid_branches(s))),
+    ("stripe", TORUS, "--cross --cancel-distance 5", lambda s: brindle.crosses(s, cancel_distance=5)),
     ("stripe", TORUS, "--lambda 0.1", stripes(lambda_=0.1)),
     ("stripe", TORUS, "--match number", stripes(match="number")),
     ("stripe", "sleeve.ply", "--previous {folder}/last.vtp --solver averaged",
@@ -293,7 +293,7 @@ REFUSALS = [
     ("sample", "points.csv", "--min-distance 0.1", lambda s: brindle.samples(s, min_distance=0.1)),
     ("stripe", "points.csv", "--winding 1", stripes(winding=1)),
     ("stripe", "points.csv", "--anchor-boundary 0", stripes(anchor_boundary=0)),
-    ("stripe", "points.csv", "--merge-branches 0", stripes(merge_branches=0)),
+    ("stripe", "points.csv", "--cancel-branches 0", stripes(cancel_branches=0)),
     ("stripe", TORUS, "--frequency 1e9", stripes(frequency=1e9)),
     ("stripe", "field.vtp", "--field array:nothing", stripes(directions="nothing")),
 ]

@@ -126,7 +126,7 @@ def test_covers_of_crosses_are_surfaces(tmp_path):
     surface = brindle.Surface(plain.vertices + far, plain.triangles,
                               point_data={"id": np.arange(n)})
     field = np.random.default_rng(0).normal(size=(n, 3))
-    crosses = brindle.crosses(surface, field, stripes=20, field_detail=1)
+    crosses = brindle.crosses(surface, field, stripes=20, field_smoothing=1)
     cover = crosses.cover
     assert np.allclose(cover.surface.origin, surface.origin)
     assert np.array_equal(cover.point_data["original_id"], np.repeat(np.arange(n), 2))
@@ -136,18 +136,18 @@ def test_covers_of_crosses_are_surfaces(tmp_path):
     cover.write(tmp_path / "cover.vtp")
     cover.write(tmp_path / "cover.glb", uv=True)
     assert len(cover.mesh().point_data["original_id"]) == len(cover.mesh().vertices)
-    assert len(cover.point_data["agreement"]) == 2 * n
+    assert len(cover.point_data["coherence"]) == 2 * n
     mesh = crosses.mesh()
-    agreement = mesh.point_data["agreement"]
-    assert agreement.min() >= 0 and agreement.max() <= 1
+    coherence = mesh.point_data["coherence"]
+    assert coherence.min() >= 0 and coherence.max() <= 1
     origins = mesh.vertex_origins
     split = (origins[:, 0] == origins[:, 1]) & (origins[:, 0] >= n)
     assert split.any()
-    own = cover.point_data["agreement"][::2]
+    own = cover.point_data["coherence"][::2]
     base = surface.triangles[crosses.singular]
     expected = own[base].mean(axis=1)
     at = origins[split][:, 0] - n
-    assert np.allclose(agreement[split], expected[at], atol=1e-6)
+    assert np.allclose(coherence[split], expected[at], atol=1e-6)
 
 
 @pytest.mark.parametrize("solver", ["multilevel", "relaxation", "averaged", "global"])

@@ -97,7 +97,7 @@ def test_triangles_that_no_mesh_has(triangles):
     ({"frequency": np.inf}, "finite"),
     ({"frequency": [1, 2, 3]}, r"frequency: expected a row for each of \d+ vertices, got the shape \(3,\)"),
     ({"slack": [0.1, 0.2]}, r"slack: expected .* got the shape \(2,\)"),
-    ({"slack": 0.1, "calm": np.ones(5)}, r"calm: expected .* got the shape \(5,\)"),
+    ({"slack": 0.1, "avoid_branches": np.ones(5)}, r"avoid_branches: expected .* got the shape \(5,\)"),
     ({"stripes": 0}, "above zero"),
     ({"stripes": [1, 2]}, "one number"),
     ({"stripes": 3, "frequency": 3}, "exclude"),
@@ -255,14 +255,14 @@ def test_rows_of_triangles(torus):
             call()
     assert brindle.stripes(torus, torus.moved_to_points(vectors, axes=True)).report["branches"] >= 0
     with pytest.raises(brindle.Error, match="field_weight: expected .* vertices, got 5"):
-        brindle.stripes(torus, d, field_detail=1, field_weight=np.ones(5))
+        brindle.stripes(torus, d, field_smoothing=1, field_weight=np.ones(5))
 
 
 def test_empty_arrays_are_not_left_out(torus):
     directions, f = torus.smooth_field(), torus.frequency_of(10)
     for nothing in ([], np.empty(0), np.empty((0, 3))):
-        for given in ({"slack": nothing}, {"slack": 0.2, "calm": nothing},
-                      {"field_detail": 1, "field_weight": nothing}):
+        for given in ({"slack": nothing}, {"slack": 0.2, "avoid_branches": nothing},
+                      {"field_smoothing": 1, "field_weight": nothing}):
             with pytest.raises(brindle.Error, match=f"{list(given)[-1]}: the array is empty"):
                 brindle.stripes(torus, directions, stripes=10, **given)
         for name in ("normals", "frequencies_v", "positions"):
@@ -270,7 +270,7 @@ def test_empty_arrays_are_not_left_out(torus):
                 brindle.TextureAnimator(torus).frame(directions, f, **{name: nothing})
         for name in ("confidence", "last"):
             with pytest.raises(brindle.Error, match=f"{name}: the array is empty"):
-                brindle.FieldDetail(torus).frame(directions, f, **{name: nothing})
+                brindle.FieldSmoothing(torus).frame(directions, f, **{name: nothing})
         with pytest.raises(brindle.Error, match="positions: the array is empty"):
             brindle.Animator(torus).frame(directions, f, nothing)
 
@@ -280,9 +280,9 @@ def test_angles_of_features(torus):
         torus.smooth_field(feature_anchor=1, feature_angle=-1)
 
 
-def test_field_detail_keeps_its_last_frame(torus):
+def test_field_smoothing_keeps_its_last_frame(torus):
     f, vectors = torus.frequency_of(20), np.cross([0, 0, 1], torus.vertices)
-    detail, undisturbed = brindle.FieldDetail(torus, 0.3), brindle.FieldDetail(torus, 0.3)
+    detail, undisturbed = brindle.FieldSmoothing(torus, 0.3), brindle.FieldSmoothing(torus, 0.3)
     for each in (detail, undisturbed):
         each.frame(vectors, f)
     figures, other = detail.figures, vectors[:, ::-1]

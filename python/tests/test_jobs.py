@@ -375,7 +375,7 @@ def test_measured_fields_frame_by_frame(torus):
     def angle_between(a, b):
         return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(1)), 0, 1))).mean()
 
-    detail, remembers = brindle.FieldDetail(torus, 0.7), brindle.FieldDetail(torus, 0.7, memory=3)
+    detail, remembers = brindle.FieldSmoothing(torus, 0.7), brindle.FieldSmoothing(torus, 0.7, memory=3)
     with pytest.raises(brindle.Error):
         detail.figures
     steps = []
@@ -387,30 +387,30 @@ def test_measured_fields_frame_by_frame(torus):
     assert detail.figures["vertices_filled"] == len(truth[::9])
     # One frame is what stripes see.
     data = noisy()
-    p = brindle.stripes(torus, data, stripes=12, field_detail=0.7)
-    field, agreement = brindle.FieldDetail(torus, 0.7).frame(data, frequency)
+    p = brindle.stripes(torus, data, stripes=12, field_smoothing=0.7)
+    field, coherence = brindle.FieldSmoothing(torus, 0.7).frame(data, frequency)
     np.testing.assert_array_equal(p.directions, field)
-    np.testing.assert_array_equal(p.point_data["agreement"], agreement)
+    np.testing.assert_array_equal(p.point_data["coherence"], coherence)
     # Filled holes are marked, and a check of the scale leaves the pattern.
     holes = np.arange(len(truth)) % 9 == 0
     np.testing.assert_array_equal(p.point_data["filled"], holes)
-    checked = brindle.stripes(torus, data, stripes=12, field_detail=0.7, hold_out=0.1)
+    checked = brindle.stripes(torus, data, stripes=12, field_smoothing=0.7, hold_out=0.1)
     np.testing.assert_array_equal(checked.directions, field)
     assert 0 < checked.report["held_out"] < 0.2 * len(truth)
     assert 10 < checked.report["held_out_turned_mean_deg"] < 35
-    assert "held_out" not in p.report and 0 < p.report["agreement_filled_mean"] < 1
-    with pytest.raises(brindle.Error, match="field_detail"):
+    assert "held_out" not in p.report and 0 < p.report["coherence_filled_mean"] < 1
+    with pytest.raises(brindle.Error, match="field_smoothing"):
         brindle.stripes(torus, data, stripes=12, hold_out=0.1)
     # What counts nothing is no datum, whatever it is; so are triangles' vectors taken.
     wrong = np.where(np.arange(len(truth))[:, None] % 9 == 0, np.float32(7), data)
     weights = (np.arange(len(truth)) % 9 != 0).astype(float)
-    again, _ = brindle.FieldDetail(torus, 0.7).frame(wrong, frequency, confidence=weights)
+    again, _ = brindle.FieldSmoothing(torus, 0.7).frame(wrong, frequency, confidence=weights)
     np.testing.assert_allclose(again, field, atol=1e-5)
     of_triangles, _ = detail.frame(truth[np.array(torus.triangles)[:, 0]], frequency)
     assert of_triangles.shape == truth.shape
     for wishes in ({"periods": 0}, {"fill": -1}, {"singularities": -1}, {"memory": -1}):
         with pytest.raises(brindle.Error):
-            brindle.FieldDetail(torus, **wishes)
+            brindle.FieldSmoothing(torus, **wishes)
     with pytest.raises(brindle.Error, match=r"vectors: expected .* got the shape \(5, 3\)"):
         detail.frame(truth[:5], frequency)
 

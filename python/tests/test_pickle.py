@@ -35,11 +35,11 @@ def things():
     torus, tube = brindle.shape("torus", resolution=20), sleeve()
     points = brindle.points(torus.vertices, torus.normals)
     first = brindle.stripes(torus, stripes=10)
-    texture = brindle.texture(s, data, stripes=12, slack=0.2, field_detail=1)
-    crosses = brindle.crosses(s, data, stripes=12, merge_branches=0.1)
-    p = brindle.stripes(s, data, stripes=15, slack=0.3, calm=np.full(s.vertex_count, 0.5), field_detail=1)
+    texture = brindle.texture(s, data, stripes=12, slack=0.2, field_smoothing=1)
+    crosses = brindle.crosses(s, data, stripes=12, cancel_branches=0.1)
+    p = brindle.stripes(s, data, stripes=15, slack=0.3, avoid_branches=np.full(s.vertex_count, 0.5), field_smoothing=1)
     return {"surface": s, "points": points, "stripes": p, "of points": brindle.stripes(points, stripes=10),
-            "followed": brindle.stripes(torus, stripes=10, previous=first, merge_branches=0.1),
+            "followed": brindle.stripes(torus, stripes=10, previous=first, cancel_branches=0.1),
             "wound": brindle.stripes(tube, tube.projected_field((0, 0, 1)), stripes=9, winding=1),
             "texture": texture, "crosses": crosses, "mesh": texture.mesh(), "mesh of stripes": p.mesh(),
             "curves": p.curves(min_length=0.1, resample=0.05), "faired": p.curves(trim=0.6, fair=0.25),
@@ -125,7 +125,7 @@ def test_damaged_pickles(things):
 
 @pytest.mark.parametrize("make, instead", [
     (brindle.Animator, "set_last_phases"), (brindle.TextureAnimator, "its surface"),
-    (brindle.FieldAnimator, "its surface"), (brindle.FieldDetail, "last="), (brindle.PatternFrames, "its surface")])
+    (brindle.FieldAnimator, "its surface"), (brindle.FieldSmoothing, "last="), (brindle.PatternFrames, "its surface")])
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, pickle.dumps])
 def test_what_runs_names_what_to_pickle(torus, make, instead, again):
     with pytest.raises(TypeError, match=f"brindle.{make.__name__} cannot be .*{instead}"):

@@ -43,8 +43,8 @@ SHARED = {
     "cycles": lambda c: c.randint(0, 5),
     "global_iterations": lambda c: c.randint(1, 6),
     "slack": lambda c: number(c, 0, 0.6),
-    "merge_branches": lambda c: number(c, 0, 0.3),
-    "merge_distance": lambda c: number(c, 1, 30),
+    "cancel_branches": lambda c: number(c, 0, 0.3),
+    "cancel_distance": lambda c: number(c, 1, 30),
 }
 OF_STRIPES = {
     "anchor_boundary": lambda c: number(c, 0, 1),
@@ -73,7 +73,7 @@ FIELDS = {
 # Values that no request can have, one at a time: what is refused first is another question.
 WRONG = [("stripes", -1.0), ("stripes", 0.0), ("frequency", 0.0), ("frequency", -2.0), ("slack", -0.5),
          ("solver", "other"), ("phase_shift", "none"), ("weights", "equal"), ("sweeps", 99999),
-         ("cycles", 99999), ("merge_branches", -1.0), ("merge_distance", 0.0), ("field_detail", -1.0), ("fill", -0.5),
+         ("cycles", 99999), ("cancel_branches", -1.0), ("cancel_distance", 0.0), ("field_smoothing", -1.0), ("fill", -0.5),
          ("field_singularities", -1)]
 
 
@@ -102,11 +102,11 @@ class Request:
         if self.field == "raw-curvature":
             self.of_field = {name: "min" for name in self.of_field if name == "curvature-direction"}
         if self.field == "raw-curvature" and chance.random() < 0.7:
-            self.options.update(chosen(chance, OF_MEASURED, 2), field_detail=number(chance, 0.1, 3))
+            self.options.update(chosen(chance, OF_MEASURED, 2), field_smoothing=number(chance, 0.1, 3))
             if self.job == "crosses":
                 self.options.pop("field_arrows", None)  # as with along
         # The tool turns once by both: what comes of it differs by rounding.
-        turns = chance.random() < 0.2 and not {"along", "field_detail"} & self.options.keys()
+        turns = chance.random() < 0.2 and not {"along", "field_smoothing"} & self.options.keys()
         self.rotate = float(chance.randint(-90, 90)) if turns else None
 
         if chance.random() < 0.08:

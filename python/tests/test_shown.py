@@ -28,7 +28,7 @@ def test_texts_have_figures(torus, results):
     assert f"{curves.count} curves of {len(curves.points)} points, length {curves.lengths.sum():.4g}" in repr(curves)
     assert f"{samples.count} samples, spacing" in repr(samples)
     assert f"{len(p.mesh().uv)} vertices" in repr(p.mesh())
-    for make in (brindle.Animator, brindle.TextureAnimator, brindle.FieldAnimator, brindle.FieldDetail,
+    for make in (brindle.Animator, brindle.TextureAnimator, brindle.FieldAnimator, brindle.FieldSmoothing,
                  brindle.PatternFrames):
         assert repr(make(torus)) == f"<brindle.{make.__name__} on {torus!r}>"
     points = brindle.points(torus.vertices, torus.normals)

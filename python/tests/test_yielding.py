@@ -30,17 +30,17 @@ def test_slack_leaves_fewer_branches_within_bounds(trefoil):
     np.testing.assert_array_equal(brindle.stripes(trefoil, d, stripes=40, slack=0).phases, rigid.phases)
 
 
-def test_slack_and_calm_per_vertex(trefoil):
+def test_slack_and_avoid_branches_per_vertex(trefoil):
     d, n = crossed(trefoil), trefoil.vertex_count
     same = brindle.stripes(trefoil, d, slack=np.full(n, 0.25))
     np.testing.assert_array_equal(same.phases, brindle.stripes(trefoil, d, slack=0.25).phases)
-    calm = (trefoil.vertices[:, 2] > 0).astype("f8")
-    calmed = brindle.stripes(trefoil, d, slack=0.25, calm=calm)
-    assert "branches_in_calm" in calmed.frequency_change
-    for slack, calm in ((-1, None), (np.nan, None), (np.ones(3), None), (None, calm), (0.1, calm[:5]),
+    avoid_branches = (trefoil.vertices[:, 2] > 0).astype("f8")
+    calmed = brindle.stripes(trefoil, d, slack=0.25, avoid_branches=avoid_branches)
+    assert "branches_in_avoided_area" in calmed.frequency_change
+    for slack, avoid_branches in ((-1, None), (np.nan, None), (np.ones(3), None), (None, avoid_branches), (0.1, avoid_branches[:5]),
                         (0.1, 2 * np.ones(n))):
         with pytest.raises(brindle.Error):
-            brindle.stripes(trefoil, d, slack=slack, calm=calm)
+            brindle.stripes(trefoil, d, slack=slack, avoid_branches=avoid_branches)
     for slack in ("much", True, 1j):
         with pytest.raises(TypeError):
             brindle.stripes(trefoil, d, slack=slack)
@@ -150,17 +150,17 @@ def test_wales(sleeve):
 def test_measures(sleeve):
     up = sleeve.projected_field((0, 0, 1))
     curves = brindle.stripes(sleeve, up, frequency=5, winding=0).curves()
-    measures = curves.measures(line_width=0.1)
+    measures = curves.measures(path_width=0.1)
     assert measures["lengths"]["longest"] == pytest.approx(2 * np.pi, rel=0.01)
     assert measures["gaps"]["mean"] == pytest.approx(0.2, rel=0.05)
     assert measures["coverage"] == pytest.approx(0.5, abs=0.06)
     assert "coverage" not in curves.measures()
     with pytest.raises(brindle.Error):
-        curves.measures(line_width=-1)
+        curves.measures(path_width=-1)
 
 
 def test_measures_are_the_tools(tool):
-    expected = tool("curves", "shape:trefoil", "--stripes", "30", "--line-width", "0.05")["u"]
+    expected = tool("curves", "shape:trefoil", "--stripes", "30", "--path-width", "0.05")["u"]
     measures = brindle.stripes(brindle.shape("trefoil"), stripes=30).curves().measures(0.05)
     for key, value in measures.items():
         assert value == expected[key], key
@@ -189,29 +189,29 @@ def test_merged_branches():
     trefoil = brindle.shape("trefoil", resolution=30)
     d = trefoil.projected_field((0.31, 0.9, 0.27))
     before = brindle.stripes(trefoil, d, stripes=40)
-    assert before.merged is None
-    after = brindle.stripes(trefoil, d, stripes=40, merge_branches=0)
-    said = after.merged
+    assert before.cancelled_branches is None
+    after = brindle.stripes(trefoil, d, stripes=40, cancel_branches=0)
+    said = after.cancelled_branches
     assert said["pairs"] > 0 and said["energy_after"] <= said["energy_before"]
     assert said["branches_before"] == np.count_nonzero(before.branches)
     assert said["branches_after"] == np.count_nonzero(after.branches)
     assert said["branches_after"] <= said["branches_before"] - 2 * said["pairs"]
     for share in (-1, float("nan")):
         with pytest.raises(brindle.Error):
-            brindle.stripes(trefoil, d, merge_branches=share)
+            brindle.stripes(trefoil, d, cancel_branches=share)
     with pytest.raises(TypeError):
-        brindle.stripes(trefoil, d, merge_branches="many")
+        brindle.stripes(trefoil, d, cancel_branches="many")
 
 
 def test_merged_branches_of_textures_and_crosses():
     molecule = brindle.shape("molecule", resolution=20)
     d = molecule.projected_field((0.31, 0.9, 0.27))
-    texture = brindle.texture(molecule, d, stripes=25, merge_branches=0)
-    said = texture.merged
+    texture = brindle.texture(molecule, d, stripes=25, cancel_branches=0)
+    said = texture.cancelled_branches
     assert said["pairs"] > 0 and said["energy_after"] <= said["energy_before"]
     assert said["branches_after"] == sum(np.count_nonzero(p.branches) for p in (texture.u, texture.v))
-    before, after = (brindle.crosses(molecule, stripes=25, **merging) for merging in ({}, {"merge_branches": 0}))
-    assert before.merged is None
-    assert after.merged["pairs"] > 0
-    assert after.report["branches"] <= before.report["branches"] - 2 * after.merged["pairs"]
+    before, after = (brindle.crosses(molecule, stripes=25, **merging) for merging in ({}, {"cancel_branches": 0}))
+    assert before.cancelled_branches is None
+    assert after.cancelled_branches["pairs"] > 0
+    assert after.report["branches"] <= before.report["branches"] - 2 * after.cancelled_branches["pairs"]
     assert after.report["field_singularities"] == before.report["field_singularities"]

@@ -74,7 +74,7 @@ TEST_F(AnimateStyle, StylesFollowMovingShapes) {
   EXPECT_NE(picture("0.png").pixels, picture("1.png").pixels);
   for (const Arguments& style : std::vector<Arguments>{
            {"--width-by", "light", "--cross-hatch", "0.7"},
-           {"--between-stripes", "nothing"},
+           {"--between", "nothing"},
            {"--texture", "dots", "--texture-by", "height", "--regions", "0,plus@#ff0000"}}) {
     expect_run({"animate", "shape:torus,resolution=24", "--scene", "vortices", "--frames", "2",
                 "--stripes", "8", "-o", "%d.png"},
@@ -106,7 +106,8 @@ TEST_F(AnimateStyle, ArraysAreThoseOfTheStep) {
   write_step("middle.vtp", 2);
   const Arguments colors =
       joined({"--color-by", "array:growing", "--color-range", "0,6", "--up", "z"}, kColors);
-  expect_run({"animate", "--series", "step%d.vtp", "--between", "1", "-o", "frame%d.png"}, colors);
+  expect_run({"animate", "--series", "step%d.vtp", "--interpolate", "1", "-o", "frame%d.png"},
+             colors);
   int frame = 0;
   for (const char* step : {"step0.vtp", "middle.vtp", "step1.vtp"}) {
     expect_run({"stripe", step, "-o", "still.png"}, colors);

@@ -293,7 +293,7 @@ TEST_F(Curves, DrawingsTakeSidesAndProjections) {
 
 TEST_F(Curves, MeasuresWhatAMakerAsksFor) {
   const std::string cylinder = "shape:cylinder,resolution=60";
-  const Arguments rings = {"--direction", "0,0,1", "--stripes", "20", "--line-width", "0.02"};
+  const Arguments rings = {"--direction", "0,0,1", "--stripes", "20", "--path-width", "0.02"};
   const Json u = report(rings, cylinder).at("u");
   const Json& lengths = u.at("lengths");
   EXPECT_EQ(u.at("open"), 0);
@@ -307,7 +307,7 @@ TEST_F(Curves, MeasuresWhatAMakerAsksFor) {
   EXPECT_NEAR(u.at("gaps").at("most_ratio").get<double>(), 1, 0.01);
 #endif
   EXPECT_FALSE(report({}).at("u").contains("coverage"));
-  expect_refusal(2, "--line-width", {"curves", cylinder, "--line-width", "0"});
+  expect_refusal(2, "--path-width", {"curves", cylinder, "--path-width", "0"});
 }
 
 TEST_F(Curves, LengthsAreThoseOfTheCurvesThatAreWritten) {
@@ -369,7 +369,7 @@ TEST_F(Curves, WindingsThatCannotBeAreRefused) {
   }
   expect_refusal(1, "--anchor-boundary",
                  {"curves", kTorus48, "--anchor-boundary", "0", "--report", "r.json"});
-  expect_refusal(2, "--merge-branches", {"curves", kTorus48, "--merge-branches", "-1"});
+  expect_refusal(2, "--cancel-branches", {"curves", kTorus48, "--cancel-branches", "-1"});
   for (const char* bad : {"0", "-3", "boundary-1:0", ":3", "x"}) {
     expect_refusal(2, "--wales", {"curves", kTorus48, "--lines", "v", "--wales", bad});
   }
@@ -380,11 +380,11 @@ TEST_F(Curves, WindingsThatCannotBeAreRefused) {
 TEST_F(Curves, HaveFewerBranchesOnceTheseAreMerged) {
   const std::string knot = "shape:trefoil,resolution=28";
   const Json u =
-      report({"--direction", "0.31,0.9,0.27", "--stripes", "24", "--merge-branches", "0"}, knot)
+      report({"--direction", "0.31,0.9,0.27", "--stripes", "24", "--cancel-branches", "0"}, knot)
           .at("u");
-  EXPECT_GT(u.at("merged").at("pairs"), 0);
-  EXPECT_LT(u.at("branches"), u.at("merged").at("branches_before"));
-  EXPECT_LE(u.at("energy"), u.at("merged").at("energy_before"));
+  EXPECT_GT(u.at("cancelled_branches").at("pairs"), 0);
+  EXPECT_LT(u.at("branches"), u.at("cancelled_branches").at("branches_before"));
+  EXPECT_LE(u.at("energy"), u.at("cancelled_branches").at("energy_before"));
 }
 
 }  // namespace

@@ -92,9 +92,9 @@ struct Examples : ToolTest {
     }
     mesh.points = {velocity, speed, stress};
     for (const char* name : {"flow.vtp", "plate.vtp"}) write_text(folder / name, vtp_text(mesh));
-    std::string calm;
-    for (const auto& [x, y, z] : mesh.positions) calm += z > 0 ? "1\n" : "0\n";
-    write_text(folder / "face.csv", calm);
+    std::string branch_penalty;
+    for (const auto& [x, y, z] : mesh.positions) branch_penalty += z > 0 ? "1\n" : "0\n";
+    write_text(folder / "face.csv", branch_penalty);
   }
 
   // Two steps of each kind.

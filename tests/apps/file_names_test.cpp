@@ -93,7 +93,7 @@ TEST_F(FileNames, OfPipesAndDevicesAreRefused) {
   for (const char* file : {"pipe.csv", "zero.csv"}) {
     refused({"--field", file});
     refused({"--frequency-by", file});
-    refused({"--slack", "0.1", "--calm", file});
+    refused({"--slack", "0.1", "--avoid-branches", file});
     refused({"--field-mesh", file, "--field", "array:a"});
   }
   refused({"--strokes", "pipe.json"});

@@ -129,7 +129,7 @@ double mean_of(const Json& frames, const std::string& key, bool from_scratch) {
 }
 
 /// Shares of what patterns have that are solved for afresh at every step.
-void expect_calm(const Json& report, double most_step = 0.25, double most_energy = 1.1) {
+void expect_penalties(const Json& report, double most_step = 0.25, double most_energy = 1.1) {
   const Json& frames = report["frames"];
   EXPECT_LE(mean_of(frames, "phase_step", false), most_step * mean_of(frames, "phase_step", true));
   EXPECT_LE(mean_of(frames, "energy", false), most_energy * mean_of(frames, "energy", true));
@@ -150,7 +150,7 @@ TEST_F(Series, FieldsOverOneMeshAreCalm) {
     EXPECT_EQ(frame["matched_by"], "number");
     EXPECT_EQ(frame["vertices_unmatched"], 0);
   }
-  expect_calm(report);
+  expect_penalties(report);
 }
 
 TEST_F(Series, MeshesThatMoveAreCalm) {
@@ -158,7 +158,7 @@ TEST_F(Series, MeshesThatMoveAreCalm) {
   const Json report = this->report({"animate", "--series", "m*.vtp", "--field", "array:velocity",
                                     "--stripes", "24", "--compare-from-scratch"});
   EXPECT_EQ(report["frames"][7]["matched_by"], "number");
-  expect_calm(report);
+  expect_penalties(report);
 }
 
 TEST_F(Series, MeshesThatChangeAreCalm) {
@@ -169,7 +169,7 @@ TEST_F(Series, MeshesThatChangeAreCalm) {
     EXPECT_EQ(report["frames"][n]["matched_by"], "position");
     EXPECT_EQ(report["frames"][n]["vertices_unmatched"], 0);
   }
-  expect_calm(report);
+  expect_penalties(report);
 }
 
 TEST_F(Series, NumberAndPositionEndAlike) {
@@ -191,7 +191,7 @@ TEST_F(Series, FramesBetweenStepsAreInterpolated) {
   const Json steps = this->report(
       {"animate", "--series", "m%04d.vtp", "--field", "array:velocity", "--stripes", "24"});
   const Json report = this->report({"animate", "--series", "m%04d.vtp", "--field", "array:velocity",
-                                    "--stripes", "24", "--between", "3"});
+                                    "--stripes", "24", "--interpolate", "3"});
   ASSERT_EQ(report["frames"].size(), 9u);
   EXPECT_TRUE(report["frames"][1]["file"].is_null());
   EXPECT_EQ(report["frames"][1]["time"], 0.25);
@@ -256,7 +256,7 @@ TEST_F(Series, FiguresDoNotDependOnThreads) {
 TEST_F(Series, MeshesOfStepsKeepArraysAndCanBePlayedAgain) {
   write_moving_steps(3);
   const Json first = this->report({"animate", "--series", "m%04d.vtp", "--field", "array:velocity",
-                                   "--between", "1", "--output", "out_%02d.vtp"});
+                                   "--interpolate", "1", "--output", "out_%02d.vtp"});
   EXPECT_TRUE(listing().count("out.pvd"));
   EXPECT_TRUE(listing().count("out_02.vtp"));
   EXPECT_FALSE(listing().count("out_03.vtp")) << "a mesh per step, not per frame";
@@ -265,7 +265,7 @@ TEST_F(Series, MeshesOfStepsKeepArraysAndCanBePlayedAgain) {
     EXPECT_NE(find_array(loaded.arrays.points, name), nullptr) << name;
   }
   const Json again = this->report(
-      {"animate", "--series", "out.pvd", "--field", "array:velocity", "--between", "1"});
+      {"animate", "--series", "out.pvd", "--field", "array:velocity", "--interpolate", "1"});
   ASSERT_EQ(again["frames"].size(), first["frames"].size());
   for (std::size_t n = 0; n < first["frames"].size(); ++n) {
     EXPECT_EQ(again["frames"][n]["energy"], first["frames"][n]["energy"]);
@@ -361,12 +361,12 @@ TEST_F(Series, CurvatureFieldsFollowSurfacesThatMove) {
   };
   // Curvature holds the fields of single steps together, so that their patterns are alike by
   // themselves, but for what the noise of the vertices makes of any pattern that stands still.
-  const Json calm = played(kNoise);
-  expect_calm(calm, 0.3);
-  EXPECT_LE(mean_of(calm["frames"], "phase_step", false), step_of_noise(24));
+  const Json branch_penalty = played(kNoise);
+  expect_penalties(branch_penalty, 0.3);
+  EXPECT_LE(mean_of(branch_penalty["frames"], "phase_step", false), step_of_noise(24));
   // With more noise they are not.
   const Json noisy = played(2 * kNoise);
-  expect_calm(noisy, 0.15, 1);
+  expect_penalties(noisy, 0.15, 1);
   EXPECT_LE(mean_of(noisy["frames"], "phase_step", false), step_of_noise(24, 2 * kNoise));
 }
 
@@ -375,7 +375,7 @@ TEST_F(Series, SmoothFieldsFollowOntoOtherTriangles) {
   const Json report = this->report(
       {"animate", "--series", "c%04d.vtp", "--stripes", "16", "--compare-from-scratch"});
   EXPECT_EQ(report["frames"][3]["matched_by"], "position");
-  expect_calm(report);
+  expect_penalties(report);
 }
 
 TEST_F(Series, WhatDoesNotFollowFindsItsFieldAnew) {
@@ -491,9 +491,9 @@ TEST_F(Series, FieldsWithAMemoryJumpLess) {
     write_field(folder / numbered("f", step, ".csv"), field);
   }
   const auto steps = [&](const std::string& memory) {
-    Arguments options = {"animate",        "knot.obj", "--series",  "f%04d.csv",
-                         "--field-detail", "0.3",      "--stripes", "25"};
-    if (!memory.empty()) options.insert(options.end(), {"--field-memory", memory});
+    Arguments options = {"animate",           "knot.obj", "--series",  "f%04d.csv",
+                         "--field-smoothing", "0.3",      "--stripes", "25"};
+    if (!memory.empty()) options.insert(options.end(), {"--temporal-smoothing", memory});
     const Json frames = report(options)["frames"];
     double sum = 0;
     for (std::size_t f = 2; f < frames.size(); ++f) sum += frames[f]["phase_step"].get<double>();
@@ -538,7 +538,7 @@ TEST_F(SeriesErrors, OtherTrianglesCannotBeInterpolated) {
   write_mesh(folder / "v1.obj", make_shape("sphere,resolution=9"));
   const Arguments series = {"animate", "--series", "v%d.obj", "--direction", "1,0,0"};
   Arguments with_between = series, by_number = series;
-  with_between.insert(with_between.end(), {"--between", "1"});
+  with_between.insert(with_between.end(), {"--interpolate", "1"});
   expect_refusal(1, "v1.obj", with_between);
   by_number.insert(by_number.end(), {"--match", "number"});
   expect_refusal(1, "v1.obj", by_number);
@@ -569,16 +569,16 @@ TEST_F(SeriesErrors, WrongUsageEndsWithCodeTwo) {
   };
   refused("--scene", csv, {"--scene", "zoom"});
   refused("--frames", csv, {"--frames", "4"});
-  refused("--field-memory", csv, {"--field-memory", "1"});
-  refused("--field-detail", {"animate", "shape:sphere"}, {"--field-detail", "1"});
-  refused("--field-memory", {"animate", "shape:sphere"}, {"--field-memory", "1"});
+  refused("--temporal-smoothing", csv, {"--temporal-smoothing", "1"});
+  refused("--field-smoothing", {"animate", "shape:sphere"}, {"--field-smoothing", "1"});
+  refused("--temporal-smoothing", {"animate", "shape:sphere"}, {"--temporal-smoothing", "1"});
   refused("--field", csv, {"--field", "smooth"});
   refused("--direction", csv, {"--direction", "1,0,0"});
   refused("--device", csv, {"--device", "gpu"});
-  refused("--match", csv, {"--between", "1", "--match", "position"});
+  refused("--match", csv, {"--interpolate", "1", "--match", "position"});
   refused("--match", csv, {"--match", "colour"});
   refused("--match", csv, {"--match", "id:"});
-  refused("--between", csv, {"--between", "-1"});
+  refused("--interpolate", csv, {"--interpolate", "-1"});
   refused("--curvature-anchor", csv, {"--curvature-anchor", "1"});
   refused("f0001.csv", csv, {"--output", "f%04d.png", "--report", "f0001.csv"});
   refused("--output", csv, {"--output", "f%04d.csv"});
@@ -588,7 +588,7 @@ TEST_F(SeriesErrors, WrongUsageEndsWithCodeTwo) {
   refused("--series", {"animate", "--series", ""}, {});
   refused("MESH", {"animate"}, {});
   const Arguments scene = {"animate", "knot.obj", "--frames", "2"};
-  refused("--between", scene, {"--between", "2"});
+  refused("--interpolate", scene, {"--interpolate", "2"});
   refused("--match", scene, {"--match", "number"});
   refused("--field", scene, {"--field", "smooth"});
   refused("--rotate", scene, {"--rotate", "10"});

@@ -55,7 +55,7 @@ TEST_F(SlackTest, OfZeroChangesNothing) {
 }
 
 TEST_F(SlackTest, CurvesAreMeasuredAgainstWhatWasAskedForAndWhatWasChosen) {
-  const Arguments plain = {"curves", kTrefoil, "--line-width", "1%"};
+  const Arguments plain = {"curves", kTrefoil, "--path-width", "1%"};
   Arguments slack = plain;
   slack.insert(slack.end(), {"--slack", "0.25"});
   const Json u = report(slack)["u"], without = report(plain)["u"];
@@ -140,17 +140,18 @@ TEST_F(SlackTest, IsForEveryCommandThatSolves) {
 
 /// A row for each vertex of a shape of so many.
 std::string calm_rows(std::size_t count, const std::string& first = "1") {
-  std::string text = "calm\n" + first + "\n";
+  std::string text = "avoid_branches\n" + first + "\n";
   for (std::size_t v = 1; v < count; ++v) text += v < count / 2 ? "1\n" : "0\n";
   return text;
 }
 
-TEST_F(SlackTest, CalmIsReadAndCounted) {
+TEST_F(SlackTest, PenaltiesAreReadAndCounted) {
   const std::size_t count = report({"stripe", kTrefoil})["vertices"];
   write_text(folder / "none.csv", calm_rows(count));
-  const Json calm = report({"stripe", kTrefoil, "--slack", "0.1", "--calm", "none.csv"});
-  const Json& change = calm["frequency_change"];
-  EXPECT_LT(change["branches_in_calm"], calm["branches"]);
+  const Json branch_penalty =
+      report({"stripe", kTrefoil, "--slack", "0.1", "--avoid-branches", "none.csv"});
+  const Json& change = branch_penalty["frequency_change"];
+  EXPECT_LT(change["branches_in_avoided_area"], branch_penalty["branches"]);
   EXPECT_GT(change["ratio_max"], 1.15);  // three times the slack
 }
 
@@ -161,26 +162,28 @@ TEST_F(SlackTest, OfNoUseIsRefused) {
     arguments.emplace_back(bad);
     expect_refusal(2, "--slack", arguments);
   }
-  write_text(folder / "calm.csv", "1\n0\n");
-  expect_refusal(2, "add --slack", {"stripe", kTrefoil, "--calm", "calm.csv"});
-  expect_refusal(2, "add --slack", {"animate", kTrefoil, "--calm", "calm.csv"});
+  write_text(folder / "avoid.csv", "1\n0\n");
+  expect_refusal(2, "add --slack", {"stripe", kTrefoil, "--avoid-branches", "avoid.csv"});
+  expect_refusal(2, "add --slack", {"animate", kTrefoil, "--avoid-branches", "avoid.csv"});
 }
 
-TEST_F(SlackTest, CalmThatDoesNotFitIsRefused) {
+TEST_F(SlackTest, PenaltiesThatDoNotFitAreRefused) {
   const char* const shape = "shape:plane,resolution=5";
   const auto refuse = [&](const std::string& rows, const std::string& message) {
-    write_text(folder / "calm.csv", rows);
-    expect_refusal(1, message, {"stripe", shape, "--slack", "0.1", "--calm", "calm.csv"});
+    write_text(folder / "avoid.csv", rows);
+    expect_refusal(1, message,
+                   {"stripe", shape, "--slack", "0.1", "--avoid-branches", "avoid.csv"});
   };
-  refuse("1\n0\n", "'calm.csv' ends at line 2 after 2 rows");
+  refuse("1\n0\n", "'avoid.csv' ends at line 2 after 2 rows");
   refuse("1\n0\n", "give one row per vertex");
-  refuse("0.5\n1.5\n", "line 2: calm is 1.5; give a number from 0 to 1");
-  refuse("0.5\nnan\n", "line 2: calm is nan");
-  refuse("-0.5\n", "line 1: calm is -0.5");
+  refuse("0.5\n1.5\n", "line 2: avoid_branches is 1.5; give a number from 0 to 1");
+  refuse("0.5\nnan\n", "line 2: avoid_branches is nan");
+  refuse("-0.5\n", "line 1: avoid_branches is -0.5");
   refuse("0.5\nvery\n", "line 2");
   refuse("1,2\n", "line 1: 2 columns");
-  refuse("id,quiet\n1,1\n", "no column of numbers named calm");
-  expect_refusal(1, "missing.csv", {"stripe", shape, "--slack", "0.1", "--calm", "missing.csv"});
+  refuse("id,quiet\n1,1\n", "no column of numbers named avoid_branches");
+  expect_refusal(1, "missing.csv",
+                 {"stripe", shape, "--slack", "0.1", "--avoid-branches", "missing.csv"});
 }
 
 }  // namespace

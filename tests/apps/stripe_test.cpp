@@ -156,19 +156,20 @@ INSTANTIATE_TEST_SUITE_P(
         Accepted{kCurvature}, Accepted{{"--field", "raw-curvature"}, true, kCurvature},
         Accepted{{"--field", "curvature", "--curvature-direction", "min"}, true, kCurvature},
         Accepted{{"--field", "smooth", "--curvature-anchor", "0.1"}}, Accepted{{"--rotate", "-90"}},
-        Accepted{{"--field", "raw-curvature", "--field-detail", "1"},
+        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1"},
                  true,
                  {"--field", "raw-curvature"}},
-        Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--field-arrows"},
+        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1", "--field-arrows"},
                  true,
-                 {"--field", "raw-curvature", "--field-detail", "1"}},
-        Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--hold-out", "0.1"},
+                 {"--field", "raw-curvature", "--field-smoothing", "1"}},
+        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1", "--hold-out", "0.1"},
                  true,
-                 {"--field", "raw-curvature", "--field-detail", "1"}},
+                 {"--field", "raw-curvature", "--field-smoothing", "1"}},
         // This field has none.
-        Accepted{{"--field", "raw-curvature", "--field-detail", "1", "--field-singularities", "0"},
-                 false,
-                 {"--field", "raw-curvature", "--field-detail", "1"}},
+        Accepted{
+            {"--field", "raw-curvature", "--field-smoothing", "1", "--field-singularities", "0"},
+            false,
+            {"--field", "raw-curvature", "--field-smoothing", "1"}},
         Accepted{{"--stripes", "10"}}, Accepted{{"--frequency", "5.5"}},
         Accepted{{"--solver", "multilevel"}, false}, Accepted{{"--sweeps", "3"}},
         Accepted{{"--cycles", "2"}}, Accepted{{"--weights", "cotangent"}}, Accepted{kRelaxation},
@@ -192,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(Global, AcceptedOption,
 /// The line of the field, the warning and the report say one number.
 TEST_F(Stripe, SingularitiesThatAreLeftAreTold) {
   const ToolResult result =
-      run({"stripe", "shape:sphere,resolution=20", "--field", "raw-curvature", "--field-detail",
+      run({"stripe", "shape:sphere,resolution=20", "--field", "raw-curvature", "--field-smoothing",
            "1", "--field-singularities", "0", "--stripes", "10", "--report", "report.json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json report = Json::parse(content(folder / "report.json"));

@@ -409,17 +409,17 @@ TEST_F(StyleTool, ValuesComeFromFilesToo) {
   picture({"--width-by", "array:phase", "--color-by", "array:frequency"}, "made.vtp");
 }
 
-TEST_F(StyleTool, AgreementIsThatOfTheFileThatIsWritten) {
-  const Arguments measured = {"--field", "raw-curvature", "--field-detail", "0.5"};
+TEST_F(StyleTool, CoherenceIsThatOfTheFileThatIsWritten) {
+  const Arguments measured = {"--field", "raw-curvature", "--field-smoothing", "0.5"};
   Arguments own = measured;
-  own.insert(own.end(), {"--color-by", "agreement", "--color-on", "surface", "--no-legend",
+  own.insert(own.end(), {"--color-by", "coherence", "--color-on", "surface", "--no-legend",
                          "--color-range", "0,1", "--up", "z"});
   const Image drawn = picture(own);
   Arguments written = {"stripe", "shape:torus,resolution=24", "--stripes", "8", "-o", "made.vtp"};
   written.insert(written.end(), measured.begin(), measured.end());
   ASSERT_EQ(run(written).exit_code, 0);
   Arguments of_file = measured;
-  of_file.insert(of_file.end(), {"--color-by", "array:agreement", "--color-on", "surface",
+  of_file.insert(of_file.end(), {"--color-by", "array:coherence", "--color-on", "surface",
                                  "--no-legend", "--color-range", "0,1", "--up", "z"});
   Arguments as_measured = measured;
   as_measured.insert(as_measured.end(), {"--up", "z"});
@@ -435,7 +435,7 @@ TEST_F(StyleTool, AgreementIsThatOfTheFileThatIsWritten) {
   };
   EXPECT_LT(far_from_drawn(from_file), 30);
   EXPECT_GT(far_from_drawn(plain), 600);
-  expect_refusal(2, "--field-detail", with({"--width-by", "agreement"}));
+  expect_refusal(2, "--field-smoothing", with({"--width-by", "coherence"}));
 }
 
 TEST_F(StyleTool, BadValuesAreRefused) {

@@ -190,7 +190,7 @@ void curves() {
   brindle::StripePattern pattern = brindle::stripe_pattern(in.surface, in.waves);
   const brindle::StripeCurves lines = brindle::stripe_curves(in.surface, pattern);
   print("curves", Fingerprint().add(lines.lines.points));
-  brindle::merge_branches(in.surface, pattern, {0.05});
+  brindle::cancel_branches(in.surface, pattern, {0.05});
   print("merged branches", pattern);
 
   const Input tube = input("tube,bend=0,bulge=0.4", 20);

@@ -349,12 +349,13 @@ void expect_another_slack_from_frame_to_frame(DistributedOptions options) {
   options.slack = 0.3f;
   StripeAnimator one(Surface{w.mesh, w.neighborhood, w.normals}, options);
   DistributedStripeAnimator many(parts.surface(), options);
-  std::vector<float> calm(w.mesh.vertex_count());
-  for (std::size_t v = 0; v < calm.size(); ++v) calm[v] = w.mesh.positions[v].x() > 0 ? 1.0f : 0.0f;
-  Slack with_calm = 0.1f, of_piece = 0.1f;
-  with_calm.calm = calm;
-  of_piece.calm = parts.of_piece(calm);
-  const std::pair<Slack, Slack> steps[] = {{0.3f, 0.3f}, {0.1f, 0.1f}, {with_calm, of_piece}};
+  std::vector<float> branch_penalty(w.mesh.vertex_count());
+  for (std::size_t v = 0; v < branch_penalty.size(); ++v)
+    branch_penalty[v] = w.mesh.positions[v].x() > 0 ? 1.0f : 0.0f;
+  Slack with_penalty = 0.1f, of_piece = 0.1f;
+  with_penalty.branch_penalty = branch_penalty;
+  of_piece.branch_penalty = parts.of_piece(branch_penalty);
+  const std::pair<Slack, Slack> steps[] = {{0.3f, 0.3f}, {0.1f, 0.1f}, {with_penalty, of_piece}};
   for (const auto& [of_one, of_many] : steps) {
     one.set_slack(of_one);
     many.set_slack(of_many);

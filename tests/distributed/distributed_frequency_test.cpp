@@ -66,12 +66,12 @@ TEST(DistributedFrequency, OfOneRankHasTheBitsOfTheLibrary) {
   if (rank_count() > 1) GTEST_SKIP() << "of one rank";
   const Parts parts(wavy_surface("molecule,resolution=40", kAxis, 40));
   const Surface whole = make_surface(parts.whole.mesh);
-  Slack uneven = kSlack, calm = kSlack;
+  Slack uneven = kSlack, branch_penalty = kSlack;
   for (const Vec3& p : whole.mesh.positions) {
     uneven.by_vertex.push_back(p.x() > 0 ? 0.3f : 0.05f);
-    calm.calm.push_back(p.y() > 0 ? 1.0f : 0.0f);
+    branch_penalty.branch_penalty.push_back(p.y() > 0 ? 1.0f : 0.0f);
   }
-  for (const Slack& slack : {Slack(kSlack), uneven, calm}) {
+  for (const Slack& slack : {Slack(kSlack), uneven, branch_penalty}) {
     StripeAnimator expected(whole, with_slack(slack));
     DistributedStripeAnimator animator(parts.surface(), with_slack(slack));
     for (const float angle : {0.0f, 0.1f, 0.1f, 3.0f}) {
@@ -94,7 +94,7 @@ TEST(DistributedFrequency, OfOneRankMeasuresWhatThePatternSays) {
   StripeOptions options;
   options.slack = kSlack;
   for (const Vec3& p : parts.whole.mesh.positions) {
-    options.slack.calm.push_back(p.y() > 0 ? 1.0f : 0.0f);
+    options.slack.branch_penalty.push_back(p.y() > 0 ? 1.0f : 0.0f);
   }
   const StripePattern pattern =
       stripe_pattern(make_surface(parts.whole.mesh), parts.whole.waves, options);
@@ -102,7 +102,7 @@ TEST(DistributedFrequency, OfOneRankMeasuresWhatThePatternSays) {
   animator.frame(frame_of(parts.whole.waves));
   const PatternQuality quality = animator.measure().quality;
   EXPECT_EQ(quality.branches, pattern.quality.branches);
-  EXPECT_EQ(quality.branches_in_calm, pattern.quality.branches_in_calm);
+  EXPECT_EQ(quality.branches_in_avoided_area, pattern.quality.branches_in_avoided_area);
   EXPECT_EQ(quality.spacing_error_mean, pattern.quality.spacing_error_mean);
   EXPECT_EQ(quality.spacing_error_wanted_mean, pattern.quality.spacing_error_wanted_mean);
 }
@@ -220,22 +220,22 @@ TEST(DistributedFrequency, TakesAnyTopology) {
   }
 }
 
-TEST(DistributedFrequency, KeepsToSlackAndCalmOfTheOwners) {
+TEST(DistributedFrequency, KeepsToSlackAndPenaltiesOfTheOwners) {
   const WavySurface whole = wavy_surface("trefoil,resolution=40", kAxis, 30);
   Slack slack;
   for (const Vec3& p : whole.mesh.positions) {
     slack.by_vertex.push_back(p.x() > 0 ? 0.3f : 0.0f);
-    slack.calm.push_back(p.z() > 0 ? 1.0f : 0.0f);
+    slack.branch_penalty.push_back(p.z() > 0 ? 1.0f : 0.0f);
   }
   const Eigen::VectorXd alone = ratios_alone(whole, whole.waves, slack);
   const Parts parts(whole);
   const DistributedSurface surface = parts.surface();
   Slack of_piece;
   of_piece.by_vertex = parts.of_piece(slack.by_vertex);
-  of_piece.calm = parts.of_piece(slack.calm);
+  of_piece.branch_penalty = parts.of_piece(slack.branch_penalty);
   // What is said of others' vertices does not count.
   for (std::size_t v = 0; v < parts.ids.size(); ++v) {
-    if (!surface.is_own()[v]) of_piece.by_vertex[v] = of_piece.calm[v] = 0.7f;
+    if (!surface.is_own()[v]) of_piece.by_vertex[v] = of_piece.branch_penalty[v] = 0.7f;
   }
   DistributedOptions options = with_slack(of_piece);
   options.gather_below = 500;
@@ -244,7 +244,8 @@ TEST(DistributedFrequency, KeepsToSlackAndCalmOfTheOwners) {
   const Eigen::VectorXd x = ratios(parts, surface, frame.frequencies, whole.waves);
   for (Eigen::Index v = 0; v < x.size(); ++v) {
     const auto i = static_cast<std::size_t>(v);
-    const double most = 1 + static_cast<double>(slack.by_vertex[i] * (1 + 2 * slack.calm[i]));
+    const double most =
+        1 + static_cast<double>(slack.by_vertex[i] * (1 + 2 * slack.branch_penalty[i]));
     EXPECT_LE(x[v], most * (1 + 1e-6));
     EXPECT_GE(x[v], (1 - 1e-6) / most);
   }
@@ -266,9 +267,10 @@ TEST(DistributedFrequency, KeepsToSlackAndCalmOfTheOwners) {
   std::size_t in_calm = 0;
   for (std::size_t t = 0; t < corners.size(); ++t) {
     const auto& [a, b, c] = whole.mesh.triangles[t];
-    in_calm += is_branch(corners[t].kind) && slack.calm[a] + slack.calm[b] + slack.calm[c] >= 1.5f;
+    in_calm += is_branch(corners[t].kind) &&
+               slack.branch_penalty[a] + slack.branch_penalty[b] + slack.branch_penalty[c] >= 1.5f;
   }
-  EXPECT_EQ(measures.quality.branches_in_calm, in_calm);
+  EXPECT_EQ(measures.quality.branches_in_avoided_area, in_calm);
 }
 
 TEST(DistributedFrequency, HasTheSameBitsInEveryRun) {
@@ -388,13 +390,13 @@ TEST(DistributedFrequency, RefusesOnAllRanksWhatOneRankGetsWrong) {
   };
   refuses(is_wrong ? -1.0f : 0.1f, "finite number of 0");
   Slack slack = 0.1f;
-  slack.calm.assign(parts.ids.size(), 0.5f);
-  if (is_wrong) slack.calm[3] = 2;
-  refuses(slack, "calm of vertex 3");
-  if (is_wrong) slack.calm.assign(1, 0.5f);
+  slack.branch_penalty.assign(parts.ids.size(), 0.5f);
+  if (is_wrong) slack.branch_penalty[3] = 2;
+  refuses(slack, "avoid_branches of vertex 3");
+  if (is_wrong) slack.branch_penalty.assign(1, 0.5f);
   refuses(slack, "one to each");
   if (rank_count() == 1) return;
-  if (is_wrong) slack.calm.clear();
+  if (is_wrong) slack.branch_penalty.clear();
   refuses(slack, "all pieces");
 }
 

@@ -218,12 +218,12 @@ TEST_F(MpiToolFields, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   write_rows("weights.csv", "a,b,c,d\n", mesh.vertex_count(), 4);
   write_rows("named.csv", "velocity_x,velocity_y,velocity_z,frequency\n", mesh.vertex_count(), 4);
   write_rows("wind.csv", "east,north,up\n", mesh.vertex_count(), 3);
-  const Words of_cells = {"--field", "array:flow", "--stripes", "8", "--field-detail", "1"};
+  const Words of_cells = {"--field", "array:flow", "--stripes", "8", "--field-smoothing", "1"};
   const auto with = [](Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
-  const std::vector<std::string> seen = {"agreement"};
+  const std::vector<std::string> seen = {"coherence"};
   expect_agreement("in.vtp", of_cells, seen);
   expect_agreement("in.vtp", with(of_cells, {"--field-weight", "array:load", "--along"}), seen);
   expect_agreement("in.vtp", with(of_cells, {"--field-weight", "weights.csv:d", "--fill", "1"}),
@@ -232,12 +232,12 @@ TEST_F(MpiToolFields, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
                    seen);
   expect_agreement("in.vtp", with(of_cells, {"--frequency-by", "array:density"}), seen);
   expect_agreement("in.vtp",
-                   {"--field", "array:stress", "--frequency", "array:density", "--field-detail",
-                    "0.5", "--frequency-detail", "0.5"},
+                   {"--field", "array:stress", "--frequency", "array:density", "--field-smoothing",
+                    "0.5", "--frequency-smoothing", "0.5"},
                    seen);
-  expect_agreement("in.vtp", {"--field", "named.csv:velocity", "--field-detail", "2"}, seen);
-  expect_agreement("in.vtp", {"--field", "named.csv:velocity", "--frequency-detail", "1"}, {});
-  expect_agreement("in.vtp", {"--field", "wind.csv", "--stripes", "8", "--field-detail", "1"},
+  expect_agreement("in.vtp", {"--field", "named.csv:velocity", "--field-smoothing", "2"}, seen);
+  expect_agreement("in.vtp", {"--field", "named.csv:velocity", "--frequency-smoothing", "1"}, {});
+  expect_agreement("in.vtp", {"--field", "wind.csv", "--stripes", "8", "--field-smoothing", "1"},
                    seen);
   const auto mpi = report("mpi.json");
   EXPECT_GT(mpi["field_turned_median_deg"], 10);
@@ -364,7 +364,7 @@ TEST_F(MpiToolFields, RefusesRowsForPiecesWithoutNumbers) {
   write_rows("rows.csv", "", mesh.vertex_count(), 4);
   for (const Words& options :
        {Words{"--field", "rows.csv"}, Words{"--direction", "1,0,0", "--frequency-by", "rows.csv:c"},
-        Words{"--slack", "0.2", "--calm", "rows.csv"}}) {
+        Words{"--slack", "0.2", "--avoid-branches", "rows.csv"}}) {
     Words words = {"in.pvtp", "--output", "out.pvtp"};
     words.insert(words.end(), options.begin(), options.end());
     const auto result = on(2, words);

@@ -43,7 +43,7 @@ Words with(const Words& front, const Words& back) {
 
 TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
   const Words options = {"--lines",      "both", "--stripes-v",  "12",
-                         "--min-length", "10%",  "--line-width", "1%"};
+                         "--min-length", "10%",  "--path-width", "1%"};
   for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"}, Words{"--trim", "0"},
                             Words{"--join", "--fair", "0.25"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
@@ -83,7 +83,7 @@ TEST_F(MpiToolLines, MeasuresOfCurvesOfManyRanksAreThoseOfTheTool) {
                          "--direction",    "0.3,0.9,0.2",
                          "--stripes",      "25",
                          "--frequency-by", "height",
-                         "--line-width",   "1%",
+                         "--path-width",   "1%",
                          "--report"};
   run_alone(with(options, {"tool.json"}));
   const auto alone = report("tool.json")["u"];
@@ -311,7 +311,7 @@ TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--fair", "0.25"}, "--fair");
-  refused({"curves", "shape:torus", "--calm", "calm.csv"}, "--calm");
+  refused({"curves", "shape:torus", "--avoid-branches", "avoid.csv"}, "--avoid-branches");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
   refused({"curves", "shape:torus", "--tube-sides", "5"}, "--tube-radius");
   refused({"sample", "shape:nothing"}, "unknown shape");

@@ -110,8 +110,8 @@ TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
   }
 }
 
-/// A CSV file of --calm for a torus: 1 for every third vertex.
-void write_calm(const std::filesystem::path& path, std::size_t rows) {
+/// A CSV file of --avoid-branches for a torus: 1 for every third vertex.
+void write_penalties(const std::filesystem::path& path, std::size_t rows) {
   std::string text;
   for (std::size_t row = 0; row < rows; ++row) text += row % 3 == 0 ? "1\n" : "0\n";
   test::write_text(path, text);
@@ -125,14 +125,14 @@ TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
                        "cotangent",
                        "--slack",
                        "0.25",
-                       "--calm",
-                       "calm.csv"};
+                       "--avoid-branches",
+                       "avoid.csv"};
   Words mine = words, tools = words;
   mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
   tools.insert(tools.begin(), {"1000", BRINDLE_TOOL_ALONE, "stripe"});
   tools.insert(tools.end(),
                {"--crease-angle", "180", "--output", "tool.vtp", "--report", "tool.json"});
-  write_calm(folder / "calm.csv", make_shape("torus,resolution=40").vertex_count());
+  write_penalties(folder / "avoid.csv", make_shape("torus,resolution=40").vertex_count());
   ASSERT_EQ(on(1, mine).exit_code, 0);
   ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
   const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
@@ -148,14 +148,14 @@ TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
 
 TEST_F(MpiTool, WritesFrequenciesThatYield) {
   const std::size_t count = make_shape("torus,resolution=200").vertex_count();
-  write_calm(folder / "calm.csv", count);
+  write_penalties(folder / "avoid.csv", count);
   const ToolResult result =
       on(3, {"shape:torus,resolution=200", "--direction", "0.3,0.9,0.2", "--stripes", "30",
-             "--slack", "0.2", "--calm", "calm.csv", "--frames", "2", "--plan-below", "0",
-             "--output", "out.pvtp", "--report", "out.json"});
+             "--slack", "0.2", "--avoid-branches", "avoid.csv", "--frames", "2", "--plan-below",
+             "0", "--output", "out.pvtp", "--report", "out.json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(content(folder / "out.json"));
-  EXPECT_TRUE(report["frequency_change"].contains("branches_in_calm"));
+  EXPECT_TRUE(report["frequency_change"].contains("branches_in_avoided_area"));
   EXPECT_GT(report["frames"]["frequency_halo_bytes"], 0);
   EXPECT_GE(report["frames"]["frequency_bytes_sent"], report["frames"]["frequency_halo_bytes"]);
   EXPECT_NE(content(folder / "out.pvtp").find("Name=\"frequency_wanted\""), std::string::npos);
@@ -179,10 +179,11 @@ TEST_F(MpiTool, WritesFrequenciesThatYield) {
   EXPECT_GT(most, 1.2f);
 }
 
-TEST_F(MpiTool, RefusesCalmThatDoesNotFit) {
-  write_calm(folder / "calm.csv", 7);
-  expect_failure(on(2, {"shape:torus", "--slack", "0.2", "--calm", "calm.csv"}), 1, "calm.csv");
-  expect_failure(on(2, {"shape:torus", "--calm", "calm.csv"}), 2, "--calm");
+TEST_F(MpiTool, RefusesPenaltiesThatDoesNotFit) {
+  write_penalties(folder / "avoid.csv", 7);
+  expect_failure(on(2, {"shape:torus", "--slack", "0.2", "--avoid-branches", "avoid.csv"}), 1,
+                 "avoid.csv");
+  expect_failure(on(2, {"shape:torus", "--avoid-branches", "avoid.csv"}), 2, "--avoid-branches");
   expect_failure(on(2, {"shape:torus", "--slack", "-1"}), 2, "--slack");
 }
 

@@ -37,7 +37,7 @@ TEST(BranchPairs, AreFewerAtNoMoreEnergy) {
   StripePattern pattern = knot.pattern();
   const std::size_t before = pattern.quality.branches;
   const double energy_before = pattern.solution.energy;
-  const MergedBranches merged = merge_branches(knot.surface, pattern, {0});
+  const CancelledBranches merged = cancel_branches(knot.surface, pattern, {0});
   EXPECT_GT(merged.pairs, 2u);
   EXPECT_EQ(merged.branches_before, before);
   EXPECT_LE(merged.branches_after + 2 * merged.pairs, before);
@@ -53,7 +53,7 @@ TEST(BranchPairs, GoAsLongAsTheEnergyAllows) {
   std::size_t last = knot.pattern().quality.branches;
   for (const double share : {0.0, 0.1, 0.5}) {
     StripePattern pattern = knot.pattern();
-    const MergedBranches merged = merge_branches(knot.surface, pattern, {share});
+    const CancelledBranches merged = cancel_branches(knot.surface, pattern, {share});
     EXPECT_LE(merged.branches_after, last);
     EXPECT_LE(merged.energy_after, (1 + share + 1e-6) * merged.energy_before);
     last = merged.branches_after;
@@ -81,9 +81,9 @@ TEST(BranchPairs, AreLookedForAsFarAwayAsIsAsked) {
       stripe_pattern(plane, DirectionField(plane.mesh.vertex_count(), Vec3::UnitX()), 10, options);
   ASSERT_EQ(pattern.quality.branches, 2u);
   StripePattern nearer = pattern, farther = pattern;
-  EXPECT_EQ(merge_branches(plane, nearer, {1, 19}).pairs, 0u);
+  EXPECT_EQ(cancel_branches(plane, nearer, {1, 19}).pairs, 0u);
   EXPECT_EQ(nearer.solution.z, pattern.solution.z);
-  EXPECT_EQ(merge_branches(plane, farther, {0, 25}).pairs, 1u);
+  EXPECT_EQ(cancel_branches(plane, farther, {0, 25}).pairs, 1u);
   EXPECT_EQ(farther.quality.branches, 0u);
   EXPECT_LT(farther.solution.energy, 0.1 * pattern.solution.energy);
 }
@@ -91,10 +91,10 @@ TEST(BranchPairs, AreLookedForAsFarAwayAsIsAsked) {
 TEST(BranchPairs, CostLessWhereMoreIsSolvedForAround) {
   const Knot knot;
   StripePattern pattern = knot.pattern(), as_always = pattern, said = pattern, wide = pattern;
-  merge_branches(knot.surface, as_always, {0.2});
-  merge_branches(knot.surface, said, {0.2, 10});
+  cancel_branches(knot.surface, as_always, {0.2});
+  cancel_branches(knot.surface, said, {0.2, 10});
   EXPECT_EQ(as_always.solution.z, said.solution.z);
-  merge_branches(knot.surface, wide, {0.2, 25});
+  cancel_branches(knot.surface, wide, {0.2, 25});
   EXPECT_LT(wide.quality.branches, pattern.quality.branches);
   EXPECT_LT(wide.solution.energy, said.solution.energy);
 }
@@ -105,7 +105,7 @@ TEST(BranchPairs, OfAnySolverAreTaken) {
     if (!is_available(solver)) continue;
     knot.options.solver.solver = solver;
     StripePattern pattern = knot.pattern();
-    const MergedBranches merged = merge_branches(knot.surface, pattern, {0.1}, knot.options);
+    const CancelledBranches merged = cancel_branches(knot.surface, pattern, {0.1}, knot.options);
     EXPECT_LE(merged.branches_after, merged.branches_before) << name_of(solver);
     EXPECT_LE(merged.energy_after, 1.1001 * merged.energy_before) << name_of(solver);
     EXPECT_NEAR(merged.energy_after, energy_again(knot.surface, pattern), 1e-9);
@@ -121,8 +121,8 @@ TEST(BranchPairs, HardlyDependOnHowDirectionsAreSigned) {
   }
   other.corners =
       corner_phases(knot.surface.mesh.triangles, other.waves, other.solution.z, other.phase_shift);
-  const MergedBranches a = merge_branches(knot.surface, pattern, {0.1});
-  const MergedBranches b = merge_branches(knot.surface, other, {0.1});
+  const CancelledBranches a = cancel_branches(knot.surface, pattern, {0.1});
+  const CancelledBranches b = cancel_branches(knot.surface, other, {0.1});
   EXPECT_NEAR(static_cast<double>(a.pairs), static_cast<double>(b.pairs), 1);
 }
 
@@ -130,9 +130,9 @@ TEST(BranchPairs, AreTheSameForEveryNumberOfThreads) {
   const Knot knot;
   StripePattern alone = knot.pattern(), together = alone;
   const ThreadLimit one(1);
-  merge_branches(knot.surface, alone, {0.1});
+  cancel_branches(knot.surface, alone, {0.1});
   const ThreadLimit two(2);
-  merge_branches(knot.surface, together, {0.1});
+  cancel_branches(knot.surface, together, {0.1});
   EXPECT_EQ(alone.solution.z, together.solution.z);
 }
 
@@ -141,14 +141,14 @@ TEST(BranchPairs, LeaveFixedPhasesAndPatternsWithoutBranchesAsTheyAre) {
   StripePattern pattern = knot.pattern();
   knot.options.fixed_phases = pattern.solution.z;
   const auto before = pattern.solution.z;
-  EXPECT_EQ(merge_branches(knot.surface, pattern, {1}, knot.options).pairs, 0u);
+  EXPECT_EQ(cancel_branches(knot.surface, pattern, {1}, knot.options).pairs, 0u);
   EXPECT_EQ(pattern.solution.z, before);
 
   const Surface plane = make_surface(make_shape("plane,resolution=20"));
   StripePattern straight =
       stripe_pattern(plane, projected_direction_field(Vec3::UnitX(), plane.normals), 4);
   const auto z = straight.solution.z;
-  EXPECT_EQ(merge_branches(plane, straight, {1}).pairs, 0u);
+  EXPECT_EQ(cancel_branches(plane, straight, {1}).pairs, 0u);
   EXPECT_EQ(straight.solution.z, z);
 }
 
@@ -158,11 +158,11 @@ TEST(BranchPairs, OfTexturesGoFromBothPatterns) {
   const DirectionField field = projected_direction_field(kAxis, knot.surface.normals);
   TexturePattern texture = texture_pattern(knot.surface, field, 8, options);
   StripePattern u = texture.u, v = texture.v;
-  const MergedBranches of_u = merge_branches(knot.surface, u, {0.05}),
-                       of_v = merge_branches(knot.surface, v, {0.05});
+  const CancelledBranches of_u = cancel_branches(knot.surface, u, {0.05}),
+                          of_v = cancel_branches(knot.surface, v, {0.05});
   ASSERT_GT(of_u.pairs, 0u);
   ASSERT_GT(of_v.pairs, 0u);
-  const MergedBranches merged = merge_branches(knot.surface, texture, {0.05}, options);
+  const CancelledBranches merged = cancel_branches(knot.surface, texture, {0.05}, options);
   EXPECT_EQ(texture.u.solution.z, u.solution.z);
   EXPECT_EQ(texture.v.solution.z, v.solution.z);
   EXPECT_EQ(merged.pairs, of_u.pairs + of_v.pairs);
@@ -188,7 +188,7 @@ TEST(BranchPairs, OfCrossesGoFromBothWavesTogether) {
                         constant_frequency_field(25 / diagonal, surface.mesh.vertex_count())};
     const CrossPattern before = cross_pattern(surface, waves);
     CrossPattern cross = before;
-    const MergedBranches merged = merge_branches(surface, cross, {0});
+    const CancelledBranches merged = cancel_branches(surface, cross, {0});
     EXPECT_GT(merged.pairs, 2u) << shape;
     EXPECT_LE(merged.energy_after, merged.energy_before * (1 + 1e-6)) << shape;
     EXPECT_NEAR(merged.energy_after, energy_again(cross.surface, cross.pattern), 1e-9) << shape;
@@ -199,7 +199,7 @@ TEST(BranchPairs, OfCrossesGoFromBothWavesTogether) {
 
     CrossPattern kept = before;
     const Progress cancelling([](std::string_view, double) { return false; });
-    EXPECT_THROW(merge_branches(surface, kept, {0}, {}, cancelling), Cancelled);
+    EXPECT_THROW(cancel_branches(surface, kept, {0}, {}, cancelling), Cancelled);
     EXPECT_EQ(kept.pattern.solution.z, before.pattern.solution.z) << shape;
   }
 }
@@ -208,16 +208,16 @@ TEST(BranchPairs, RefuseWhatCannotBe) {
   const Knot knot;
   StripePattern pattern = knot.pattern();
   for (const double bad : {-0.1, std::nan(""), HUGE_VAL}) {
-    EXPECT_THROW(merge_branches(knot.surface, pattern, {bad}), Error);
+    EXPECT_THROW(cancel_branches(knot.surface, pattern, {bad}), Error);
   }
   const Surface other = make_surface(make_shape("torus,resolution=16"));
   for (const double bad : {0.0, -1.0, 1001.0, std::nan("")}) {
-    EXPECT_THROW(merge_branches(knot.surface, pattern, {0, bad}), Error);
+    EXPECT_THROW(cancel_branches(knot.surface, pattern, {0, bad}), Error);
   }
-  EXPECT_THROW(merge_branches(other, pattern, {0}), Error);
+  EXPECT_THROW(cancel_branches(other, pattern, {0}), Error);
   const auto before = pattern.solution.z;
   const Progress cancelling([](std::string_view, double) { return false; });
-  EXPECT_THROW(merge_branches(knot.surface, pattern, {0}, {}, cancelling), Cancelled);
+  EXPECT_THROW(cancel_branches(knot.surface, pattern, {0}, {}, cancelling), Cancelled);
   EXPECT_EQ(pattern.solution.z, before);
 }
 

@@ -189,14 +189,14 @@ std::vector<std::pair<std::string, Job>> jobs() {
     carried_phases({torus().mesh, last.waves, last.solution.z}, torus().mesh, last.waves, 1,
                    progress);
   });
-  add("merge_branches", [](const Progress& progress) {
+  add("cancel_branches", [](const Progress& progress) {
     // A small surface: every pair of branches takes as long as all vertices around it.
     static const Surface small = make_surface(make_shape("torus,resolution=80"));
     static const StripePattern before =
         stripe_pattern(small, projected_direction_field({1, 0.3f, 0.2f}, small.normals), 8);
     StripePattern merged = before;
     try {
-      merge_branches(small, merged, {0.1}, {}, progress);
+      cancel_branches(small, merged, {0.1}, {}, progress);
     } catch (const Cancelled&) {
       EXPECT_EQ(merged.solution.z, before.solution.z);
       throw;
@@ -284,7 +284,7 @@ TEST(Cancelling, ReportsAreNeverFarApart) {
       {"YieldingFrequency", 0.5},
       {"stripe_pattern_averaged", 0.3},
       {"stripe_pattern_with_slack", 0.25},
-      {"merge_branches", 0.25},
+      {"cancel_branches", 0.25},
       {"cross_pattern_with_slack", 0.2},
       {"cross_texture", 0.1},
       {"CrossAnimator", 0.2},

@@ -68,12 +68,12 @@ double mean_angle(const DirectionField& a, const DirectionField& b) {
   return sum / count;
 }
 
-DetailedField seen(const Truth& truth, const DirectionField& data,
-                   const FieldDetailOptions& options = {}) {
-  return FieldDetail(truth.surface, options).frame({data, {}}, truth.frequencies);
+SmoothedField seen(const Truth& truth, const DirectionField& data,
+                   const FieldSmoothingOptions& options = {}) {
+  return FieldSmoothing(truth.surface, options).frame({data, {}}, truth.frequencies);
 }
 
-TEST(FieldDetail, IsNearerToTheTruthThanTheDataByAFactor) {
+TEST(FieldSmoothing, IsNearerToTheTruthThanTheDataByAFactor) {
   for (const char* shape : {"torus,resolution=120", "trefoil,resolution=80"}) {
     const Truth truth(shape);
     for (const float degrees : {10.0f, 20.0f, 40.0f}) {
@@ -85,33 +85,33 @@ TEST(FieldDetail, IsNearerToTheTruthThanTheDataByAFactor) {
   }
 }
 
-TEST(FieldDetail, LeavesCleanFieldsAsTheyAre) {
+TEST(FieldSmoothing, LeavesCleanFieldsAsTheyAre) {
   for (const char* shape : {"torus,resolution=120", "trefoil,resolution=80"}) {
     const Truth truth(shape);
-    const DetailedField field = seen(truth, truth.field);
+    const SmoothedField field = seen(truth, truth.field);
     EXPECT_LT(mean_angle(field.directions, truth.field), 1) << shape;
     for (const Vec3& d : field.directions) EXPECT_NEAR(d.norm(), 1, 1e-5);
   }
 }
 
-TEST(FieldDetail, SaysHowMuchDataAgree) {
+TEST(FieldSmoothing, SaysHowMuchDataAgree) {
   const Truth truth("torus,resolution=80");
   const auto mean = [&](float degrees) {
-    const DetailedField field = seen(truth, noisy(truth, degrees));
+    const SmoothedField field = seen(truth, noisy(truth, degrees));
     double sum = 0;
-    for (const float a : field.agreement) {
+    for (const float a : field.coherence) {
       EXPECT_GE(a, 0);
       EXPECT_LE(a, 1);
       sum += static_cast<double>(a);
     }
-    return sum / static_cast<double>(field.agreement.size());
+    return sum / static_cast<double>(field.coherence.size());
   };
   EXPECT_GT(mean(0), 0.98);  // the field itself turns within a period
   // Angles of lines count twice: the mean of exp(2 i theta) is exp(-2 sigma^2).
   EXPECT_NEAR(mean(20), std::exp(-2 * 0.349 * 0.349), 0.02);
 }
 
-TEST(FieldDetail, FillsHolesAsFarAsItIsTold) {
+TEST(FieldSmoothing, FillsHolesAsFarAsItIsTold) {
   const Truth truth("torus,resolution=80");
   DirectionField data = truth.field;
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -122,15 +122,15 @@ TEST(FieldDetail, FillsHolesAsFarAsItIsTold) {
     ++holes;
   }
   const float far = 1e6f;
-  FieldDetail all(truth.surface, {.fill = far}), none(truth.surface, {.fill = 0}),
+  FieldSmoothing all(truth.surface, {.fill = far}), none(truth.surface, {.fill = 0}),
       some(truth.surface, {.fill = 3});
-  const DetailedField filled = all.frame({data, {}}, truth.frequencies);
+  const SmoothedField filled = all.frame({data, {}}, truth.frequencies);
   EXPECT_LT(mean_angle(filled.directions, truth.field), 12);  // half of the torus is guessed
   EXPECT_EQ(all.figures().filled, holes);
   EXPECT_EQ(all.figures().unfilled, 0u);
   EXPECT_EQ(all.figures().data, data.size() - holes);
 
-  const DetailedField empty = none.frame({data, {}}, truth.frequencies);
+  const SmoothedField empty = none.frame({data, {}}, truth.frequencies);
   EXPECT_EQ(none.figures().filled, 0u);
   EXPECT_EQ(none.figures().unfilled, holes);
   some.frame({data, {}}, truth.frequencies);
@@ -139,12 +139,12 @@ TEST(FieldDetail, FillsHolesAsFarAsItIsTold) {
   for (std::size_t i = 0; i < data.size(); ++i) {
     if (!empty.directions[i].isZero(0)) continue;
     EXPECT_GE(truth.surface.mesh.positions[i].x(), 0);
-    EXPECT_EQ(empty.agreement[i], 0);
+    EXPECT_EQ(empty.coherence[i], 0);
   }
 }
 
 /// What counts nothing says nothing, and the unit of the weights does not matter.
-TEST(FieldDetail, CountsDataByTheirConfidence) {
+TEST(FieldSmoothing, CountsDataByTheirConfidence) {
   const Truth truth("torus,resolution=80");
   DirectionField data = truth.field;
   std::vector<float> confidence(data.size(), 0.001f);
@@ -152,14 +152,14 @@ TEST(FieldDetail, CountsDataByTheirConfidence) {
     data[i] = truth.surface.normals[i].cross(truth.field[i]);  // wrong by 90 degrees
     confidence[i] = 0;
   }
-  FieldDetail detail(truth.surface);
-  const DetailedField weighted = detail.frame({data, confidence}, truth.frequencies);
+  FieldSmoothing detail(truth.surface);
+  const SmoothedField weighted = detail.frame({data, confidence}, truth.frequencies);
   EXPECT_LT(mean_angle(weighted.directions, truth.field), 1);
   for (float& c : confidence) c *= 4096;
   EXPECT_EQ(detail.frame({data, confidence}, truth.frequencies).directions, weighted.directions);
 }
 
-TEST(FieldDetail, IsTheSameOnAFinerMesh) {
+TEST(FieldSmoothing, IsTheSameOnAFinerMesh) {
   Mesh mesh = make_shape("torus,resolution=60");
   const auto along_x = [](const Surface& surface) {
     DirectionField field;
@@ -173,9 +173,9 @@ TEST(FieldDetail, IsTheSameOnAFinerMesh) {
   const Surface coarse = make_surface(mesh), fine = make_surface(subdivide(mesh));
   const auto field_on = [&](const Surface& surface) {
     const FrequencyField f(surface.normals.size(), 6.0f);
-    return FieldDetail(surface).frame({along_x(surface), {}}, f);
+    return FieldSmoothing(surface).frame({along_x(surface), {}}, f);
   };
-  DetailedField a = field_on(coarse), b = field_on(fine);
+  SmoothedField a = field_on(coarse), b = field_on(fine);
   b.directions.resize(a.directions.size());  // the first vertices are those of the coarse mesh
   const double turned = mean_angle(along_x(coarse), a.directions);
   EXPECT_GT(turned, 3);
@@ -198,14 +198,14 @@ DirectionField on_subdivided(const DirectionField& coarse, const Surface& fine) 
 
 /// The scale is in periods, not in edges, for noise as well: where edges are many to a period, the
 /// field moves by less than 2 % of what noise is taken away.
-TEST(FieldDetail, IsTheSameOfNoisyDataOnAFinerMesh) {
+TEST(FieldSmoothing, IsTheSameOfNoisyDataOnAFinerMesh) {
   for (const char* shape : {"torus,resolution=180", "trefoil"}) {
     const Truth truth(shape, 20);
     const DirectionField data = noisy(truth, 20);
     const Surface fine = make_surface(subdivide(make_shape(shape)));
     const FrequencyField frequencies(fine.normals.size(), truth.frequencies.front());
-    const DetailedField a = seen(truth, data);
-    DetailedField b = FieldDetail(fine).frame({on_subdivided(data, fine), {}}, frequencies);
+    const SmoothedField a = seen(truth, data);
+    SmoothedField b = FieldSmoothing(fine).frame({on_subdivided(data, fine), {}}, frequencies);
     b.directions.resize(a.directions.size());
     const double turned = mean_angle(data, a.directions);
     EXPECT_GT(turned, 13) << shape;
@@ -213,39 +213,39 @@ TEST(FieldDetail, IsTheSameOfNoisyDataOnAFinerMesh) {
   }
 }
 
-TEST(FieldDetail, DoesNotDependOnSignsOrThreads) {
+TEST(FieldSmoothing, DoesNotDependOnSignsOrThreads) {
   const Truth truth("torus,resolution=80");
   const DirectionField data = noisy(truth, 20);
   DirectionField flipped = data;
   for (std::size_t i = 0; i < flipped.size(); i += 2) flipped[i] = -flipped[i];
-  const DetailedField field = seen(truth, data);
+  const SmoothedField field = seen(truth, data);
   EXPECT_EQ(seen(truth, flipped).directions, field.directions);
   const ThreadLimit one(1);
   EXPECT_EQ(seen(truth, data).directions, field.directions);
 }
 
 /// Crosses are the same turned by 90 degrees; arrows are not the same turned round.
-TEST(FieldDetail, KnowsArrowsAndCrosses) {
+TEST(FieldSmoothing, KnowsArrowsAndCrosses) {
   const Truth truth("torus,resolution=80");
   DirectionField crosses = truth.field, arrows = truth.field;
   for (std::size_t i = 0; i < crosses.size(); i += 2) {
     crosses[i] = truth.surface.normals[i].cross(crosses[i]);
   }
-  const DetailedField turned = seen(truth, crosses, {.symmetry = 4});
-  const DetailedField whole = seen(truth, truth.field, {.symmetry = 4});
+  const SmoothedField turned = seen(truth, crosses, {.symmetry = 4});
+  const SmoothedField whole = seen(truth, truth.field, {.symmetry = 4});
   for (std::size_t i = 0; i < crosses.size(); ++i) {
     const float cosine = std::abs(turned.directions[i].dot(whole.directions[i]));
     EXPECT_GT(std::max(cosine, std::sqrt(std::max(0.0f, 1 - cosine * cosine))), 0.999f);
-    EXPECT_NEAR(turned.agreement[i], whole.agreement[i], 1e-3);
+    EXPECT_NEAR(turned.coherence[i], whole.coherence[i], 1e-3);
   }
   for (std::size_t i = 0; i < arrows.size(); i += 2) arrows[i] = -arrows[i];
-  const DetailedField facing = seen(truth, arrows, {.symmetry = 1});
+  const SmoothedField facing = seen(truth, arrows, {.symmetry = 1});
   double mean = 0;
-  for (const float a : facing.agreement) mean += static_cast<double>(a);
-  EXPECT_LT(mean / static_cast<double>(facing.agreement.size()), 0.3);
+  for (const float a : facing.coherence) mean += static_cast<double>(a);
+  EXPECT_LT(mean / static_cast<double>(facing.coherence.size()), 0.3);
 }
 
-TEST(FieldDetail, TakesDataOfTrianglesAndPoints) {
+TEST(FieldSmoothing, TakesDataOfTrianglesAndPoints) {
   const Truth truth("torus,resolution=80");
   MeasuredField of_triangles{{}, {}, true};
   for (const auto& [a, b, c] : truth.surface.mesh.triangles) {
@@ -253,7 +253,7 @@ TEST(FieldDetail, TakesDataOfTrianglesAndPoints) {
     of_triangles.directions.push_back(d +
                                       std::copysign(1.0f, d.dot(truth.field[b])) * truth.field[b]);
   }
-  FieldDetail detail(truth.surface);
+  FieldSmoothing detail(truth.surface);
   EXPECT_LT(mean_angle(detail.frame(of_triangles, truth.frequencies).directions, truth.field), 1.5);
   EXPECT_LT(detail.figures().turned_median_deg, 2);
 
@@ -264,46 +264,46 @@ TEST(FieldDetail, TakesDataOfTrianglesAndPoints) {
   const Surface points = make_point_surface(std::move(cloud));
   ASSERT_EQ(points.normals.size(), truth.field.size());
   const DirectionField data = noisy(truth, 20);
-  const DetailedField on_points = FieldDetail(points).frame({data, {}}, truth.frequencies);
+  const SmoothedField on_points = FieldSmoothing(points).frame({data, {}}, truth.frequencies);
   EXPECT_LT(mean_angle(on_points.directions, truth.field), mean_angle(data, truth.field) / 2);
 }
 
-TEST(FieldDetail, FollowsTheLastFieldAsFarAsItIsTold) {
+TEST(FieldSmoothing, FollowsTheLastFieldAsFarAsItIsTold) {
   const Truth truth("torus,resolution=80");
-  FieldDetail alone(truth.surface), following(truth.surface, {.memory = 3});
-  const auto step_of = [&](FieldDetail& detail) {
-    DetailedField last = detail.frame({noisy(truth, 40, 1), {}}, truth.frequencies);
-    const DetailedField next = detail.frame({noisy(truth, 40, 2), {}}, truth.frequencies,
-                                            {last.directions, last.agreement});
+  FieldSmoothing alone(truth.surface), following(truth.surface, {.memory = 3});
+  const auto step_of = [&](FieldSmoothing& detail) {
+    SmoothedField last = detail.frame({noisy(truth, 40, 1), {}}, truth.frequencies);
+    const SmoothedField next = detail.frame({noisy(truth, 40, 2), {}}, truth.frequencies,
+                                            {last.directions, last.coherence});
     return mean_angle(last.directions, next.directions);
   };
   EXPECT_LT(step_of(following), step_of(alone) / 2);
 }
 
-TEST(FieldDetail, FiguresTellWhatWasTurned) {
+TEST(FieldSmoothing, FiguresTellWhatWasTurned) {
   const Truth truth("torus,resolution=80");
-  FieldDetail detail(truth.surface, {.periods = 2});
+  FieldSmoothing detail(truth.surface, {.periods = 2});
   EXPECT_THROW(detail.figures(), Error);
   const DirectionField data = noisy(truth, 20);
-  const DetailedField field = detail.frame({data, {}}, truth.frequencies);
-  const FieldDetailFigures figures = detail.figures();
+  const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
+  const FieldSmoothingFigures figures = detail.figures();
   EXPECT_NEAR(figures.turned_mean_deg, mean_angle(data, field.directions), 1.5);  // by area
   EXPECT_LT(figures.turned_median_deg, figures.turned_p95_deg);
   EXPECT_GT(figures.turned_share_over_20deg, 0.1);
   EXPECT_GT(figures.singularities_of_data, figures.singularities);
 }
 
-TEST(FieldDetail, RefusesWhatItCannotTake) {
+TEST(FieldSmoothing, RefusesWhatItCannotTake) {
   const Truth truth("torus,resolution=20");
   const std::size_t count = truth.field.size();
-  const auto with = [&](FieldDetailOptions options) { FieldDetail(truth.surface, options); };
+  const auto with = [&](FieldSmoothingOptions options) { FieldSmoothing(truth.surface, options); };
   EXPECT_THROW(with({.periods = 0}), Error);
   EXPECT_THROW(with({.periods = std::numeric_limits<float>::infinity()}), Error);
   EXPECT_THROW(with({.periods = 101}), Error);
   EXPECT_THROW(with({.symmetry = 0}), Error);
   EXPECT_THROW(with({.fill = -1}), Error);
   EXPECT_THROW(with({.memory = -1}), Error);
-  FieldDetail detail(truth.surface);
+  FieldSmoothing detail(truth.surface);
   const auto frame = [&](const MeasuredField& field) { detail.frame(field, truth.frequencies); };
   EXPECT_THROW(frame({DirectionField(count - 1), {}}), Error);
   EXPECT_THROW(frame({truth.field, std::vector<float>(count, -1.0f)}), Error);
@@ -315,12 +315,12 @@ TEST(FieldDetail, RefusesWhatItCannotTake) {
   EXPECT_THROW(detail.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
 }
 
-TEST(FieldDetail, MarksWhatItFills) {
+TEST(FieldSmoothing, MarksWhatItFills) {
   const Truth truth("torus,resolution=60");
   DirectionField data = truth.field;
   for (std::size_t i = 0; i < data.size(); i += 7) data[i] = Vec3::Zero();
-  FieldDetail detail(truth.surface);
-  const DetailedField field = detail.frame({data, {}}, truth.frequencies);
+  FieldSmoothing detail(truth.surface);
+  const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
   std::size_t filled = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
     EXPECT_EQ(field.filled[i] != 0, data[i].isZero(0) && !field.directions[i].isZero(0)) << i;
@@ -330,24 +330,24 @@ TEST(FieldDetail, MarksWhatItFills) {
   EXPECT_GT(filled, 0u);
 }
 
-TEST(FieldDetail, SaysHowMuchDataAgreeOnAverage) {
+TEST(FieldSmoothing, SaysHowMuchDataAgreeOnAverage) {
   const Truth truth("torus,resolution=100");
   const auto figures = [&](float degrees) {
     DirectionField data = noisy(truth, degrees);
     for (std::size_t i = 0; i < data.size(); i += 7) data[i] = Vec3::Zero();
-    FieldDetail detail(truth.surface);
+    FieldSmoothing detail(truth.surface);
     detail.frame({data, {}}, truth.frequencies);
     return detail.figures();
   };
-  EXPECT_GT(figures(0).agreement_mean, 0.98);
-  EXPECT_GT(figures(0).agreement_filled_mean, 0.98);
+  EXPECT_GT(figures(0).coherence_mean, 0.98);
+  EXPECT_GT(figures(0).coherence_filled_mean, 0.98);
   const double expected = std::exp(-2 * 0.349 * 0.349);  // as above
-  EXPECT_NEAR(figures(20).agreement_mean, expected, 0.03);
-  EXPECT_NEAR(figures(20).agreement_filled_mean, expected, 0.05);
+  EXPECT_NEAR(figures(20).coherence_mean, expected, 0.03);
+  EXPECT_NEAR(figures(20).coherence_filled_mean, expected, 0.05);
 }
 
 // Of a scale too small, the noise remains; of one too large, true turns are lost.
-TEST(FieldDetail, DataHeldOutPreferTheScaleThatIsBestInTruth) {
+TEST(FieldSmoothing, DataHeldOutPreferTheScaleThatIsBestInTruth) {
   for (const char* shape : {"trefoil,resolution=80", "torus,resolution=80"}) {
     Truth truth(shape, 20);
     for (std::size_t i = 0; i < truth.field.size(); ++i) {
@@ -358,10 +358,10 @@ TEST(FieldDetail, DataHeldOutPreferTheScaleThatIsBestInTruth) {
     const DirectionField data = noisy(truth, 25);
     std::vector<double> held_out, true_angle;
     for (const float periods : {0.1f, 0.2f, 0.4f, 0.8f, 1.6f, 3.2f, 6.4f}) {
-      FieldDetail detail(truth.surface, {.periods = periods, .hold_out = 0.1f});
-      const DetailedField field = detail.frame({data, {}}, truth.frequencies);
+      FieldSmoothing detail(truth.surface, {.periods = periods, .hold_out = 0.1f});
+      const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
       true_angle.push_back(mean_angle(field.directions, truth.field));
-      const FieldDetailFigures figures = detail.figures();
+      const FieldSmoothingFigures figures = detail.figures();
       const double share = static_cast<double>(figures.held_out) / static_cast<double>(data.size());
       EXPECT_NEAR(share, 0.1, 0.02);
       held_out.push_back(figures.held_out_turned_mean_deg);
@@ -376,14 +376,14 @@ TEST(FieldDetail, DataHeldOutPreferTheScaleThatIsBestInTruth) {
   }
 }
 
-TEST(FieldDetail, HoldingOutDataLeavesTheField) {
+TEST(FieldSmoothing, HoldingOutDataLeavesTheField) {
   const Truth truth("torus,resolution=60");
   const DirectionField data = noisy(truth, 20);
-  const DetailedField plain = seen(truth, data), checked = seen(truth, data, {.hold_out = 0.3f});
+  const SmoothedField plain = seen(truth, data), checked = seen(truth, data, {.hold_out = 0.3f});
   EXPECT_EQ(checked.directions, plain.directions);
-  EXPECT_EQ(checked.agreement, plain.agreement);
+  EXPECT_EQ(checked.coherence, plain.coherence);
   for (const float share : {-0.1f, 1.0f, std::numeric_limits<float>::quiet_NaN()}) {
-    EXPECT_THROW(FieldDetail(truth.surface, {.hold_out = share}), Error) << share;
+    EXPECT_THROW(FieldSmoothing(truth.surface, {.hold_out = share}), Error) << share;
   }
   EXPECT_THROW(seen(truth, data, {.fill = 0, .hold_out = 0.1f}), Error);
 }
@@ -391,34 +391,35 @@ TEST(FieldDetail, HoldingOutDataLeavesTheField) {
 /// What is seen of the next frame, and of figures.
 struct SeenDetail {
   DirectionField directions;
-  std::vector<float> agreement;
+  std::vector<float> coherence;
   double turned;
   std::size_t singularities_of_data;
   bool operator==(const SeenDetail&) const = default;
 };
 
-SeenDetail see(FieldDetail& detail, const Truth& truth, const DirectionField& data) {
-  const DetailedField field = detail.frame({data, {}}, truth.frequencies);
-  const FieldDetailFigures figures = detail.figures();
-  return {field.directions, field.agreement, figures.turned_mean_deg,
+SeenDetail see(FieldSmoothing& detail, const Truth& truth, const DirectionField& data) {
+  const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
+  const FieldSmoothingFigures figures = detail.figures();
+  return {field.directions, field.coherence, figures.turned_mean_deg,
           figures.singularities_of_data};
 }
 
-TEST(FieldDetail, AFrameThatFailsLeavesNothingBehind) {
+TEST(FieldSmoothing, AFrameThatFailsLeavesNothingBehind) {
   const Truth truth("torus,resolution=40");
   for (const std::optional<std::size_t> singularities :
        {std::optional<std::size_t>(), std::optional<std::size_t>(0)}) {
-    const FieldDetailOptions options{.periods = 0.3f, .singularities = singularities};
+    const FieldSmoothingOptions options{.periods = 0.3f, .singularities = singularities};
     const DirectionField first = noisy(truth, 10, 1), second = noisy(truth, 60, 2);
-    FieldDetail undisturbed(truth.surface, options);
+    FieldSmoothing undisturbed(truth.surface, options);
     const SeenDetail a = see(undisturbed, truth, first);
     const double turned = undisturbed.figures().turned_mean_deg;
     const SeenDetail b = see(undisturbed, truth, noisy(truth, 10, 3));
     testing_support::Reports all;
-    FieldDetail(truth.surface, options).frame({second, {}}, truth.frequencies, {}, all.progress());
+    FieldSmoothing(truth.surface, options)
+        .frame({second, {}}, truth.frequencies, {}, all.progress());
     for (const int k : testing_support::reports_to_cancel(all.count())) {
       SCOPED_TRACE(k);
-      FieldDetail detail(truth.surface, options);
+      FieldSmoothing detail(truth.surface, options);
       testing_support::Reports of_first(k), of_later(k);
       EXPECT_THROW(detail.frame({second, {}}, truth.frequencies, {}, of_first.progress()),
                    Cancelled);
@@ -437,16 +438,16 @@ TEST(FieldDetail, AFrameThatFailsLeavesNothingBehind) {
   }
 }
 
-TEST(FieldDetailSingularities, AreUndoneInPairsWhereTheyAreAlone) {
+TEST(FieldSmoothingSingularities, AreUndoneInPairsWhereTheyAreAlone) {
   const Truth truth("sphere,resolution=60");
   const MeasuredField measured{noisy(truth, 45), {}};
-  FieldDetail all(truth.surface, {.periods = 0.3f});
-  const DetailedField before = all.frame(measured, truth.frequencies);
+  FieldSmoothing all(truth.surface, {.periods = 0.3f});
+  const SmoothedField before = all.frame(measured, truth.frequencies);
   const std::size_t many = all.figures().singularities;
   ASSERT_GT(many, 24U);
 
-  FieldDetail half(truth.surface, {.periods = 0.3f, .singularities = many / 2});
-  const DetailedField some = half.frame(measured, truth.frequencies);
+  FieldSmoothing half(truth.surface, {.periods = 0.3f, .singularities = many / 2});
+  const SmoothedField some = half.frame(measured, truth.frequencies);
   EXPECT_LE(half.figures().singularities, many / 2);
   EXPECT_GT(half.figures().singularities, 4U) << "no more than were asked for";
   std::size_t same = 0;
@@ -456,38 +457,38 @@ TEST(FieldDetailSingularities, AreUndoneInPairsWhereTheyAreAlone) {
   EXPECT_GT(same, some.directions.size() / 2) << "elsewhere the field stays";
 
   // A field of lines on a sphere has four or more, of which no two undo each other.
-  FieldDetail few(truth.surface, {.periods = 0.3f, .singularities = 0});
+  FieldSmoothing few(truth.surface, {.periods = 0.3f, .singularities = 0});
   few.frame(measured, truth.frequencies);
   EXPECT_EQ(few.figures().singularities, 4U);
   EXPECT_EQ(few.figures().singularities_too_many, 4U);
 }
 
 /// Data without a scale of their own: pair after pair is undone until rounding is all that holds.
-TEST(FieldDetailSingularities, OfPureNoiseStayAField) {
+TEST(FieldSmoothingSingularities, OfPureNoiseStayAField) {
   const Truth truth("sphere,resolution=60");
-  FieldDetail few(truth.surface, {.periods = 3, .singularities = 0});
-  const DetailedField field = few.frame({noisy(truth, 300), {}}, truth.frequencies);
+  FieldSmoothing few(truth.surface, {.periods = 3, .singularities = 0});
+  const SmoothedField field = few.frame({noisy(truth, 300), {}}, truth.frequencies);
   for (const Vec3& direction : field.directions) ASSERT_NEAR(direction.norm(), 1, 1e-4f);
-  const FieldDetailFigures figures = few.figures();
+  const FieldSmoothingFigures figures = few.figures();
   EXPECT_EQ(figures.singularities, figures.singularities_too_many);
-  FieldDetail all(truth.surface, {.periods = 3});
+  FieldSmoothing all(truth.surface, {.periods = 3});
   all.frame({noisy(truth, 300), {}}, truth.frequencies);
   EXPECT_LE(figures.singularities, all.figures().singularities);
 }
 
-TEST(FieldDetailSingularities, ChangeNothingWhereThereAreFewEnough) {
+TEST(FieldSmoothingSingularities, ChangeNothingWhereThereAreFewEnough) {
   const Truth truth("trefoil,resolution=30");
   const MeasuredField measured{noisy(truth, 10), {}};
-  FieldDetail all(truth.surface, {.periods = 1});
-  FieldDetail few(truth.surface, {.periods = 1, .singularities = 1000});
+  FieldSmoothing all(truth.surface, {.periods = 1});
+  FieldSmoothing few(truth.surface, {.periods = 1, .singularities = 1000});
   EXPECT_EQ(all.frame(measured, truth.frequencies).directions,
             few.frame(measured, truth.frequencies).directions);
 }
 
-TEST(FieldDetailSingularities, NeedTriangles) {
+TEST(FieldSmoothingSingularities, NeedTriangles) {
   Truth truth("sphere,resolution=20");
   truth.surface.mesh.triangles.clear();
-  EXPECT_THROW(FieldDetail(truth.surface, {.singularities = 3}), Error);
+  EXPECT_THROW(FieldSmoothing(truth.surface, {.singularities = 3}), Error);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ TEST(MeasuredFrequencies, AreNearerToTheTruthThanTheDataByAFactor) {
     const Slow slow(shape);
     for (const float share : {0.2f, 0.6f}) {
       const FrequencyField data = slow.noisy(share);
-      const DetailedFrequencies seen = detailed_frequencies(slow.surface, data);
+      const SmoothedFrequencies seen = smoothed_frequencies(slow.surface, data);
       EXPECT_LT(slow.error(seen.frequencies), slow.error(data) / 2) << shape << ' ' << share;
       // Where the mesh resolves no more than a period, some of the noise is left.
       EXPECT_LT(seen.changed_median, 1.15 * slow.median_change(data)) << shape;
@@ -81,9 +81,9 @@ TEST(MeasuredFrequencies, AreNearerToTheTruthThanTheDataByAFactor) {
 
 TEST(MeasuredFrequencies, StayWhereThereIsNoNoise) {
   const Slow slow("torus,resolution=100");
-  EXPECT_LT(slow.error(detailed_frequencies(slow.surface, slow.truth).frequencies), 0.02);
+  EXPECT_LT(slow.error(smoothed_frequencies(slow.surface, slow.truth).frequencies), 0.02);
   const FrequencyField same(slow.truth.size(), 12.5f);
-  for (const float f : detailed_frequencies(slow.surface, same).frequencies) {
+  for (const float f : smoothed_frequencies(slow.surface, same).frequencies) {
     EXPECT_NEAR(f, 12.5f, 12.5e-6f);
   }
 }
@@ -98,8 +98,8 @@ TEST(MeasuredFrequencies, FillHolesAsFarAsTheyAreTold) {
     data[i] = kNaN;
     ++holes;
   }
-  const DetailedFrequencies seen = detailed_frequencies(slow.surface, data, {.fill = 1.5f});
-  const DetailedFrequencies none = detailed_frequencies(slow.surface, data, {.fill = 0});
+  const SmoothedFrequencies seen = smoothed_frequencies(slow.surface, data, {.fill = 1.5f});
+  const SmoothedFrequencies none = smoothed_frequencies(slow.surface, data, {.fill = 0});
   for (std::size_t i = 0; i < data.size(); ++i) {
     EXPECT_EQ(std::isnan(none.frequencies[i]), std::isnan(data[i]));
     far += std::isnan(seen.frequencies[i]) ? 1 : 0;
@@ -115,7 +115,7 @@ TEST(MeasuredFrequencies, LeavePlacesWithoutAWave) {
   const Slow slow("trefoil,resolution=30");
   FrequencyField data = slow.truth;
   data[5] = data[77] = 0;
-  const DetailedFrequencies seen = detailed_frequencies(slow.surface, data);
+  const SmoothedFrequencies seen = smoothed_frequencies(slow.surface, data);
   EXPECT_EQ(seen.frequencies[5], 0);
   EXPECT_EQ(seen.frequencies[77], 0);
   EXPECT_EQ(seen.filled, 0u);
@@ -123,12 +123,12 @@ TEST(MeasuredFrequencies, LeavePlacesWithoutAWave) {
 
 TEST(MeasuredFrequencies, DoNotDependOnUnitsOrThreads) {
   const Slow metres("trefoil,resolution=40"), millimetres("trefoil,resolution=40", 1000);
-  const FrequencyField one = detailed_frequencies(metres.surface, metres.noisy(0.4f)).frequencies;
+  const FrequencyField one = smoothed_frequencies(metres.surface, metres.noisy(0.4f)).frequencies;
   const FrequencyField other =
-      detailed_frequencies(millimetres.surface, millimetres.noisy(0.4f)).frequencies;
+      smoothed_frequencies(millimetres.surface, millimetres.noisy(0.4f)).frequencies;
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i], 1000 * other[i], 1e-3f * one[i]);
   const ThreadLimit alone(1);
-  EXPECT_EQ(detailed_frequencies(metres.surface, metres.noisy(0.4f)).frequencies, one);
+  EXPECT_EQ(smoothed_frequencies(metres.surface, metres.noisy(0.4f)).frequencies, one);
 }
 
 /// P is in periods, not in edges.
@@ -139,15 +139,16 @@ TEST(MeasuredFrequencies, AreTheSameOnAFinerMesh) {
     for (std::size_t i = 0; i < data.size(); ++i) {
       data[i] *= std::exp(0.3f * std::sin(20 * slow.surface.mesh.positions[i].y()));
     }
-    return slow.error(detailed_frequencies(slow.surface, data).frequencies) / slow.error(data);
+    return slow.error(smoothed_frequencies(slow.surface, data).frequencies) / slow.error(data);
   };
   EXPECT_NEAR(change("torus,resolution=120"), change("torus,resolution=240"), 0.02);
 }
 
 TEST(MeasuredFrequencies, RefuseWhatTheyCannotTake) {
   const Slow slow("torus,resolution=10");
-  const auto refuses = [&](const FrequencyField& data, const FrequencyDetailOptions& options = {}) {
-    EXPECT_THROW(detailed_frequencies(slow.surface, data, options), Error);
+  const auto refuses = [&](const FrequencyField& data,
+                           const FrequencySmoothingOptions& options = {}) {
+    EXPECT_THROW(smoothed_frequencies(slow.surface, data, options), Error);
   };
   refuses({1, 2, 3});
   refuses(FrequencyField(slow.truth.size(), -1.0f));

@@ -166,12 +166,12 @@ TEST(SlackTest, CrossesYieldOnTheirCover) {
                                surface.mesh.vertex_count())};
   const CrossPattern plain = cross_pattern(surface, waves);
   StripeOptions options = with_slack(0.25f);
-  options.slack.calm.assign(surface.mesh.vertex_count(), 0);
+  options.slack.branch_penalty.assign(surface.mesh.vertex_count(), 0);
   const CrossPattern yielded = cross_pattern(surface, waves, options);
   EXPECT_LT(yielded.quality.branches, plain.quality.branches);
   EXPECT_LT(yielded.pattern.solution.energy, plain.pattern.solution.energy);
   EXPECT_EQ(yielded.cover.waves.frequencies, yielded.pattern.waves.frequencies);
-  EXPECT_EQ(yielded.quality.branches_in_calm, 0u);
+  EXPECT_EQ(yielded.quality.branches_in_avoided_area, 0u);
   const CrossTexture texture = cross_texture(surface, yielded);
   EXPECT_EQ(texture.pattern.u.frequencies_wanted.size(), texture.surface.mesh.vertex_count());
 }
@@ -192,16 +192,16 @@ TEST(SlackTest, PointsFollowTheirFieldMoreClosely) {
 /// 1 where x is below the middle.
 std::vector<float> calm_half(const Mesh& mesh) {
   const float middle = (bounding_box(mesh).lower.x() + bounding_box(mesh).upper.x()) / 2;
-  std::vector<float> calm;
-  for (const Vec3& p : mesh.positions) calm.push_back(p.x() < middle ? 1.0f : 0.0f);
-  return calm;
+  std::vector<float> branch_penalty;
+  for (const Vec3& p : mesh.positions) branch_penalty.push_back(p.x() < middle ? 1.0f : 0.0f);
+  return branch_penalty;
 }
 
-TEST(SlackTest, CalmPushesBranchesElsewhere) {
+TEST(SlackTest, PenaltiesPushBranchesElsewhere) {
   const auto s = wavy_surface("trefoil", kAxis, 100);
   Slack slack = 0.05f;
-  slack.calm = calm_half(s.mesh);
-  const StripePattern calm = stripe_pattern(surface_with(s), s.waves, with_slack(slack));
+  slack.branch_penalty = calm_half(s.mesh);
+  const StripePattern branch_penalty = stripe_pattern(surface_with(s), s.waves, with_slack(slack));
   // The same half counted, with nothing asked of it.
   StripePattern plain = stripe_pattern(surface_with(s), s.waves, with_slack(0.05f));
   std::size_t before = 0;
@@ -209,11 +209,11 @@ TEST(SlackTest, CalmPushesBranchesElsewhere) {
     const TriangleKind kind = plain.corners[t].kind;
     if (kind != TriangleKind::branch && kind != TriangleKind::field_singularity) continue;
     float sum = 0;
-    for (const Index v : s.mesh.triangles[t]) sum += slack.calm[v];
+    for (const Index v : s.mesh.triangles[t]) sum += slack.branch_penalty[v];
     before += sum >= 1.5f;
   }
-  ASSERT_TRUE(calm.quality.branches_in_calm);
-  EXPECT_LT(static_cast<double>(*calm.quality.branches_in_calm),
+  ASSERT_TRUE(branch_penalty.quality.branches_in_avoided_area);
+  EXPECT_LT(static_cast<double>(*branch_penalty.quality.branches_in_avoided_area),
             0.85 * static_cast<double>(before));
 }
 
@@ -326,10 +326,10 @@ TEST(SlackTest, MayChangeFromFrameToFrame) {
   EXPECT_TRUE(std::ranges::equal(animator.frame(input_for(s)).frequencies, s.waves.frequencies));
 }
 
-TEST(SlackTest, CalmMayChangeFromFrameToFrame) {
+TEST(SlackTest, PenaltiesMayChangeFromFrameToFrame) {
   const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   Slack slack = 0.1f;
-  slack.calm = calm_half(s.mesh);
+  slack.branch_penalty = calm_half(s.mesh);
   StripeAnimator animator(surface_with(s), frames_with_slack(0.2f));
   animator.frame(input_for(s));
   animator.set_slack(slack);
@@ -345,7 +345,7 @@ TEST(SlackTest, ThatIsRefusedChangesNothing) {
   EXPECT_THROW(without.set_slack(0.1f), Error);
   animator.frame(input_for(s));
   Slack short_calm = 0.1f;
-  short_calm.calm = {1};
+  short_calm.branch_penalty = {1};
   for (const Slack& refused : {Slack(-1), short_calm}) {
     EXPECT_THROW(animator.set_slack(refused), Error);
     EXPECT_TRUE(animator.frame(input_for(s)).unchanged);
@@ -358,7 +358,7 @@ TEST(SlackTest, FramesOfAGraphAloneHaveNone) {
   EXPECT_THROW(StripeAnimator(surface_with(s), frames_with_slack(-1)), Error);
   EXPECT_THROW(stripe_pattern(surface_with(s), s.waves, with_slack(-1)), Error);
   Slack slack = 0.1f;
-  slack.calm = {1, 2};
+  slack.branch_penalty = {1, 2};
   EXPECT_THROW(stripe_pattern(surface_with(s), s.waves, with_slack(slack)), Error);
   EXPECT_THROW(cross_pattern(surface_with(s), s.waves, with_slack(slack)), Error);
 }

@@ -216,7 +216,7 @@ TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
   const auto [name, surface, waves] = std::move(cases()[0]);
   TextureAnimatorOptions options;
   options.stripes.slack = 0.3f;
-  options.stripes.slack.calm.assign(surface.mesh.vertex_count(), 1.0f);
+  options.stripes.slack.branch_penalty.assign(surface.mesh.vertex_count(), 1.0f);
   TextureAnimator animator(surface, options);
   StripeAnimator u(surface, options.stripes);
   std::optional<StripeAnimator> v;
@@ -242,7 +242,7 @@ TEST(TextureAnimator, WithSlackPatternsAreThoseOfStripeAnimators) {
     }
     EXPECT_LT(result.pattern.u.quality.spacing_error_mean,
               result.pattern.u.quality.spacing_error_wanted_mean);
-    EXPECT_EQ(result.pattern.u.quality.branches_in_calm, result.pattern.u.quality.branches);
+    EXPECT_EQ(result.pattern.u.quality.branches_in_avoided_area, result.pattern.u.quality.branches);
   }
 }
 
@@ -251,7 +251,7 @@ TEST(TextureAnimator, WithoutSlackSpacingIsMeasuredAgainstWhatWasAskedFor) {
   TextureAnimator animator(surface);
   const PatternQuality quality = animator.frame(texture_input_of(waves)).pattern.u.quality;
   EXPECT_EQ(quality.spacing_error_wanted_mean, quality.spacing_error_mean);
-  EXPECT_EQ(quality.branches_in_calm, std::nullopt);
+  EXPECT_EQ(quality.branches_in_avoided_area, std::nullopt);
 }
 
 /// An unchanged U is solved no more, and V and the orientation are taken back all the same.

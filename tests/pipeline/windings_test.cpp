@@ -101,7 +101,7 @@ TEST(Windings, OneRoundASleeveThatIsBentIsASingleSpiralWithoutBranches) {
       wind(sleeve, stripe_pattern(sleeve, along, 11), std::vector<WantedWinding>{{"", 1}}, {});
   // Inside and outside of the bend differ by so much that the solver leaves stripes out.
   EXPECT_GT(wound.pattern.quality.branches, 4u);
-  merge_branches(sleeve, wound.pattern, {0.2, 25});
+  cancel_branches(sleeve, wound.pattern, {0.2, 25});
   EXPECT_EQ(wound.pattern.quality.branches, 0u);
   const StripeCurves curves = stripe_curves(sleeve, wound.pattern);
   EXPECT_EQ(from_end_to_end(curves), 1u);
@@ -117,7 +117,7 @@ TEST(Windings, OneIsASingleSpiralFromEndToEnd) {
   for (const int periods : {1, -1}) {
     WoundPattern wound = tube.wound(8, periods);
     // Whether the solver leaves a pair of branches, which cuts the spiral, is a matter of rounding.
-    merge_branches(tube.surface, wound.pattern, {0});
+    cancel_branches(tube.surface, wound.pattern, {0});
     const StripeCurves curves = stripe_curves(tube.surface, wound.pattern);
     EXPECT_LE(curves.lines.count(), 3u);
     ASSERT_EQ(from_end_to_end(curves), 1u);

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -67,8 +68,14 @@ TEST(OptionTable, FindsRowsByNameAndJob) {
   }
   EXPECT_EQ(find_option("wales", PatternJob::stripe), nullptr);
   EXPECT_EQ(find_option("", PatternJob::stripe), nullptr);
-  EXPECT_NE(find_option("line-width", PatternJob::stripe),
-            find_option("line-width", PatternJob::curves));
+}
+
+TEST(OptionTable, NamesMeanTheSameInEveryJob) {
+  std::map<std::string_view, OptionKind> kinds;
+  for (const OptionInfo& info : option_table()) {
+    const auto [known, is_new] = kinds.emplace(info.name, info.kind);
+    EXPECT_EQ(known->second, info.kind) << info.name;
+  }
 }
 
 TEST(OptionTable, LinksOptionsThatThereAre) {

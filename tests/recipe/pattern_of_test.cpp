@@ -69,11 +69,12 @@ TEST_F(PatternOf, MeasuresWindingsWhereAsked) {
 
 TEST_F(PatternOf, MergesBranchesOfEveryKind) {
   MakingOptions making;
-  making.merge_branches = 0.1f;
+  making.cancel_branches = 0.1f;
   for (const PatternKind kind :
        {PatternKind::stripes, PatternKind::texture, PatternKind::crosses}) {
-    EXPECT_FALSE(pattern_of(surface, waves, {.kind = kind}).making.merged);
-    EXPECT_TRUE(pattern_of(surface, waves, {.kind = kind, .making = making}).making.merged);
+    EXPECT_FALSE(pattern_of(surface, waves, {.kind = kind}).making.cancelled_branches);
+    EXPECT_TRUE(
+        pattern_of(surface, waves, {.kind = kind, .making = making}).making.cancelled_branches);
   }
 }
 

@@ -43,8 +43,8 @@ TEST_F(WavesOf, LeavesWhatNobodyWishesToChange) {
   EXPECT_EQ(made.waves.positions, surface.mesh.positions);
   EXPECT_EQ(made.waves.directions, before.directions);
   EXPECT_EQ(made.waves.frequencies, before.frequencies);
-  EXPECT_TRUE(made.support.agreement.empty() && made.support.filled.empty());
-  EXPECT_FALSE(made.detail || made.frequency_detail || made.missing.without_frequency);
+  EXPECT_TRUE(made.support.coherence.empty() && made.support.filled.empty());
+  EXPECT_FALSE(made.detail || made.frequency_smoothing || made.missing.without_frequency);
 }
 
 TEST_F(WavesOf, TurnsWavesAgainstTheirField) {
@@ -106,11 +106,11 @@ TEST_F(WavesOf, TakesWavesWithoutAFrequencyAndCountsThem) {
 }
 
 TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
-  const FieldDetailOptions detail{.periods = 1, .memory = 1};
+  const FieldSmoothingOptions detail{.periods = 1, .memory = 1};
   const WaveResult plain = waves_of(whole, {.detail = detail}, measured());
   const WaveResult turned = waves_of(whole, {.turn_deg = 30, .detail = detail}, measured());
   ASSERT_TRUE(plain.detail.has_value());
-  EXPECT_EQ(plain.support.agreement.size(), count);
+  EXPECT_EQ(plain.support.coherence.size(), count);
   EXPECT_EQ(plain.seen_field, plain.waves.directions);
   EXPECT_EQ(turned.seen_field, plain.seen_field);
   EXPECT_EQ(turned.waves.directions,
@@ -132,9 +132,9 @@ TEST_F(WavesOf, FillsFrequenciesAtTheirDetailBeforeGapsAreTaken) {
   gaps.frequencies_v = FrequencyField(count, kFrequency / 2);
   gaps.frequencies[3] = gaps.frequencies_v[4] = kNone;
   gaps.may_have_gaps = true;
-  const WaveResult made = waves_of(whole, {.frequency_detail = {.periods = 1}}, gaps);
-  ASSERT_TRUE(made.frequency_detail.has_value());
-  EXPECT_EQ(made.frequency_detail->filled, 1U);
+  const WaveResult made = waves_of(whole, {.frequency_smoothing = {.periods = 1}}, gaps);
+  ASSERT_TRUE(made.frequency_smoothing.has_value());
+  EXPECT_EQ(made.frequency_smoothing->filled, 1U);
   EXPECT_EQ(made.missing.without_frequency, 0U);
   EXPECT_NEAR(made.waves.frequencies[3], kFrequency, 1e-3f);
   EXPECT_NEAR(made.frequencies_v[4], kFrequency / 2, 1e-3f);

@@ -44,7 +44,7 @@ TEST(OtherSurface, RefusesWhatHasNoEffect) {
                            "x@discarded@texture=dots@color-by=height@#ffffff",
                            "x@color-by=light",
                            "x@color-by=distance:camera",
-                           "x@color-by=agreement",
+                           "x@color-by=coherence",
                            "x@color-by=",
                            "x@color-by=array:",
                            "x@color-by=red",

@@ -115,8 +115,8 @@ TEST_F(RenderTool, ReportsOfCurvesWhatCurvesReports) {
        {{"stripes", {"30"}}},
        {{"join", {}}, {"min-length", {"3%"}}, {"resample", {"2%"}}}},
       {"shape:torus,resolution=24",
-       {{"slack", {"0.2"}}, {"merge-branches", {"0.1"}}},
-       {{"lines", {"both"}}, {"offset", {"0.3"}}, {"wales", {"loop-1:5"}}, {"line-width", {"1%"}}}},
+       {{"slack", {"0.2"}}, {"cancel-branches", {"0.1"}}},
+       {{"lines", {"both"}}, {"offset", {"0.3"}}, {"wales", {"loop-1:5"}}, {"path-width", {"1%"}}}},
       {"shape:tube,resolution=24",
        {{"field", {"curvature"}}, {"curvature-direction", {"min"}}, {"winding", {"0"}}},
        {{"trim", {"0.5"}}, {"fair", {"0.25"}}}}};

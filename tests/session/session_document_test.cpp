@@ -21,7 +21,7 @@ SessionDocument full_document() {
                       {"field", {"curvature"}},
                       {"color-by", {"height"}}};
   document.shown = Shown::samples;
-  document.curves = {{"lines", {"both"}}, {"join", {}}, {"line-width", {"0.4%"}}};
+  document.curves = {{"lines", {"both"}}, {"join", {}}, {"path-width", {"0.4%"}}};
   document.samples = {{"glyph", {"arrow"}}, {"color-by", {"height"}}};
   document.strokes = {{{{0.1, 1.0 / 3, -0.0}, {1e-300, 2, 12345.678901234567}}, 0.1, 0.7}};
   document.camera = {12.3f, -7.7f, 1.1f};

@@ -429,8 +429,9 @@ TEST(Session, TakesBackWhatTurnedOutNotToWork) {
   Session session(torus_document());
   session.apply(commands::SetOption{"stripes", {"20"}});
   const SessionDocument good = session.document();
-  session.apply(commands::SetOption{"calm", {"nowhere.csv"}});  // needs --slack: refused
-  session.apply(commands::SetOptions{{{"slack", {"0.1"}}, {"calm", {"nowhere.csv"}}}, {}});
+  session.apply(commands::SetOption{"avoid_branches", {"nowhere.csv"}});  // needs --slack: refused
+  session.apply(
+      commands::SetOptions{{{"slack", {"0.1"}}, {"avoid_branches", {"nowhere.csv"}}}, {}});
   EXPECT_TRUE(session.take_back(session.revision(), "nowhere.csv: there is no such file"));
   EXPECT_EQ(session.document(), good);
   EXPECT_FALSE(session.can_redo());
@@ -495,7 +496,7 @@ TEST(SessionOptions, OfCurvesAndSamplesAreShared) {
       }
     }
   }
-  EXPECT_TRUE(is_own(*find_session_option("line-width", Shown::curves), Shown::curves))
+  EXPECT_TRUE(is_own(*find_session_option("path-width", Shown::curves), Shown::curves))
       << "another one than stripes'";
   EXPECT_EQ(find_session_option("texture", Shown::curves), nullptr);
   EXPECT_EQ(find_session_option("points", Shown::curves), nullptr);

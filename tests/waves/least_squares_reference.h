@@ -163,7 +163,7 @@ inline Eigen::VectorXd shifted_to_mean(const LeastSquares& problem, const Eigen:
   return shifted;
 }
 
-/// The frequencies that a slack without calm leads to, in double precision.
+/// The frequencies that a slack without branch_penalty leads to, in double precision.
 struct LeastFrequencies {
   LeastSquares problem;
   Eigen::VectorXd most;  ///< 1 + S

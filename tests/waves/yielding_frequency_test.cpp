@@ -319,26 +319,26 @@ double mean_ratio(const WavySurface& s, std::span<const float> g, const std::vec
 }
 
 std::vector<float> left_half(const Mesh& mesh) {
-  std::vector<float> calm;
-  for (const Vec3& p : mesh.positions) calm.push_back(p.x() < 0 ? 1.0f : 0.0f);
-  return calm;
+  std::vector<float> branch_penalty;
+  for (const Vec3& p : mesh.positions) branch_penalty.push_back(p.x() < 0 ? 1.0f : 0.0f);
+  return branch_penalty;
 }
 
 TEST(YieldingFrequency, MeanStaysWhatWasAskedFor) {
   for (const char* shape : {"torus,resolution=60", "trefoil,resolution=60", "box,resolution=20"}) {
     auto s = wavy_surface(shape, kAxis, 40);
-    const std::vector<float> all(s.mesh.vertex_count(), 1), calm = left_half(s.mesh);
+    const std::vector<float> all(s.mesh.vertex_count(), 1), branch_penalty = left_half(s.mesh);
     for (const float slack : {0.1f, 0.25f, 0.5f, 3.0f}) {
       SCOPED_TRACE(std::string(shape) + " " + std::to_string(slack));
       EXPECT_NEAR(mean_ratio(s, yielded(s, slack), all), 1, 1e-4);
-      Slack with_calm = slack;
-      with_calm.calm = calm;
-      YieldingFrequency yielding(surface_of(s), with_calm);
+      Slack with_penalty = slack;
+      with_penalty.branch_penalty = branch_penalty;
+      YieldingFrequency yielding(surface_of(s), with_penalty);
       for (int n = 0; n < 4; ++n) {
         const auto g = yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
         yielding.keep();
         EXPECT_NEAR(mean_ratio(s, g, all), 1, 1e-4);
-        EXPECT_NEAR(mean_ratio(s, g, calm), 1, 0.03);
+        EXPECT_NEAR(mean_ratio(s, g, branch_penalty), 1, 0.03);
         s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
       }
     }
@@ -389,10 +389,10 @@ TEST(YieldingFrequency, RefusesWhatIsNoSlack) {
   slack.by_vertex.resize(2);
   refuse(slack, "one to each");
   slack = 0.1f;
-  slack.calm.assign(count, 0.5f);
+  slack.branch_penalty.assign(count, 0.5f);
   for (const float bad : {-0.1f, 1.1f, nan}) {
-    slack.calm[5] = bad;
-    refuse(slack, "calm of vertex 5");
+    slack.branch_penalty[5] = bad;
+    refuse(slack, "avoid_branches of vertex 5");
   }
 }
 

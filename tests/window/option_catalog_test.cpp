@@ -98,7 +98,7 @@ TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
     EXPECT_EQ(groups.front().options.size(), own);
     EXPECT_EQ(groups.front().title, shown == Shown::curves ? "Curves" : "Samples");
   }
-  EXPECT_EQ(all_entries(Shown::curves).at("line-width").kind, WidgetKind::percent);
+  EXPECT_EQ(all_entries(Shown::curves).at("path-width").kind, WidgetKind::percent);
   EXPECT_EQ(all_entries().at("line-width").kind, WidgetKind::number) << "of outlines, in pixels";
 }
 
@@ -141,15 +141,31 @@ TEST(OptionCatalogTest, ChoicesHaveNamesAndStandardsAreAmongThem) {
 }
 
 // Sliders of what is off, or follows from something else, unless it is given.
-const std::set<std::string> kWithoutStandard = {
-    "anchor-boundary", "creases",        "cross-hatch",
-    "cycles",          "feature-radius", "field-singularities",
-    "frequency",       "frequency-v",    "global-iterations",
-    "line-width",      "merge-branches", "min-length",
-    "normal-radius",   "pixel-width",    "resample",
-    "simplify",        "spacing",        "stripes-v",
-    "stroke-spacing",  "subdivide",      "sweeps",
-    "threshold",       "tube-radius",    "wales"};
+const std::set<std::string> kWithoutStandard = {"anchor-boundary",
+                                                "creases",
+                                                "cross-hatch",
+                                                "cycles",
+                                                "feature-radius",
+                                                "field-singularities",
+                                                "frequency",
+                                                "frequency-v",
+                                                "global-iterations",
+                                                "line-width",
+                                                "cancel-branches",
+                                                "min-length",
+                                                "path-width",
+                                                "normal-radius",
+                                                "pixel-width",
+                                                "resample",
+                                                "simplify",
+                                                "spacing",
+                                                "stripes-v",
+                                                "stroke-spacing",
+                                                "subdivide",
+                                                "sweeps",
+                                                "threshold",
+                                                "tube-radius",
+                                                "wales"};
 
 TEST(OptionCatalogTest, SlidersReachTheirStandards) {
   std::set<std::string> without;

@@ -6,9 +6,9 @@
 namespace brindle::web {
 namespace {
 
-val detailed_field(const SurfaceObject& object, val directions, val frequencies, val given) {
+val smoothed_field(const SurfaceObject& object, val directions, val frequencies, val given) {
   return guarded([&] {
-    FieldDetailOptions options;
+    FieldSmoothingOptions options;
     options.symmetry = int_of(given, "symmetry");
     options.periods = float_of(given, "periods");
     options.fill = float_of(given, "fill");
@@ -19,11 +19,11 @@ val detailed_field(const SurfaceObject& object, val directions, val frequencies,
     MeasuredField measured;
     measured.directions = vectors_of(directions);
     measured.confidence = floats_of(given["confidence"]);
-    FieldDetail detail(object.surface, options);
-    const DetailedField field = detail.frame(measured, floats_of(frequencies));
+    FieldSmoothing detail(object.surface, options);
+    const SmoothedField field = detail.frame(measured, floats_of(frequencies));
     val result = val::object();
     put(result, "directions", array_of(std::span<const Vec3>(field.directions)));
-    put(result, "agreement", array_of(std::span<const float>(field.agreement)));
+    put(result, "coherence", array_of(std::span<const float>(field.coherence)));
     put(result, "filled", array_of(std::span<const std::uint8_t>(field.filled)));
     return result;
   });
@@ -31,6 +31,6 @@ val detailed_field(const SurfaceObject& object, val directions, val frequencies,
 
 }  // namespace
 
-void bind_measured_fields() { emscripten::function("detailedField", &detailed_field); }
+void bind_measured_fields() { emscripten::function("smoothedField", &smoothed_field); }
 
 }  // namespace brindle::web

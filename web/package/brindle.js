@@ -32,7 +32,7 @@ export class Surface extends RealtimeSurface {
                                confidence: undefined, ...frequencyOptions },
                       'measuredField');
     const field = floats(vectors, 3 * this.vertexCount, 'the field');
-    return this.module.detailedField(this.raw, field, this.frequencies(o), o);
+    return this.module.smoothedField(this.raw, field, this.frequencies(o), o);
   }
   texture(field, given) {
     const o = options(given, { ...stripeOptions, oriented: false, tile: undefined }, 'texture');

@@ -88,7 +88,7 @@ export interface MeasuredFieldOptions extends FrequencyOptions {
 export interface MeasuredField {
   directions: DirectionField;
   /** Directional coherence of the data around each vertex, from 0 to 1. */
-  agreement: Float32Array;
+  coherence: Float32Array;
   /** 1 for directions that fill a hole, else 0. */
   filled: Uint8Array;
 }

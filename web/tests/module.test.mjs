@@ -500,8 +500,8 @@ test('measured fields are filled and smoothed', () => {
   const torus = brindle.shape('torus');
   const vectors = torus.smoothField();
   for (let i = 0; i < 30; ++i) vectors[i] = NaN;
-  const { directions, agreement } = torus.measuredField(vectors, { stripes: 20 });
-  assert.equal(agreement.length, torus.vertexCount);
+  const { directions, coherence } = torus.measuredField(vectors, { stripes: 20 });
+  assert.equal(coherence.length, torus.vertexCount);
   assert.ok(Math.hypot(directions[0], directions[1], directions[2]) > 0.9);
 });
 

@@ -44,7 +44,7 @@ constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate shape:trefoil --scene brush --frames 150 --output brush.mp4
   brindle animate --series 'v%04d.vtp' --field array:velocity --output out.mp4
   brindle animate --series run.pvd --field array:velocity --output 'out%04d.vtp'
-  brindle animate scan.obj --series 'wind%04d.csv' --between 3 --output frames/%04d.png
+  brindle animate scan.obj --series 'wind%04d.csv' --interpolate 3 --output frames/%04d.png
   brindle animate shape:sphere --scene vortices --texture arrows --texture-flow 1 --output flow.mp4
   brindle animate --series run.pvd --field array:velocity --color-by array:speed --output speed.mp4
 
@@ -105,7 +105,7 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   add_named_option(app, "--scene", animation.scene.kind, parse_scene_kind);
   app.add_option("--frames", animation.frames);
   add_wave_options(app, arguments.waves);
-  add_number_option(app, "--field-memory", arguments.waves.detail.memory);
+  add_number_option(app, "--temporal-smoothing", arguments.waves.detail.memory);
   describe_options(app, PatternJob::animate);
   for (const std::string& option : series_options()) {
     CLI::Option* added = app.get_option(option);
@@ -118,7 +118,7 @@ void add_series_options(CLI::App& app, AnimateArguments& arguments) {
   app.add_option("--series", arguments.series.name)->check([](const std::string& name) {
     return std::string(name.empty() ? "expected names of files, got an empty one" : "");
   });
-  app.add_option("--between", arguments.series.between);
+  app.add_option("--interpolate", arguments.series.between);
   add_match_option(app, arguments.match);
 }
 
@@ -204,9 +204,9 @@ void check_series_options(const CLI::App& command, const AnimateArguments& argum
   if (arguments.device != DeviceKind::cpu) {
     throw CLI::ValidationError("--device", "series are solved on the processor");
   }
-  refuse_given(command, {"--calm"}, "the mesh of a series may change; it is for scenes");
+  refuse_given(command, {"--avoid-branches"}, "the mesh of a series may change; it is for scenes");
   if (arguments.series.between > 0) {
-    refuse_given(command, {"--match"}, "--between interpolates vertices by their number");
+    refuse_given(command, {"--match"}, "--interpolate interpolates vertices by their number");
   }
   if (!arguments.surface.mesh.empty()) {
     refuse_given(command, {"--field", "--direction"}, "the files of --series are the field");
@@ -217,7 +217,7 @@ void check_series_options(const CLI::App& command, const AnimateArguments& argum
 }
 
 void check_scene_options(const CLI::App& command, const AnimateArguments& arguments) {
-  refuse_given(command, {"--between", "--match"}, "it is for --series");
+  refuse_given(command, {"--interpolate", "--match"}, "it is for --series");
   refuse_given(command, series_options(), "scenes have fields of their own; add --series");
   if (!arguments.waves.arrays.frequency.empty()) {
     throw CLI::ValidationError("--frequency", "arrays are for --series");

@@ -15,7 +15,7 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves scan.obj --lines both --stripes 30 --stripes-v 60 --output grid.obj
   brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
   brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
-  brindle curves shape:torus --stripes 60 --line-width 0.8% --report torus.json
+  brindle curves shape:torus --stripes 60 --path-width 0.8% --report torus.json
   brindle curves shape:tube --field curvature --curvature-direction min --winding 1 --output vase.vtp
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg

@@ -29,12 +29,12 @@ Examples:
   brindle stripe scan.obj --field wind.csv --frequency 12 --output wind.png
   brindle stripe horse.ply --device gpu --report horse.json
   brindle stripe shape:torus,resolution=64,noise=0.2 --view branches --output branches.png
-  brindle stripe shape:trefoil --merge-branches 0.05 --output fewer.png
+  brindle stripe shape:trefoil --cancel-branches 0.05 --output fewer.png
   brindle stripe scan.obj --cross --texture plus --output crosses.png
   brindle stripe points.csv --output points.png --output points.ply
   brindle stripe scan.obj --field wind.csv --oriented --texture arrows --output wind.png
   brindle stripe horse.ply --slack 0.25 --output horse.png --report horse.json
-  brindle stripe scan.obj --slack 0.25 --calm face.csv --view branches --output face.png
+  brindle stripe scan.obj --slack 0.25 --avoid-branches face.csv --view branches --output face.png
   brindle stripe scan.obj --uv --output scan.vtp --output scan.ply
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
   brindle stripe flow.vtp --width-by array:speed --color-by array:speed --output speed.png
@@ -50,7 +50,7 @@ MESH: a file (.vtp .vtu .vtk .ply .obj .stl .off .gltf .glb) or a built-in shape
 array:NAME, array:points/NAME or array:cells/NAME, vectors or tensors of MESH; or FILE.csv[:NAME]
 with a row x,y,z[,frequency[,frequency_v]] per vertex.
 VALUE: array:NAME, FILE.csv[:COLUMN], distance:X,Y,Z, distance:camera, curvature, height, light or
-agreement.
+coherence.
 
 Outputs: .png a picture; .svg or .pdf a drawing; .json a report; .obj the mesh alone; .ply .vtp
 .gltf .glb a mesh with its arrays and, at every vertex, phase (radians; NaN where valid is 0: no

@@ -188,7 +188,7 @@ std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const W
 }
 
 /// Sets the frequencies of all waves, NaN if there is none. Throws CLI::ValidationError for
-/// --frequency-detail with one frequency for all vertices.
+/// --frequency-smoothing with one frequency for all vertices.
 void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
                         Field& field) {
   const bool field_says = !field.frequencies.empty();
@@ -200,7 +200,7 @@ void choose_frequencies(const Surface& surface, const WaveOptions& options, cons
     for (float& frequency : *frequencies) frequency *= options.frequency_factor;
   }
   if (options.detail.frequency_periods == 0) return;
-  if (!says_frequencies(options) && !field_says) refuse_frequency_detail();
+  if (!says_frequencies(options) && !field_says) refuse_frequency_smoothing();
 }
 
 /// Sets those of crossing stripes from options, which are uniform.
@@ -240,7 +240,7 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
 
 WaveRequest wave_request(const WaveOptions& options) {
   return {turn_deg(options), detail_options(options.detail, symmetry_of(options)),
-          frequency_detail_options(options.detail)};
+          frequency_smoothing_options(options.detail)};
 }
 
 WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data) {

@@ -62,7 +62,7 @@ struct BaseField : FoundField {
 /// The field that a smooth field starts from.
 struct LastDirections {
   DirectionField directions;  ///< one per vertex, for `SmoothFieldOptions::last`; may be empty. For
-                              ///< measured fields, --field-memory mixes them with the data
+                              ///< measured fields, --temporal-smoothing mixes them with the data
   bool same_surface = false;  ///< unchanged surface: these are the field
   std::string notes = {};     ///< lines about them
 };

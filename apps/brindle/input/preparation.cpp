@@ -166,7 +166,7 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
   known.measured = is_measured(waves);
   known.subdivided = prepared.points ? std::nullopt : std::optional(surface.subdivide);
   known.detail = made.detail;
-  known.frequency_detail = made.frequency_detail;
+  known.frequency_smoothing = made.frequency_smoothing;
   result.figures = noted_waves(prepared.surface, result.waves, source_of(waves), listener, known);
   result.seen_field = std::move(made.seen_field);
   result.support = std::move(made.support);

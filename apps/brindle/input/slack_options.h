@@ -15,26 +15,26 @@ namespace brindle::tool {
 
 struct SlackOptions {
   float slack = 0;
-  std::string calm;  ///< a file; empty: none
+  std::string branch_penalty;  ///< a file; empty: none
 
   /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
     add("--slack", slack);
-    add("--calm", calm);
+    add("--avoid-branches", branch_penalty);
   }
 };
 
-/// Throws CLI::ValidationError for --calm without --slack.
+/// Throws CLI::ValidationError for --avoid-branches without --slack.
 void check_slack_options(const CLI::App& command, const SlackOptions& options);
 
-/// Adds the file of --calm.
+/// Adds the file of --avoid-branches.
 void add_slack_files(const SlackOptions& options, std::vector<UsedFile>& inputs);
 
-/// Reads the file of --calm, if any: a number from 0 to 1 per row, in the only column or in the one
-/// named calm. Rows are those of the vertices or, if there are as many as `vertex_of_row` has, of
-/// the mesh's file; joined vertices take the largest. Throws Error with the file, the line and the
-/// remedy.
+/// Reads the file of --avoid-branches, if any: a number from 0 to 1 per row, in the only column or
+/// in the one named avoid_branches. Rows are those of the vertices or, if there are as many as
+/// `vertex_of_row` has, of the mesh's file; joined vertices take the largest. Throws Error with the
+/// file, the line and the remedy.
 Slack make_slack(const SlackOptions& options, std::size_t vertex_count,
                  std::span<const Index> vertex_of_row);
 

@@ -23,7 +23,7 @@ void add_solving_options(CLI::App& app, SolvingOptions& options);
 AnimatorOptions frame_options(const StripeOptions& stripes);
 
 /// The options for this surface, including the spacing tolerance. Throws Error if the file of
-/// --calm does not fit.
+/// --avoid-branches does not fit.
 StripeOptions stripe_options(const SolvingOptions& options, const Preparation& prepared);
 
 /// Throws CLI::ValidationError for options of solvers other than the chosen one.

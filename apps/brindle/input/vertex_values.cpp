@@ -21,7 +21,7 @@ constexpr std::string_view kDistance = "distance:";
 constexpr std::string_view kCameraDistance = "distance:camera";
 constexpr std::string_view kHeight = "height";
 constexpr std::string_view kLight = "light";
-constexpr std::string_view kAgreement = "agreement";
+constexpr std::string_view kCoherence = "coherence";
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool is_csv(const std::string& text) { return csv_field_name(text).path.ends_with(".csv"); }
@@ -118,14 +118,14 @@ VertexValues heights(const Surface& surface, const Viewpoint* viewpoint) {
   return result;
 }
 
-VertexValues agreement_values(const std::string& option, const ValueSource& source) {
-  if (source.agreement.empty()) {
+VertexValues coherence_values(const std::string& option, const ValueSource& source) {
+  if (source.coherence.empty()) {
     throw CLI::ValidationError(
         option,
-        "there is no 'agreement' of data here; pictures of a measured field have it, with "
-        "--field-detail");
+        "there is no 'coherence' of data here; pictures of a measured field have it, with "
+        "--field-smoothing");
   }
-  return {{source.agreement.begin(), source.agreement.end()}, std::string(kAgreement)};
+  return {{source.coherence.begin(), source.coherence.end()}, std::string(kCoherence)};
 }
 
 /// Values that depend on a picture.
@@ -162,7 +162,7 @@ void check_value_name(const std::string& option, const std::string& text,
   } else if (text.starts_with(kDistance)) {
     const std::string place = text.substr(kDistance.size());
     if (place != "camera") parse_place(option, place);
-  } else if (text != "curvature" && text != kHeight && text != kLight && text != kAgreement &&
+  } else if (text != "curvature" && text != kHeight && text != kLight && text != kCoherence &&
              !is_csv(text)) {
     wrong_usage(option, "one of " + names, text);
   }
@@ -178,7 +178,7 @@ bool depends_on_light(const std::string& text) { return text == kLight; }
 
 bool depends_on_up(const std::string& text) { return text == kHeight || depends_on_camera(text); }
 
-bool depends_on_field(const std::string& text) { return text == kAgreement; }
+bool depends_on_field(const std::string& text) { return text == kCoherence; }
 
 std::string value_file(const std::string& text) {
   return !is_array(text) && is_csv(text) ? csv_field_name(text).path : std::string();
@@ -192,7 +192,7 @@ VertexValues values_at_all(const std::string& option, const std::string& text,
   if (is_array(text)) return array_values(option, text, source);
   if (text == "curvature") return curvatures(surface);
   if (text == kHeight) return heights(surface, source.viewpoint);
-  if (depends_on_field(text)) return agreement_values(option, source);
+  if (depends_on_field(text)) return coherence_values(option, source);
   if (depends_on_camera(text)) return values_of_camera(option, text, source);
   if (text.starts_with(kDistance)) {
     // In file coordinates; positions are relative to the mesh's origin.

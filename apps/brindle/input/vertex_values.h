@@ -21,7 +21,7 @@ struct ValueSource {
   const ArrayOptions& options;
   std::span<const Index> vertex_of_row;   ///< as in FileData
   const Viewpoint* viewpoint = nullptr;   ///< of the picture; null: none
-  std::span<const float> agreement = {};  ///< coherence of a measured field's data; empty: none
+  std::span<const float> coherence = {};  ///< coherence of a measured field's data; empty: none
 };
 
 struct VertexValues {
@@ -37,7 +37,7 @@ struct VertexValues {
 
 /// The syntax of VALUE, for help. Heights are along the axis of --up, z by default.
 inline constexpr const char* kValueNames =
-    "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light|agreement";
+    "array:NAME|FILE.csv[:COLUMN]|distance:X,Y,Z|distance:camera|curvature|height|light|coherence";
 
 /// Throws CLI::ValidationError with the option unless `text` can name values. Messages list
 /// `names`.

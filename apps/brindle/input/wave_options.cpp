@@ -88,8 +88,8 @@ bool says_one_frequency(const WaveOptions& options) {
   return options.stripes || options.frequency || options.spacing;
 }
 
-void refuse_frequency_detail() {
-  throw CLI::ValidationError("--frequency-detail",
+void refuse_frequency_smoothing() {
+  throw CLI::ValidationError("--frequency-smoothing",
                              std::string("has no effect here: ") + kSameFrequency);
 }
 
@@ -102,8 +102,8 @@ void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
   check_array_options(command, options.arrays, options.field, is_field_file(options));
   refuse_usage(command, [&](const IsGiven& given) {
-    check_field_detail(given, {options.detail.periods, options.detail.frequency_periods,
-                               is_measured(options), options.cross, may_vary(options)});
+    check_field_smoothing(given, {options.detail.periods, options.detail.frequency_periods,
+                                  is_measured(options), options.cross, may_vary(options)});
   });
   if (options.cross) {
     refuse_given(command, {"--along"}, "a cross turned by 90 degrees is the same cross");
@@ -163,7 +163,7 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_fields(app, options);
   add_frequency_option(app, options);
   add_array_options(app, options.arrays);
-  add_field_detail_options(app, options.detail);
+  add_field_smoothing_options(app, options.detail);
 }
 
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {

@@ -12,7 +12,7 @@
 #include "brindle/surface.h"
 #include "cli/option_values.h"
 #include "input/array_options.h"
-#include "input/field_detail.h"
+#include "input/field_smoothing.h"
 
 namespace brindle::tool {
 
@@ -38,7 +38,7 @@ struct WaveOptions {
   bool oriented = false;       ///< for textures: keep the field's signs
   float frequency_factor = 1;  ///< multiplies all frequencies, of any source
   ArrayOptions arrays;
-  FieldDetailChoice detail;
+  FieldSmoothingChoice detail;
 
   /// Calls `add("--option", field)` for the options of all stripe patterns.
   template <class Add>
@@ -95,7 +95,7 @@ bool says_frequencies(const WaveOptions& options);
 bool says_one_frequency(const WaveOptions& options);
 
 /// Throws CLI::ValidationError: there is one for all.
-[[noreturn]] void refuse_frequency_detail();
+[[noreturn]] void refuse_frequency_smoothing();
 
 /// Whether frequencies may differ between vertices: from an array, a file or a value.
 bool may_vary(const WaveOptions& options);

@@ -265,7 +265,7 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
   if (report.series) {
     json["series"] = report.series->name;
     json["steps"] = report.series->steps;
-    json["between"] = report.series->between;
+    json["interpolated"] = report.series->between;
   } else {
     json["scene"] = name_of(report.scene);
   }

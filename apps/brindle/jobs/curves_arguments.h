@@ -27,7 +27,7 @@ struct LineShape {
   std::optional<Length> simplify, resample, tube_radius;
   int tube_sides = 8;
   Length min_length;                 ///< shorter lines are left out
-  std::optional<Length> line_width;  ///< of drawings
+  std::optional<Length> path_width;  ///< of drawings
 
   /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
@@ -35,7 +35,7 @@ struct LineShape {
     add("--min-length", min_length);
     add("--simplify", simplify);
     add("--resample", resample);
-    add("--line-width", line_width);
+    add("--path-width", path_width);
     add("--tube-radius", tube_radius);
     add("--tube-sides", tube_sides);
   }

@@ -75,10 +75,10 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
   if (family.curves.lines.count() == 0)
     listener.note(why_no_curves(family.name, family.short_curves));
   Polylines& lines = family.curves.lines;
-  if (arguments.line_width) {
+  if (arguments.path_width) {
     listener.stage("coverage");
     const CurveCoverage coverage =
-        measure_coverage(mesh, lines, arguments.line_width->on(diagonal), listener.progress());
+        measure_coverage(mesh, lines, arguments.path_width->on(diagonal), listener.progress());
     family.coverage = coverage.once;
     family.covered_twice = coverage.twice;
   }
@@ -128,8 +128,8 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
 
 MakingOptions making_of_v(const CurvesArguments& arguments) {
   MakingOptions making;
-  making.merge_branches = arguments.making.merge_branches;
-  making.merge_distance = arguments.making.merge_distance;
+  making.cancel_branches = arguments.making.cancel_branches;
+  making.cancel_distance = arguments.making.cancel_distance;
   if (arguments.second.wales.periods > 0) making.windings = {arguments.second.wales};
   return making;
 }
@@ -139,7 +139,7 @@ std::vector<JobStage> curves_stages(const CurvesArguments& arguments) {
   stages.push_back({kEdges, 1});
   const auto add = [&](const char* name) {
     stages.insert(stages.end(), {{stripes_of(name), 4}, {"curves", 4}, {"spacing", 3}});
-    if (arguments.line_width) stages.push_back({"coverage", 2});
+    if (arguments.path_width) stages.push_back({"coverage", 2});
     stages.push_back({"points", 1});
   };
   if (arguments.traced != TracedWaves::v) add("u");

@@ -278,7 +278,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
     time.couple += own.couple;
     time.solve += own.solve;
     time.pattern += own.pattern;
-    time.merge += own.merge;
+    time.cancel += own.cancel;
     extract += family.extract_milliseconds;
   }
   json["milliseconds"] = {{"load", time.load},         {"field", prepared.field_milliseconds},
@@ -290,7 +290,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
     json.update(picture_json(picture));
   }
   if (curves.yields) json["milliseconds"]["frequency"] = time.frequency;
-  if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;
+  if (time.cancel > 0) json["milliseconds"]["cancel"] = time.cancel;
   return json;
 }
 

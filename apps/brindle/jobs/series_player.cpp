@@ -110,7 +110,7 @@ class Player {
   void add_between(const FramePair& frame, const Source& source, const SeriesStep& next) {
     if (!same_connectivity(last_.frame.mesh, frame.frame.mesh)) {
       throw Error(source.file + ": has other triangles than " + last_source_.file +
-                  ", so that nothing can be interpolated between both; leave out --between");
+                  ", so that nothing can be interpolated between both; leave out --interpolate");
     }
     const FramePair first = std::move(last_);
     for (int k = 1; k <= options_.series.between; ++k) {

@@ -108,7 +108,7 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
                            waves.arrays,
                            prepared.vertex_of_row,
                            &viewpoint,
-                           prepared.support.agreement};
+                           prepared.support.coherence};
   GlyphInput input;
   read_values(options, source, input);
   const StyleOptions& style = options.style;

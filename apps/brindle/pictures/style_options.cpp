@@ -14,17 +14,13 @@ namespace brindle::tool {
 namespace {
 
 const std::vector<std::string> kStyleOptions = {
-    "--width-by",        "--width-range",    "--color-by",
-    "--color-range",     "--opacity-by",     "--colormap",
-    "--threshold",       "--color-on",       "--pixel-width",
-    "--stroke-spacing",  "--tones",          "--cross-hatch",
-    "--between-stripes", "--with",           "--legend",
-    "--no-legend",       "--flat",           "--transparent",
-    "--depth-cue",       "--opacity-range",  "--outline",
-    "--creases",         "--hidden-lines",   "--line-width",
-    "--occlusion",       "--ground-shadow",  "--texture-by",
-    "--regions",         "--texture-shift",  "--texture-flow",
-    "--tile-size-by",    "--tile-size-range"};
+    "--width-by",      "--width-range",    "--color-by",     "--color-range",   "--opacity-by",
+    "--colormap",      "--threshold",      "--color-on",     "--pixel-width",   "--stroke-spacing",
+    "--tones",         "--cross-hatch",    "--between",      "--with",          "--legend",
+    "--no-legend",     "--flat",           "--transparent",  "--depth-cue",     "--opacity-range",
+    "--outline",       "--creases",        "--hidden-lines", "--line-width",    "--occlusion",
+    "--ground-shadow", "--texture-by",     "--regions",      "--texture-shift", "--texture-flow",
+    "--tile-size-by",  "--tile-size-range"};
 
 ValueRange parse_range(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
@@ -164,10 +160,7 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
   add_value_options(app, options);
   add_parsed_option(app, "--tones", options.tones, parse_tones);
   add_named_option(app, "--hidden-lines", options.hidden_dashed, parse_hidden);
-  // In `animate`, --between is the number of interpolated frames.
-  const bool is_free = app.get_option_no_throw("--between") == nullptr;
-  add_named_option(app, is_free ? "--between,--between-stripes" : "--between-stripes",
-                   options.discard, parse_between);
+  add_named_option(app, "--between", options.discard, parse_between);
   app.add_option_function<std::vector<std::string>>(
          "--with",
          [&options](const std::vector<std::string>& texts) {

@@ -70,11 +70,11 @@ std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh
 StyleValues read_style_values(const StyleOptions& style, const Preparation& prepared,
                               std::span<const Preparation> others, const SurfaceOptions& surface,
                               const WaveOptions& waves, const PictureOptions& picture,
-                              std::span<const float> agreement) {
+                              std::span<const float> coherence) {
   Viewpoint viewpoint = seen_viewpoint_of(picture);
   if (style.follows_camera()) viewpoint.framed = framed_mesh(prepared.surface.mesh, others);
   const ValueSource source{prepared.surface,       prepared.arrays, surface.mesh, waves.arrays,
-                           prepared.vertex_of_row, &viewpoint,      agreement};
+                           prepared.vertex_of_row, &viewpoint,      coherence};
   const auto read = [&](const std::string& option, const std::string& value) {
     return vertex_values(option, value, source);
   };
@@ -95,7 +95,7 @@ StyleInput read_style_input(const StyleOptions& style, const Preparation& prepar
   StyleInput input;
   input.others = read_style_others(style, prepared.surface.mesh, drawn, waves, picture, listener);
   input.values = read_style_values(style, prepared, input.others, surface, waves, picture,
-                                   prepared.support.agreement);
+                                   prepared.support.coherence);
   return input;
 }
 

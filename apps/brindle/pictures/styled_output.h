@@ -29,7 +29,7 @@ StyleInput read_style_input(const StyleOptions& style, const Preparation& prepar
                             JobListener& listener);
 
 /// Its two parts, to reread only one: other surfaces, then values, which depend on the surfaces
-/// only if they depend on the camera. `agreement` is the coherence of a measured field's data, or
+/// only if they depend on the camera. `coherence` is the coherence of a measured field's data, or
 /// empty.
 std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh& mesh,
                                            const WaveSet& drawn, const WaveOptions& waves,
@@ -37,7 +37,7 @@ std::vector<Preparation> read_style_others(const StyleOptions& style, const Mesh
 StyleValues read_style_values(const StyleOptions& style, const Preparation& prepared,
                               std::span<const Preparation> others, const SurfaceOptions& surface,
                               const WaveOptions& waves, const PictureOptions& picture,
-                              std::span<const float> agreement);
+                              std::span<const float> coherence);
 
 /// Patterns besides the main one.
 struct StylePatterns {

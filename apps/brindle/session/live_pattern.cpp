@@ -591,7 +591,7 @@ class StageUpdate {
         key,
         std::make_shared<const StyleValues>(read_style_values(
             arguments().style, *stages_.surface.made, *style.read.made, arguments().surface,
-            arguments().waves, *arguments().picture, stages_.waves.made->support.agreement)),
+            arguments().waves, *arguments().picture, stages_.waves.made->support.coherence)),
         listener_.take()};
     return true;
   }

@@ -21,7 +21,7 @@ namespace brindle::tool {
 namespace {
 
 /// Options that sessions do not have, and what there is instead.
-constexpr std::array<std::pair<const char*, const char*>, 13> kElsewhere = {{
+constexpr std::array<std::pair<const char*, const char*>, 12> kElsewhere = {{
     {"camera", "the session's camera says where from"},
     {"projection", "the session's camera has it"},
     {"size", "the session's size says it"},
@@ -33,7 +33,6 @@ constexpr std::array<std::pair<const char*, const char*>, 13> kElsewhere = {{
     {"uv", "a session has one picture, and no mesh is written"},
     {"creases", "pictures of curves have none; give --creases to 'brindle curves'"},
     {"min-area", "drawings of sessions leave out what is below 0.1 square pixels"},
-    {"between-stripes", "it is called --between there"},
     {"help", "a session does not ask"},
 }};
 

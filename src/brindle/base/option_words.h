@@ -7,8 +7,8 @@
 
 namespace brindle {
 
-/// `text` with `name_of("field-detail")` in the place of "--field-detail", and so on for every
-/// option that it names.
+/// `text` with `name_of("field-smoothing")` in the place of "--field-smoothing", and so on for
+/// every option that it names.
 std::string with_option_names(std::string_view text,
                               const std::function<std::string(const std::string&)>& name_of);
 

@@ -48,8 +48,8 @@ struct DistributedStripeAnimator::State {
   std::shared_ptr<const RankSurface> surface;
   DistributedOptions options;
   bool yields = false;  ///< a spacing tolerance on any rank
-  bool has_calm = false;
-  std::vector<float> calm;  ///< by vertex
+  bool has_penalty = false;
+  std::vector<float> branch_penalty;  ///< by vertex
 
   // The last frame and the present one.
   bool has_frame = false;
@@ -113,8 +113,8 @@ struct DistributedStripeAnimator::State {
 /// All ranks have a spacing tolerance, or none.
 void DistributedStripeAnimator::State::take_slack() {
   yields = ranks().any(options.slack.yields());
-  has_calm = ranks().any(!options.slack.calm.empty());
-  calm = owners_values(*surface, options.slack.calm);
+  has_penalty = ranks().any(!options.slack.branch_penalty.empty());
+  branch_penalty = owners_values(*surface, options.slack.branch_penalty);
   if (whole || !yields) return;
   std::shared_ptr<RankRows> peers;
   if (ranks().size() > 1) {
@@ -456,9 +456,9 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
     measures.quality.spacing_error_wanted_mean =
         quality_of(s.ranks().sum(quality_sums(mesh, waves, corners))).spacing_error_mean;
   }
-  if (s.has_calm) {
-    measures.quality.branches_in_calm =
-        s.ranks().sum(count_in_calm(surface.mesh.triangles, corners, s.calm));
+  if (s.has_penalty) {
+    measures.quality.branches_in_avoided_area =
+        s.ranks().sum(count_in_avoided_area(surface.mesh.triangles, corners, s.branch_penalty));
   }
   measures.corners.resize(surface.piece_triangles);
   for (std::size_t t = 0; t < corners.size(); ++t) {
@@ -492,8 +492,8 @@ void DistributedStripeAnimator::set_slack(const Slack& slack) {
     s.yielding.set_setting(std::move(setting), !s.ranks().any(differs));
   }
   s.options.slack = slack;
-  s.has_calm = s.ranks().any(!slack.calm.empty());
-  s.calm = owners_values(*s.surface, slack.calm);
+  s.has_penalty = s.ranks().any(!slack.branch_penalty.empty());
+  s.branch_penalty = owners_values(*s.surface, slack.branch_penalty);
 }
 
 void DistributedStripeAnimator::restart() {

@@ -121,17 +121,17 @@ std::size_t PieceSurface::drop_waves(DirectionField& directions,
   return ranks.sum(dropped);
 }
 
-DetailedFrequencies PieceSurface::frequencies_at_detail(std::span<const float> frequencies,
-                                                        const FrequencyDetailOptions& options,
+SmoothedFrequencies PieceSurface::frequencies_at_detail(std::span<const float> frequencies,
+                                                        const FrequencySmoothingOptions& options,
                                                         const Progress& progress) const {
-  return detailed_frequencies(surface_, frequencies, options, progress);
+  return smoothed_frequencies(surface_, frequencies, options, progress);
 }
 
-std::pair<DetailedField, FieldDetailFigures> PieceSurface::field_at_detail(
+std::pair<SmoothedField, FieldSmoothingFigures> PieceSurface::field_at_detail(
     const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-    const FieldDetailOptions& options, const Progress& progress) const {
+    const FieldSmoothingOptions& options, const Progress& progress) const {
   DistributedDetail seen =
-      detailed_field(surface_, measured, places, options, {last, {}}, progress);
+      smoothed_field(surface_, measured, places, options, {last, {}}, progress);
   return {std::move(seen.field), seen.figures};
 }
 

@@ -209,9 +209,9 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
   return anchors;
 }
 
-DistributedDetail detailed_field(const DistributedSurface& distributed,
+DistributedDetail smoothed_field(const DistributedSurface& distributed,
                                  const MeasuredField& measured, std::span<const float> frequencies,
-                                 const FieldDetailOptions& options, const MeasuredField& last,
+                                 const FieldSmoothingOptions& options, const MeasuredField& last,
                                  const Progress& progress) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
@@ -227,24 +227,24 @@ DistributedDetail detailed_field(const DistributedSurface& distributed,
   const MeasuredField data = measured_of_whole(whole, measured);
   const std::vector<float> all_frequencies = whole.of_vertices(frequencies);
   const MeasuredField before = has_last ? measured_of_whole(whole, last) : MeasuredField{};
-  DetailedField found;
-  std::vector<FieldDetailFigures> figures;
+  SmoothedField found;
+  std::vector<FieldSmoothingFigures> figures;
   ranks.on_first(progress, [&](const Progress& heard) {
-    FieldDetail detail(whole.surface(), options, heard.part(0, 0.3));
+    FieldSmoothing detail(whole.surface(), options, heard.part(0, 0.3));
     found = detail.frame(data, all_frequencies, before, heard.part(0.3, 1));
     figures.push_back(detail.figures());
   });
   DistributedDetail result;
   result.field.directions = whole.to_piece(found.directions);
-  result.field.agreement = whole.to_piece(found.agreement);
+  result.field.coherence = whole.to_piece(found.coherence);
   result.field.filled = whole.to_piece(found.filled);
   result.figures = ranks.of_first(figures)[0];
   return result;
 }
 
-DetailedFrequencies detailed_frequencies(const DistributedSurface& distributed,
+SmoothedFrequencies smoothed_frequencies(const DistributedSurface& distributed,
                                          std::span<const float> frequencies,
-                                         const FrequencyDetailOptions& options,
+                                         const FrequencySmoothingOptions& options,
                                          const Progress& progress) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
@@ -254,11 +254,11 @@ DetailedFrequencies detailed_frequencies(const DistributedSurface& distributed,
   });
   const GatheredSurface whole(surface);
   const std::vector<float> data = whole.of_vertices(frequencies);
-  DetailedFrequencies found;
+  SmoothedFrequencies found;
   ranks.on_first(progress, [&](const Progress& heard) {
-    found = detailed_frequencies(whole.surface(), data, options, heard);
+    found = smoothed_frequencies(whole.surface(), data, options, heard);
   });
-  DetailedFrequencies result;
+  SmoothedFrequencies result;
   result.frequencies = whole.to_piece(found.frequencies);
   result.filled = ranks.greatest(found.filled);
   result.changed_median = ranks.greatest(found.changed_median);

@@ -37,14 +37,15 @@ std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& 
                                                              const Slack& slack) {
   Slack of_vertices = slack;
   of_vertices.by_vertex = owners_values(surface, slack.by_vertex);
-  of_vertices.calm = owners_values(surface, slack.calm);
+  of_vertices.branch_penalty = owners_values(surface, slack.branch_penalty);
   auto setting = std::make_shared<YieldingSetting>();
   setting->slack = slack_by_vertex(of_vertices, surface.vertex_count());
   setting->slack.resize(surface.graph.node_count());
   exchange(*surface.ranks, surface.graph.halo, std::span(setting->slack));
-  setting->calm = of_vertices.calm;
+  setting->branch_penalty = of_vertices.branch_penalty;
   setting->triangles = frequency_triangles(surface);
-  setting->triangles.weights = calm_weights(setting->triangles.corners, of_vertices.calm);
+  setting->triangles.weights =
+      penalty_weights(setting->triangles.corners, of_vertices.branch_penalty);
   setting->adjacency = surface.graph.adjacency;
   return setting;
 }
@@ -52,7 +53,7 @@ std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& 
 void check_on_all(const RankSurface& surface, const Slack& slack) {
   const std::size_t vertices = surface.vertex_of_piece.size();
   surface.ranks->throw_on_all([&] { check_slack(slack, vertices); });
-  for (const auto* list : {&slack.by_vertex, &slack.calm}) {
+  for (const auto* list : {&slack.by_vertex, &slack.branch_penalty}) {
     const bool is_given = surface.ranks->any(!list->empty());
     surface.ranks->throw_on_all([&] {
       if (!is_given || !list->empty() || vertices == 0) return;

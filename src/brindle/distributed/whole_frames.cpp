@@ -23,7 +23,8 @@ Slack WholeFrames::slack_of_whole(const Slack& of_piece) const {
   if (ranks_.any(!of_piece.by_vertex.empty())) {
     slack.by_vertex = whole_.of_vertices(of_piece.by_vertex);
   }
-  if (ranks_.any(!of_piece.calm.empty())) slack.calm = whole_.of_vertices(of_piece.calm);
+  if (ranks_.any(!of_piece.branch_penalty.empty()))
+    slack.branch_penalty = whole_.of_vertices(of_piece.branch_penalty);
   return slack;
 }
 

@@ -137,7 +137,7 @@ CrossParts cross_parts(const Mesh& mesh, const CrossCover& cover, std::span<cons
 
 Slack slack_on_cover(Slack slack) {
   slack.by_vertex = by_node(slack.by_vertex);
-  slack.calm = by_node(slack.calm);
+  slack.branch_penalty = by_node(slack.branch_penalty);
   return slack;
 }
 
@@ -156,13 +156,14 @@ PatternQuality cross_quality(const CrossCover& cover, PatternQuality on_cover,
 }
 
 PatternQuality cross_quality(std::span<const Triangle> triangles, const CrossPattern& cross,
-                             std::span<const float> calm) {
+                             std::span<const float> branch_penalty) {
   PatternQuality quality = cross_quality(cross.cover, cross.pattern.quality, cross.pattern.corners);
-  if (!quality.branches_in_calm) return quality;
+  if (!quality.branches_in_avoided_area) return quality;
   // Singular triangles count twice, as in `branches`.
   for (const Index t : cross.cover.singular) {
     const auto& [a, b, c] = triangles[t];
-    *quality.branches_in_calm += calm[a] + calm[b] + calm[c] >= 1.5f ? 2 : 0;
+    *quality.branches_in_avoided_area +=
+        branch_penalty[a] + branch_penalty[b] + branch_penalty[c] >= 1.5f ? 2 : 0;
   }
   return quality;
 }

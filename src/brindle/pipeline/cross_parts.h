@@ -30,8 +30,9 @@ Slack slack_on_cover(Slack slack);
 PatternQuality cross_quality(const CrossCover& cover, PatternQuality on_cover,
                              std::span<const CornerPhases> corners);
 
-/// The same for a whole pattern. `triangles` are the surface's; `calm` is per vertex, as in Slack.
+/// The same for a whole pattern. `triangles` are the surface's; `branch_penalty` is per vertex, as
+/// in Slack.
 PatternQuality cross_quality(std::span<const Triangle> triangles, const CrossPattern& cross,
-                             std::span<const float> calm);
+                             std::span<const float> branch_penalty);
 
 }  // namespace brindle

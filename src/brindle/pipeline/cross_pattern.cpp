@@ -35,7 +35,7 @@ CrossPattern cross_pattern(const Surface& surface, const WaveSet& waves,
       stripe_pattern(result.surface, result.cover.waves, on_cover, stages.begin("stripes"));
   result.cover.waves.frequencies = result.pattern.waves.frequencies;
   result.pattern.milliseconds.couple += matching;
-  result.quality = cross_quality(surface.mesh.triangles, result, options.slack.calm);
+  result.quality = cross_quality(surface.mesh.triangles, result, options.slack.branch_penalty);
   stages.finish();
   return result;
 }

@@ -24,14 +24,15 @@ VertexWaves vertex_waves(const StripePattern& pattern) {
 
 }  // namespace
 
-std::size_t count_in_calm(std::span<const Triangle> triangles,
-                          std::span<const CornerPhases> corners, std::span<const float> calm) {
+std::size_t count_in_avoided_area(std::span<const Triangle> triangles,
+                                  std::span<const CornerPhases> corners,
+                                  std::span<const float> branch_penalty) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < corners.size(); ++t) {
     const TriangleKind kind = corners[t].kind;
     if (!is_branch(kind)) continue;
     const auto& [a, b, c] = triangles[t];
-    count += calm[a] + calm[b] + calm[c] >= 1.5f;
+    count += branch_penalty[a] + branch_penalty[b] + branch_penalty[c] >= 1.5f;
   }
   return count;
 }
@@ -43,8 +44,8 @@ void set_corners(std::span<const Triangle> triangles, StripePattern& pattern,
                      pattern.corners, progress);
 }
 
-void set_quality(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
-                 const Progress& progress) {
+void set_quality(const Surface& surface, std::span<const float> branch_penalty,
+                 StripePattern& pattern, const Progress& progress) {
   WaveSet& waves = pattern.waves;
   PatternQuality quality = quality_of(surface, waves, pattern, progress.part(0, 0.5));
   quality.spacing_error_wanted_mean = quality.spacing_error_mean;
@@ -62,16 +63,17 @@ void set_quality(const Surface& surface, std::span<const float> calm, StripePatt
     quality.spacing_error_wanted_mean =
         quality_of(surface, waves, pattern, progress.part(0.5, 1)).spacing_error_mean;
   }
-  if (!calm.empty()) {
-    quality.branches_in_calm = count_in_calm(surface.mesh.triangles, pattern.corners, calm);
+  if (!branch_penalty.empty()) {
+    quality.branches_in_avoided_area =
+        count_in_avoided_area(surface.mesh.triangles, pattern.corners, branch_penalty);
   }
   pattern.quality = quality;
 }
 
-void measure_pattern(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
-                     const Progress& progress) {
+void measure_pattern(const Surface& surface, std::span<const float> branch_penalty,
+                     StripePattern& pattern, const Progress& progress) {
   set_corners(surface.mesh.triangles, pattern, progress.part(0, 0.4));
-  set_quality(surface, calm, pattern, progress.part(0.4, 1));
+  set_quality(surface, branch_penalty, pattern, progress.part(0.4, 1));
 }
 
 StripeMilliseconds times_of(const FrameMilliseconds& frame) {

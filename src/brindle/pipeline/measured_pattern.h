@@ -10,15 +10,16 @@
 
 namespace brindle {
 
-/// Number of branches in triangles with branch avoidance; `calm` is per vertex.
-std::size_t count_in_calm(std::span<const Triangle> triangles,
-                          std::span<const CornerPhases> corners, std::span<const float> calm);
+/// Number of branches in triangles with branch avoidance; `branch_penalty` is per vertex.
+std::size_t count_in_avoided_area(std::span<const Triangle> triangles,
+                                  std::span<const CornerPhases> corners,
+                                  std::span<const float> branch_penalty);
 
 /// The two halves of `measure_pattern`: `corners`, reusing its memory, and `quality`.
 void set_corners(std::span<const Triangle> triangles, StripePattern& pattern,
                  const Progress& progress = {});
-void set_quality(const Surface& surface, std::span<const float> calm, StripePattern& pattern,
-                 const Progress& progress = {});
+void set_quality(const Surface& surface, std::span<const float> branch_penalty,
+                 StripePattern& pattern, const Progress& progress = {});
 
 /// Timings of a frame as those of a static pattern.
 StripeMilliseconds times_of(const FrameMilliseconds& frame);

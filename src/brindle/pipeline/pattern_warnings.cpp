@@ -113,7 +113,7 @@ std::vector<std::string> turn_warnings(std::size_t turned_apart) {
                 turned_apart)};
 }
 
-std::vector<std::string> detail_warnings(const FieldDetailFigures& figures,
+std::vector<std::string> detail_warnings(const FieldSmoothingFigures& figures,
                                          const WarningWords& words) {
   if (figures.singularities_too_many == 0) return {};
   return {formatted("%zu singularities of the field are left, %zu more than ",

@@ -229,7 +229,7 @@ void solve_and_measure(const Surface& surface, WaveSet waves, const StripeOption
   Stopwatch watch;
   const Progress measuring = stages.begin("pattern");
   result.waves = std::move(waves);
-  measure_pattern(surface, options.slack.calm, result, measuring);
+  measure_pattern(surface, options.slack.branch_penalty, result, measuring);
   result.milliseconds.pattern = watch.lap();
   stages.finish();
 }

@@ -123,7 +123,7 @@ StripeCurves stripe_curves(const Surface& surface, const StripePattern& pattern,
 }
 
 CurveMeasures measure_curves(const Surface& surface, const StripePattern& pattern,
-                             const StripeCurves& curves, double line_width,
+                             const StripeCurves& curves, double path_width,
                              const Progress& progress) {
   check_traceable(surface, pattern);
   JobStages stages(progress, {{"lengths", 1}, {"gaps", 10}, {"coverage", 5}});
@@ -134,9 +134,9 @@ CurveMeasures measure_curves(const Surface& surface, const StripePattern& patter
   const StripeTracer tracer(surface, measuring.part(0, 0.1));
   const auto spacing = tracer.spacing(pattern, curves, measuring.part(0.1, 1));
   if (spacing && spacing->gaps.measured > 0) measures.gaps = spacing->gaps;
-  if (line_width != 0) {
+  if (path_width != 0) {
     const CurveCoverage coverage =
-        measure_coverage(surface.mesh, curves.lines, line_width, stages.begin("coverage"));
+        measure_coverage(surface.mesh, curves.lines, path_width, stages.begin("coverage"));
     measures.coverage = coverage.once;
     measures.covered_twice = coverage.twice;
   }

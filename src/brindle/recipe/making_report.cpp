@@ -62,11 +62,11 @@ void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json) {
                       {"mean_deg", figures.mean_turn_deg},
                       {"largest_frequency_change", figures.largest_frequency_change}};
   }
-  if (figures.merged) {
-    const MergedBranches& merged = *figures.merged;
-    json["merged"] = {{"pairs", merged.pairs},
-                      {"branches_before", merged.branches_before},
-                      {"energy_before", merged.energy_before}};
+  if (figures.cancelled_branches) {
+    const CancelledBranches& cancelled = *figures.cancelled_branches;
+    json["cancelled_branches"] = {{"pairs", cancelled.pairs},
+                                  {"branches_before", cancelled.branches_before},
+                                  {"energy_before", cancelled.energy_before}};
   }
   if (figures.fixed_vertices > 0) json["boundary_vertices_fixed"] = figures.fixed_vertices;
 }
@@ -95,13 +95,13 @@ std::string remarks_of(const MakingFigures& figures) {
         figures.largest_turn_deg, figures.mean_turn_deg, 100 * figures.largest_frequency_change,
         figures.energy_before);
   }
-  if (figures.merged) {
-    const MergedBranches& merged = *figures.merged;
+  if (figures.cancelled_branches) {
+    const CancelledBranches& cancelled = *figures.cancelled_branches;
     text += formatted(
-        "   %zu pairs of branches merged: %zu branches before, %zu after; energy "
+        "   %zu branch pairs cancelled: %zu branches before, %zu after; energy "
         "%.6f before, %.6f after\n",
-        merged.pairs, merged.branches_before, merged.branches_after, merged.energy_before,
-        merged.energy_after);
+        cancelled.pairs, cancelled.branches_before, cancelled.branches_after,
+        cancelled.energy_before, cancelled.energy_after);
   }
   return text;
 }

@@ -78,8 +78,8 @@ void add_turn(std::vector<DataArray>& arrays, float turn_deg, std::size_t rows) 
 }
 
 void add_support(std::vector<DataArray>& arrays, const FieldSupport& support) {
-  const auto& [agreement, filled] = support;
-  if (!agreement.empty()) arrays.push_back(make_data_array("agreement", 1, agreement));
+  const auto& [coherence, filled] = support;
+  if (!coherence.empty()) arrays.push_back(make_data_array("coherence", 1, coherence));
   if (filled.empty()) return;
   arrays.push_back(
       make_data_array("filled", 1, std::vector<std::uint8_t>(filled.begin(), filled.end())));
@@ -87,8 +87,8 @@ void add_support(std::vector<DataArray>& arrays, const FieldSupport& support) {
 
 FieldSupport carried_support(const TexturedMesh& textured, const FieldSupport& support) {
   FieldSupport carried;
-  if (!support.agreement.empty()) {
-    carried.agreement = carried_values(textured, support.agreement, 1);
+  if (!support.coherence.empty()) {
+    carried.coherence = carried_values(textured, support.coherence, 1);
   }
   if (support.filled.empty()) return carried;
   carried.filled = carried_values(textured, support.filled, 1);
@@ -100,9 +100,9 @@ FieldSupport with_barycentres(FieldSupport support, std::span<const Triangle> tr
                               std::span<const Index> of_triangles) {
   for (const Index t : of_triangles) {
     const auto& [a, b, c] = triangles[t];
-    std::vector<float>&agreement = support.agreement, &filled = support.filled;
-    if (!agreement.empty()) {
-      agreement.push_back((agreement[a] + agreement[b] + agreement[c]) / 3);
+    std::vector<float>&coherence = support.coherence, &filled = support.filled;
+    if (!coherence.empty()) {
+      coherence.push_back((coherence[a] + coherence[b] + coherence[c]) / 3);
     }
     if (!filled.empty()) filled.push_back(std::max({filled[a], filled[b], filled[c]}));
   }

@@ -50,12 +50,12 @@ StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions
 
 // Cancels pairs of branches as requested.
 template <class Pattern, class Options>
-void merge_pairs(const Surface& surface, const MakingOptions& making, const Options& options,
-                 const Progress& progress, Pattern& pattern, MakingFigures& figures) {
-  if (!making.merge_branches) return;
-  MergingOptions merging{static_cast<double>(*making.merge_branches)};
-  if (making.merge_distance) merging.distance = static_cast<double>(*making.merge_distance);
-  figures.merged = merge_branches(surface, pattern, merging, options, progress);
+void cancel_pairs(const Surface& surface, const MakingOptions& making, const Options& options,
+                  const Progress& progress, Pattern& pattern, MakingFigures& figures) {
+  if (!making.cancel_branches) return;
+  CancellationOptions cancellation{static_cast<double>(*making.cancel_branches)};
+  if (making.cancel_distance) cancellation.distance = static_cast<double>(*making.cancel_distance);
+  figures.cancelled_branches = cancel_branches(surface, pattern, cancellation, options, progress);
 }
 
 StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions stripes,
@@ -63,7 +63,7 @@ StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions 
                            MakingFigures& figures) {
   StripePattern pattern =
       wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
-  merge_pairs(surface, options, stripes, progress, pattern, figures);
+  cancel_pairs(surface, options, stripes, progress, pattern, figures);
   return pattern;
 }
 
@@ -72,17 +72,17 @@ PatternResult made_texture(const Surface& surface, WaveSet waves, const PatternR
   const TextureOptions options{request.frequencies_v, request.oriented, request.solving};
   MakingFigures figures;
   TexturePattern texture = texture_pattern(surface, std::move(waves), options, progress);
-  merge_pairs(surface, request.making, options, progress, texture, figures);
+  cancel_pairs(surface, request.making, options, progress, texture, figures);
   return {std::move(texture), std::move(figures)};
 }
 
 PatternResult made_crosses(const Surface& surface, const WaveSet& waves,
                            const PatternRequest& request, const Progress& progress) {
-  const bool merges = request.making.merge_branches.has_value();
+  const bool cancels = request.making.cancel_branches.has_value();
   MakingFigures figures;
   CrossPattern cross =
-      cross_pattern(surface, waves, request.solving, progress.part(0, merges ? 0.5 : 0.9));
-  merge_pairs(surface, request.making, request.solving, progress.part(0.5, 0.9), cross, figures);
+      cross_pattern(surface, waves, request.solving, progress.part(0, cancels ? 0.5 : 0.9));
+  cancel_pairs(surface, request.making, request.solving, progress.part(0.5, 0.9), cross, figures);
   CrossTexture texture = cross_texture(surface, cross, request.solving.phase_shift,
                                        progress.part(0.9, 1).step("texture"));
   return {CrossResult{std::move(cross), std::move(texture)}, std::move(figures)};

@@ -74,8 +74,8 @@ void check_solver_options(const IsGiven& given, Solver solver, int cycles) {
   }
 }
 
-void check_calm(const IsGiven& given, bool yields) {
-  if (!yields) refuse_given(given, {"--calm"}, "no frequency yields; add --slack");
+void check_avoid_branches(const IsGiven& given, bool yields) {
+  if (!yields) refuse_given(given, {"--avoid-branches"}, "no frequency yields; add --slack");
 }
 
 void check_following(const IsGiven& given, bool follows, Solver solver) {
@@ -87,9 +87,9 @@ void check_following(const IsGiven& given, bool follows, Solver solver) {
 }
 
 void check_making(const MakingOptions& options, Solver solver) {
-  if (options.merge_distance && !options.merge_branches) {
-    throw RefusedOption("--merge-distance",
-                        "has no effect here: no branches are merged; add --merge-branches");
+  if (options.cancel_distance && !options.cancel_branches) {
+    throw RefusedOption("--cancel-distance",
+                        "has no effect here: no branch pairs are cancelled; add --cancel-branches");
   }
   if (!options.anchor_boundary) return;
   if (solver != Solver::multilevel) {
@@ -116,22 +116,23 @@ void check_smooth_field(const IsGiven& given, float curvature_anchor, float feat
   }
 }
 
-void check_field_detail(const IsGiven& given, const DetailRequest& wanted) {
+void check_field_smoothing(const IsGiven& given, const DetailRequest& wanted) {
   if (!wanted.measured) {
     refuse_given(given,
-                 {"--field-detail", "--field-weight", "--hold-out", "--field-arrows",
+                 {"--field-smoothing", "--field-weight", "--hold-out", "--field-arrows",
                   "--field-singularities"},
                  "the field was not measured; it is for arrays, files and raw-curvature");
   }
-  if (!wanted.varies) refuse_given(given, {"--frequency-detail"}, kSameFrequency);
+  if (!wanted.varies) refuse_given(given, {"--frequency-smoothing"}, kSameFrequency);
   if (wanted.periods == 0) {
     refuse_given(given,
                  {"--field-weight", "--hold-out", "--field-arrows", "--field-singularities",
-                  "--field-memory"},
-                 "the field is taken as it is given; add --field-detail");
+                  "--temporal-smoothing"},
+                 "the field is taken as it is given; add --field-smoothing");
   }
   if (wanted.periods == 0 && wanted.frequency_periods == 0) {
-    refuse_given(given, {"--fill"}, "nothing is filled; add --field-detail or --frequency-detail");
+    refuse_given(given, {"--fill"},
+                 "nothing is filled; add --field-smoothing or --frequency-smoothing");
   }
   if (wanted.cross) refuse_given(given, {"--field-arrows"}, "a cross has no sign");
 }
@@ -142,7 +143,7 @@ void check_triangle_options(const IsGiven& given) {
 }
 
 void check_making_on_points(const IsGiven& given) {
-  refuse_given(given, {"--winding", "--anchor-boundary", "--merge-branches"},
+  refuse_given(given, {"--winding", "--anchor-boundary", "--cancel-branches"},
                "points have no triangles");
 }
 

@@ -55,8 +55,8 @@ void check_choice(const std::string& option, const std::string& word);
 /// Rejects options of solvers other than the chosen one.
 void check_solver_options(const IsGiven& given, Solver solver, int cycles);
 
-/// Rejects --calm without spacing tolerance.
-void check_calm(const IsGiven& given, bool yields);
+/// Rejects --avoid-branches without spacing tolerance.
+void check_avoid_branches(const IsGiven& given, bool yields);
 
 /// Rejects options of patterns that follow another one, or of those that do not.
 void check_following(const IsGiven& given, bool follows, Solver solver);
@@ -69,15 +69,15 @@ void check_smooth_field(const IsGiven& given, float curvature_anchor, float feat
 
 /// The requested smoothing of a field and of frequencies, and what it applies to.
 struct DetailRequest {
-  float periods = 0;            ///< --field-detail
-  float frequency_periods = 0;  ///< --frequency-detail
+  float periods = 0;            ///< --field-smoothing
+  float frequency_periods = 0;  ///< --frequency-smoothing
   bool measured = false;        ///< the field is measured data
   bool cross = false;
   bool varies = false;  ///< the frequency may vary by vertex
 };
-void check_field_detail(const IsGiven& given, const DetailRequest& wanted);
+void check_field_smoothing(const IsGiven& given, const DetailRequest& wanted);
 
-/// The reason for rejecting --frequency-detail.
+/// The reason for rejecting --frequency-smoothing.
 inline constexpr const char* kSameFrequency =
     "the frequency is the same everywhere; it is for frequencies of arrays and files";
 

@@ -37,7 +37,7 @@ nlohmann::ordered_json to_json(const MissingWaves& missing) {
   return json;
 }
 
-void print_detail(std::ostream& out, const FieldDetailFigures& detail) {
+void print_detail(std::ostream& out, const FieldSmoothingFigures& detail) {
   out << formatted(
       "field     turned by %.2f degrees (median %.2f, 95 %% below %.1f, above 20 in %.1f %%), "
       "%zu singularities of %zu\n",
@@ -47,8 +47,8 @@ void print_detail(std::ostream& out, const FieldDetailFigures& detail) {
     out << formatted("holes     %zu vertices filled, %zu too far from all data\n", detail.filled,
                      detail.unfilled);
   }
-  out << formatted("agreement %.2f of data, %.2f of filled holes\n", detail.agreement_mean,
-                   detail.agreement_filled_mean);
+  out << formatted("coherence %.2f of data, %.2f of filled holes\n", detail.coherence_mean,
+                   detail.coherence_filled_mean);
   if (detail.held_out > 0) {
     out << formatted("held out  %zu data, %.2f degrees from the field without them\n",
                      detail.held_out, detail.held_out_turned_mean_deg);
@@ -119,7 +119,8 @@ void print_branches(std::ostream& out, const Report& report) {
 std::optional<FrequencyReport> frequency_report(const std::optional<FrequencyChange>& change,
                                                 const PatternQuality& quality) {
   if (!change) return std::nullopt;
-  return FrequencyReport{*change, quality.spacing_error_wanted_mean, quality.branches_in_calm};
+  return FrequencyReport{*change, quality.spacing_error_wanted_mean,
+                         quality.branches_in_avoided_area};
 }
 
 nlohmann::ordered_json to_json(const FrequencyReport& report) {
@@ -131,7 +132,8 @@ nlohmann::ordered_json to_json(const FrequencyReport& report) {
                                  {"spacing_error_wanted_mean", report.spacing_error_wanted_mean},
                                  {"sweeps", change.sweeps},
                                  {"residual", change.residual}};
-  if (report.branches_in_calm) json["branches_in_calm"] = *report.branches_in_calm;
+  if (report.branches_in_avoided_area)
+    json["branches_in_avoided_area"] = *report.branches_in_avoided_area;
   return json;
 }
 
@@ -142,8 +144,8 @@ void print_frequency(std::ostream& out, const FrequencyReport& report) {
       "%.1f %% from that asked for\n",
       change.ratio_min, change.ratio_max, change.ratio_mean, 100 * change.share_at_bounds,
       100 * report.spacing_error_wanted_mean);
-  if (report.branches_in_calm)
-    out << formatted("calm      %zu branches\n", *report.branches_in_calm);
+  if (report.branches_in_avoided_area)
+    out << formatted("branch_penalty      %zu branches\n", *report.branches_in_avoided_area);
 }
 
 Report make_report(const Surface& surface, const PreparationFigures& prepared,
@@ -181,7 +183,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   report.milliseconds.frequency += more.frequency;
   report.milliseconds.couple += more.couple;
   report.milliseconds.solve += more.solve;
-  report.milliseconds.merge += more.merge;
+  report.milliseconds.cancel += more.cancel;
   report.milliseconds.pattern += more.pattern + texture.orientation_milliseconds;
   report.frequency_v = frequency_report(texture.v.frequency_change, texture.v.quality);
   report.quality.branches = branches_of_both(texture);
@@ -228,9 +230,9 @@ nlohmann::ordered_json to_json(const WaveReport& waves,
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
   json.update(to_json(waves.missing));
   if (waves.detail) json.update(to_json(*waves.detail));
-  if (waves.frequency_detail) {
-    json["frequency_changed_median"] = waves.frequency_detail->changed_median;
-    json["frequencies_filled"] = waves.frequency_detail->filled;
+  if (waves.frequency_smoothing) {
+    json["frequency_changed_median"] = waves.frequency_smoothing->changed_median;
+    json["frequencies_filled"] = waves.frequency_smoothing->filled;
   }
   return json;
 }
@@ -250,9 +252,10 @@ void print_waves(std::ostream& out, const WaveReport& waves) {
     out << formatted("no wave   at %zu of %zu vertices\n", waves.without_wave, waves.used);
   }
   if (waves.detail) print_detail(out, *waves.detail);
-  if (waves.frequency_detail) {
+  if (waves.frequency_smoothing) {
     out << formatted("frequency changed by %.2f %% at the median, %zu vertices filled\n",
-                     100 * waves.frequency_detail->changed_median, waves.frequency_detail->filled);
+                     100 * waves.frequency_smoothing->changed_median,
+                     waves.frequency_smoothing->filled);
   }
 }
 
@@ -288,7 +291,7 @@ nlohmann::ordered_json to_json(const Report& report) {
     json["crease_slip_share"] = report.slip->share;
   }
   json.update(to_json(report.waves, report.field_rows_nonfinite));
-  if (time.merge > 0) json["milliseconds"]["merge"] = time.merge;
+  if (time.cancel > 0) json["milliseconds"]["cancel"] = time.cancel;
   if (report.draw_milliseconds) {
     json["milliseconds"]["draw"] = *report.draw_milliseconds;
     json.update(report.picture);
@@ -348,7 +351,7 @@ void print_report(std::ostream& out, const Report& report) {
       "time      load %.1f, field %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
       time.load, report.field_milliseconds, time.topology, time.couple, time.solve, time.pattern);
   if (report.frequency) out << formatted(", frequency %.1f", time.frequency);
-  if (time.merge > 0) out << formatted(", merge %.1f", time.merge);
+  if (time.cancel > 0) out << formatted(", cancel %.1f", time.cancel);
   if (report.draw_milliseconds) out << formatted(", draw %.1f", *report.draw_milliseconds);
   out << " ms\n";
 }
@@ -372,7 +375,7 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
   }
 }
 
-nlohmann::ordered_json to_json(const FieldDetailFigures& detail) {
+nlohmann::ordered_json to_json(const FieldSmoothingFigures& detail) {
   nlohmann::ordered_json json = {{"field_turned_mean_deg", detail.turned_mean_deg},
                                  {"field_turned_median_deg", detail.turned_median_deg},
                                  {"field_turned_p95_deg", detail.turned_p95_deg},
@@ -381,8 +384,8 @@ nlohmann::ordered_json to_json(const FieldDetailFigures& detail) {
                                  {"vertices_with_data", detail.data},
                                  {"vertices_filled", detail.filled},
                                  {"vertices_unfilled", detail.unfilled},
-                                 {"agreement_mean", detail.agreement_mean},
-                                 {"agreement_filled_mean", detail.agreement_filled_mean}};
+                                 {"coherence_mean", detail.coherence_mean},
+                                 {"coherence_filled_mean", detail.coherence_filled_mean}};
   if (detail.held_out > 0) {
     json["held_out"] = detail.held_out;
     json["held_out_turned_mean_deg"] = detail.held_out_turned_mean_deg;

@@ -21,7 +21,7 @@ namespace brindle {
 struct FrequencyReport {
   FrequencyChange change;
   double spacing_error_wanted_mean = 0;
-  std::optional<std::size_t> branches_in_calm;
+  std::optional<std::size_t> branches_in_avoided_area;
 };
 
 /// Nullopt without slack.
@@ -104,7 +104,7 @@ nlohmann::ordered_json to_json(const WaveReport& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
 
 /// Keys of a smoothed field, except its number of singularities, which every report has.
-nlohmann::ordered_json to_json(const FieldDetailFigures& detail);
+nlohmann::ordered_json to_json(const FieldSmoothingFigures& detail);
 
 /// Evenness of samples, for the key "nearest_neighbour".
 nlohmann::ordered_json to_json(const SampleSpacing& spacing);

@@ -36,7 +36,7 @@ std::string warning_lines(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves& missing) {
+std::size_t unfilled_alone(const FieldSmoothingFigures& detail, const MissingWaves& missing) {
   const std::size_t others = missing.without_frequency.value_or(0) + missing.too_far.value_or(0);
   return detail.unfilled - std::min(others, detail.unfilled);
 }
@@ -49,7 +49,7 @@ WarningWords words_of_options(const std::string& source, std::optional<int> subd
   words.subdivide = subdivided ? "--subdivide" : "";
   words.subdivided = subdivided.value_or(0);
   words.field = "--field";
-  words.detail = "--field-detail 1";
+  words.detail = "--field-smoothing 1";
   words.singularities = "--field-singularities";
   words.source = source;
   return words;

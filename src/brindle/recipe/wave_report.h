@@ -17,16 +17,16 @@ namespace brindle {
 
 /// Vertices without a wave only because they are too far from all data of a field with filled
 /// holes, not for a reason in `missing`.
-std::size_t unfilled_alone(const FieldDetailFigures& detail, const MissingWaves& missing);
+std::size_t unfilled_alone(const FieldSmoothingFigures& detail, const MissingWaves& missing);
 
 /// The library's metrics, and reasons for missing waves.
 struct WaveReport : WaveFigures {
   MissingWaves missing;
-  std::size_t turned_apart = 0;                   ///< as in WaveResult
-  bool measured = false;                          ///< the field may be noisy
-  std::optional<int> subdivided = 0;              ///< times so far; nullopt: points cannot be
-  std::optional<FieldDetailFigures> detail = {};  ///< of a smoothed field
-  std::optional<FrequencyDetailReport> frequency_detail = {};  ///< of smoothed frequencies
+  std::size_t turned_apart = 0;                      ///< as in WaveResult
+  bool measured = false;                             ///< the field may be noisy
+  std::optional<int> subdivided = 0;                 ///< times so far; nullopt: points cannot be
+  std::optional<FieldSmoothingFigures> detail = {};  ///< of a smoothed field
+  std::optional<FrequencySmoothingReport> frequency_smoothing = {};  ///< of smoothed frequencies
 };
 
 /// Metrics of a run before its stripes are solved.

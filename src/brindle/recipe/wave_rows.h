@@ -156,7 +156,7 @@ constexpr auto kFieldRows =
                .slider = {0.1, 50, true},
                .stale = OptionStage::field | OptionStage::values,
                .help = "--field-mesh: no wave farther away from it (default 2%)"},
-              {.name = "field-detail",
+              {.name = "field-smoothing",
                .words = "detail of the field",
                .common = true,
                .kind = OptionKind::number,
@@ -171,7 +171,7 @@ constexpr auto kFieldRows =
                .words = "weight of the data",
                .kind = OptionKind::text,
                .form = "VALUE",
-               .help = "--field-detail: confidence of each datum, 0 for none"},
+               .help = "--field-smoothing: confidence of each datum, 0 for none"},
               {.name = "fill",
                .words = "fill holes",
                .kind = OptionKind::number,
@@ -190,12 +190,12 @@ constexpr auto kFieldRows =
                .range = {.least = 0, .most = 1, .below_most = true},
                .slider = {0, 0.5},
                .stale = OptionStage::waves,
-               .help = "--field-detail: hide SHARE of the data and report the angle there"},
+               .help = "--field-smoothing: hide SHARE of the data and report the angle there"},
               {.name = "field-arrows",
                .words = "arrows, not lines",
                .kind = OptionKind::flag,
                .stale = OptionStage::field,
-               .help = "--field-detail: vectors have signs; opposite ones cancel"},
+               .help = "--field-smoothing: vectors have signs; opposite ones cancel"},
               {.name = "field-singularities",
                .words = "singularities left",
                .kind = OptionKind::whole,
@@ -203,17 +203,17 @@ constexpr auto kFieldRows =
                .range = {.least = 0, .most = 1000000},
                .slider = {0, 200},
                .stale = OptionStage::waves,
-               .help = "--field-detail: cancel singularity pairs until N remain"}});
+               .help = "--field-smoothing: cancel singularity pairs until N remain"}});
 
 constexpr auto kFieldOfFramesRows =
     in_group({.group = "Field", .jobs = kAnimate},
-             {{.name = "field-memory",
+             {{.name = "temporal-smoothing",
                .kind = OptionKind::number,
                .form = "M",
                .standard = "0",
                .range = kNotNegative,
                .slider = {0, 10},
-               .help = "--field-detail: weight of the last step's field (default 0)"}});
+               .help = "--field-smoothing: weight of the last step's field (default 0)"}});
 
 constexpr auto kStripeRows =
     in_group({.group = "Stripes", .stale = OptionStage::waves, .jobs = kAll},
@@ -246,7 +246,7 @@ constexpr auto kStripeRows =
                .slider = {0.25, 50, true},
                .excludes = "stripes frequency",
                .help = "distance between stripes along the surface"},
-              {.name = "frequency-detail",
+              {.name = "frequency-smoothing",
                .words = "detail of spacing",
                .kind = OptionKind::number,
                .form = "P",
@@ -292,7 +292,7 @@ constexpr auto kStripeRows =
                .slider = {0, 1},
                .stale = OptionStage::phases,
                .help = "let frequencies vary by up to 1 + S for fewer branches (default 0)"},
-              {.name = "calm",
+              {.name = "avoid-branches",
                .words = "avoid branches",
                .kind = OptionKind::text,
                .form = "FILE.csv",
@@ -315,7 +315,7 @@ constexpr auto kStripeRows =
 
 constexpr auto kMakingRows =
     in_group({.group = "Making", .stale = OptionStage::phases, .jobs = kStripe | kCurves},
-             {{.name = "merge-branches",
+             {{.name = "cancel-branches",
                .words = "cancel branch pairs",
                .common = true,
                .kind = OptionKind::number,
@@ -323,15 +323,15 @@ constexpr auto kMakingRows =
                .range = kNotNegative,
                .slider = {0.001, 1, true},
                .help = "cancel branch pairs while the energy rises by at most SHARE"},
-              {.name = "merge-distance",
-               .words = "merge within",
+              {.name = "cancel-distance",
+               .words = "cancel within",
                .kind = OptionKind::number,
                .form = "P",
                .unit = "periods",
                .standard = "10",
                .range = {.least = 0, .most = 1000, .above_least = true},
                .slider = {1, 100, true},
-               .help = "--merge-branches: greatest distance within a pair (default 10)"},
+               .help = "--cancel-branches: greatest distance within a pair (default 10)"},
               {.name = "anchor-boundary",
                .words = "start at boundaries",
                .kind = OptionKind::number,
@@ -355,8 +355,8 @@ constexpr auto kWaveRows =
 template <class Visit>
 void visit_making(MakingOptions& making, const Visit& visit) {
   visit("--anchor-boundary", making.anchor_boundary);
-  visit("--merge-branches", making.merge_branches);
-  visit("--merge-distance", making.merge_distance);
+  visit("--cancel-branches", making.cancel_branches);
+  visit("--cancel-distance", making.cancel_distance);
 }
 
 }  // namespace brindle

@@ -29,27 +29,27 @@ void mark_filled(std::vector<float>& filled, std::size_t count, const auto& is_f
   }
 }
 
-void see_frequencies(const WaveSurface& surface, const FrequencyDetailOptions& options,
+void see_frequencies(const WaveSurface& surface, const FrequencySmoothingOptions& options,
                      WaveInput& found, WaveResult& made, const Progress& progress) {
-  DetailedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
+  SmoothedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
   mark_filled(made.support.filled, seen.frequencies.size(), [&](std::size_t v) {
     return std::isnan(found.frequencies[v]) && !std::isnan(seen.frequencies[v]);
   });
   found.frequencies = std::move(seen.frequencies);
-  made.frequency_detail = FrequencyDetailReport{seen.changed_median, seen.filled};
+  made.frequency_smoothing = FrequencySmoothingReport{seen.changed_median, seen.filled};
   if (found.frequencies_v.empty()) return;
   found.frequencies_v =
       surface.frequencies_at_detail(found.frequencies_v, options, progress).frequencies;
 }
 
-void see_field(const WaveSurface& surface, const FieldDetailOptions& options,
+void see_field(const WaveSurface& surface, const FieldSmoothingOptions& options,
                const FrequencyField& places, WaveInput& found, WaveResult& made,
                const Progress& progress) {
   auto [field, figures] =
       surface.field_at_detail(found.measured, places, found.last, options, progress);
   found.directions = std::move(field.directions);
   made.seen_field = found.directions;
-  made.support.agreement = std::move(field.agreement);
+  made.support.coherence = std::move(field.coherence);
   const std::vector<std::uint8_t>& filled = field.filled;
   mark_filled(made.support.filled, filled.size(), [&](std::size_t v) { return filled[v] != 0; });
   made.detail = figures;
@@ -73,17 +73,17 @@ std::size_t WholeSurface::drop_waves(DirectionField& directions,
   return drop_waves_without_frequency(directions, frequencies);
 }
 
-DetailedFrequencies WholeSurface::frequencies_at_detail(std::span<const float> frequencies,
-                                                        const FrequencyDetailOptions& options,
+SmoothedFrequencies WholeSurface::frequencies_at_detail(std::span<const float> frequencies,
+                                                        const FrequencySmoothingOptions& options,
                                                         const Progress& progress) const {
-  return detailed_frequencies(surface_, frequencies, options, progress);
+  return smoothed_frequencies(surface_, frequencies, options, progress);
 }
 
-std::pair<DetailedField, FieldDetailFigures> WholeSurface::field_at_detail(
+std::pair<SmoothedField, FieldSmoothingFigures> WholeSurface::field_at_detail(
     const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-    const FieldDetailOptions& options, const Progress& progress) const {
-  FieldDetail detail(surface_, options, progress.part(0, 0.5));
-  DetailedField field = detail.frame(measured, places, {last, {}}, progress.part(0.5, 1));
+    const FieldSmoothingOptions& options, const Progress& progress) const {
+  FieldSmoothing detail(surface_, options, progress.part(0, 0.5));
+  SmoothedField field = detail.frame(measured, places, {last, {}}, progress.part(0.5, 1));
   return {std::move(field), detail.figures()};
 }
 
@@ -99,8 +99,9 @@ WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, Wave
                     const Progress& progress) {
   constexpr double kFrequencies = 0.3;  // of the time
   WaveResult made;
-  if (request.frequency_detail.periods > 0) {
-    see_frequencies(surface, request.frequency_detail, found, made, progress.part(0, kFrequencies));
+  if (request.frequency_smoothing.periods > 0) {
+    see_frequencies(surface, request.frequency_smoothing, found, made,
+                    progress.part(0, kFrequencies));
   }
   const FrequencyField places = places_of_waves(found);
   if (surface.any(found.may_have_gaps)) {

@@ -102,9 +102,9 @@ void check_slack(const Slack& slack, std::size_t vertices) {
     refuse_slack("it is " + std::to_string(slack.everywhere), remedy);
   }
   check_list(slack.by_vertex, vertices, "slacks");
-  check_list(slack.calm, vertices, "numbers for calm");
+  check_list(slack.branch_penalty, vertices, "numbers for branch_penalty");
   check_numbers(slack.by_vertex, kMost, "that", remedy);
-  check_numbers(slack.calm, 1, "calm", "give a number from 0 to 1");
+  check_numbers(slack.branch_penalty, 1, "avoid_branches", "give a number from 0 to 1");
 }
 
 std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
@@ -126,8 +126,8 @@ std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, 
     triangles.corners = mesh.triangles;
   }
   progress.tick();
-  setting->calm = slack.calm;
-  triangles.weights = calm_weights(triangles.corners, slack.calm);
+  setting->branch_penalty = slack.branch_penalty;
+  triangles.weights = penalty_weights(triangles.corners, slack.branch_penalty);
   return setting;
 }
 

@@ -18,8 +18,8 @@ namespace {
 constexpr int kMostCycles = 40;
 constexpr int kMostFrameCycles = 3;
 constexpr double kSmallestGain = 5e-4;  ///< of a cycle, over the energy
-constexpr float kCalmSlack = 2;         ///< slack that `calm` = 1 adds, in multiples of S
-constexpr float kCalmWeight = 9;        ///< weight that `calm` = 1 adds
+constexpr float kPenaltySlack = 2;      ///< slack that `branch_penalty` = 1 adds, in multiples of S
+constexpr float kPenaltyWeight = 9;     ///< weight that `branch_penalty` = 1 adds
 
 /// Whether the gain of a cycle is too small for another one.
 bool is_small(double gain, double energy) { return gain <= kSmallestGain * std::abs(energy); }
@@ -53,12 +53,14 @@ constexpr float kUsualGain = 0.2f, kLeastGain = 0.02f;
 
 }  // namespace
 
-std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<const float> calm) {
+std::vector<float> penalty_weights(std::span<const Triangle> triangles,
+                                   std::span<const float> branch_penalty) {
   std::vector<float> weights;
-  if (calm.empty()) return weights;
+  if (branch_penalty.empty()) return weights;
   weights.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles) {
-    weights.push_back(1 + kCalmWeight * std::max({calm[a], calm[b], calm[c]}));
+    weights.push_back(1 + kPenaltyWeight *
+                              std::max({branch_penalty[a], branch_penalty[b], branch_penalty[c]}));
   }
   return weights;
 }
@@ -66,7 +68,8 @@ std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<c
 std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices) {
   std::vector<float> result =
       slack.by_vertex.empty() ? std::vector<float>(vertices, slack.everywhere) : slack.by_vertex;
-  for (std::size_t i = 0; i < slack.calm.size(); ++i) result[i] *= 1 + kCalmSlack * slack.calm[i];
+  for (std::size_t i = 0; i < slack.branch_penalty.size(); ++i)
+    result[i] *= 1 + kPenaltySlack * slack.branch_penalty[i];
   return result;
 }
 
@@ -106,8 +109,8 @@ void YieldingSolver::set_slack(const Slack& slack) {
   check_slack(slack, setting_->slack.size());
   auto setting = std::make_shared<YieldingSetting>(*setting_);
   setting->slack = slack_by_vertex(slack, setting->slack.size());
-  setting->calm = slack.calm;
-  setting->triangles.weights = calm_weights(setting->triangles.corners, slack.calm);
+  setting->branch_penalty = slack.branch_penalty;
+  setting->triangles.weights = penalty_weights(setting->triangles.corners, slack.branch_penalty);
   const bool weighs_as_before = setting->triangles.weights == setting_->triangles.weights;
   set_setting(std::move(setting), weighs_as_before);
 }
@@ -138,7 +141,7 @@ void YieldingSolver::relax(const Progress& progress) {
   auto constant = parallel_sum<double>(masses_.size(), [&](std::size_t begin, std::size_t end) {
     double part = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const double to = 1 + static_cast<double>(target_ * calm_at(i));
+      const double to = 1 + static_cast<double>(target_ * penalty_at(i));
       part += to * to * static_cast<double>(masses_[i].pull);
     }
     return part;
@@ -173,8 +176,10 @@ void YieldingSolver::relax(const Progress& progress) {
   change_.residual = first_gradient > 0 ? gradient / first_gradient : 0;
 }
 
-float YieldingSolver::calm_at(std::size_t place) const {
-  return setting_->calm.empty() ? 0 : setting_->calm[rows_->levels()->node_at[place]];
+float YieldingSolver::penalty_at(std::size_t place) const {
+  return setting_->branch_penalty.empty()
+             ? 0
+             : setting_->branch_penalty[rows_->levels()->node_at[place]];
 }
 
 /// Sums of ratios if all logarithms were less by `shift`, within their bounds.
@@ -185,13 +190,13 @@ RatioSums YieldingSolver::ratios(float shift) const {
     for (std::size_t place = begin; place < end; ++place) {
       const float x = m.x()[place] - shift, lower = m.lower()[place], upper = m.upper()[place];
       const auto area = static_cast<double>(masses_[place].area);
-      const auto calm = area * static_cast<double>(calm_at(place));
+      const auto branch_penalty = area * static_cast<double>(penalty_at(place));
       const auto ratio = static_cast<double>(elementary::fast_exp(std::clamp(x, lower, upper) - 1));
       sums.ratio += area * ratio;
       sums.free += x > lower && x < upper ? area * ratio : 0;
       sums.area += area;
-      sums.calm_ratio += calm * ratio;
-      sums.calm_area += calm;
+      sums.penalized_ratio += branch_penalty * ratio;
+      sums.penalized_area += branch_penalty;
     }
     return sums;
   };
@@ -232,10 +237,10 @@ void YieldingSolver::set_branch_penalty(float target) {
   const std::span<float> right = multigrid_->right();
   const float change = target - target_;
   target_ = target;
-  if (change == 0 || setting_->calm.empty()) return;
+  if (change == 0 || setting_->branch_penalty.empty()) return;
   parallel_for(rows_->own(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place) {
-      right[place] += change * calm_at(place) * masses_[place].pull;
+      right[place] += change * penalty_at(place) * masses_[place].pull;
     }
   });
 }
@@ -250,10 +255,10 @@ void YieldingSolver::relax_to_means(const Progress& progress) {
   float step = 0, last = 0;
   change_ = {};
   for (int round = 0;; ++round) {
-    relax(setting_->calm.empty()
+    relax(setting_->branch_penalty.empty()
               ? progress
               : progress.part(1 - std::pow(0.5, round), 1 - std::pow(0.5, round + 1)));
-    const auto excess = static_cast<float>(shift_to_mean().calm_mean() - 1);
+    const auto excess = static_cast<float>(shift_to_mean().penalized_mean() - 1);
     if (std::abs(excess) < kSmallExcess || round + 1 == kMostRounds) return;
     const float gain = step == 0 ? kUsualGain : std::clamp((last - excess) / step, kLeastGain, 1.f);
     step = excess / gain;

@@ -15,16 +15,17 @@
 
 namespace brindle {
 
-/// S by vertex, enlarged by branch avoidance (`calm`).
+/// S by vertex, enlarged by branch avoidance (`branch_penalty`).
 std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices);
 
-/// w_T, by the largest `calm` of each triangle's corners. Empty without branch avoidance.
-std::vector<float> calm_weights(std::span<const Triangle> triangles, std::span<const float> calm);
+/// w_T, by the largest `branch_penalty` of each triangle's corners. Empty without branch avoidance.
+std::vector<float> penalty_weights(std::span<const Triangle> triangles,
+                                   std::span<const float> branch_penalty);
 
 /// The constant input. Vertices of other processes (ghosts) come last.
 struct YieldingSetting {
-  std::vector<float> slack;  ///< by vertex
-  std::vector<float> calm;   ///< by vertex, from 0 to 1; empty: 0
+  std::vector<float> slack;           ///< by vertex
+  std::vector<float> branch_penalty;  ///< by vertex, from 0 to 1; empty: 0
   FrequencyTriangles triangles;
   std::shared_ptr<const Adjacency> adjacency;
 };
@@ -33,17 +34,22 @@ struct YieldingSetting {
 std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
                                                         const Progress& progress = {});
 
-/// Sums of areas times ratios g / f: over all rows, those not at a bound, and weighted by `calm`.
+/// Sums of areas times ratios g / f: over all rows, those not at a bound, and weighted by
+/// `branch_penalty`.
 struct RatioSums {
-  double ratio = 0, free = 0, area = 0, calm_ratio = 0, calm_area = 0;
+  double ratio = 0, free = 0, area = 0, penalized_ratio = 0, penalized_area = 0;
   RatioSums operator+(const RatioSums& o) const {
-    return {ratio + o.ratio, free + o.free, area + o.area, calm_ratio + o.calm_ratio,
-            calm_area + o.calm_area};
+    return {ratio + o.ratio, free + o.free, area + o.area, penalized_ratio + o.penalized_ratio,
+            penalized_area + o.penalized_area};
   }
-  std::array<double, 5> numbers() const { return {ratio, free, area, calm_ratio, calm_area}; }
+  std::array<double, 5> numbers() const {
+    return {ratio, free, area, penalized_ratio, penalized_area};
+  }
   static RatioSums of(const std::array<double, 5>& n) { return {n[0], n[1], n[2], n[3], n[4]}; }
   double mean() const { return area > 0 ? ratio / area : 1; }
-  double calm_mean() const { return calm_area > 0 ? calm_ratio / calm_area : 1; }
+  double penalized_mean() const {
+    return penalized_area > 0 ? penalized_ratio / penalized_area : 1;
+  }
 };
 
 /// YieldingFrequency for one or several processes. With peers, all processes must call all
@@ -56,8 +62,9 @@ class YieldingSolver {
   /// A solver for the same setting without a kept result; only without peers.
   YieldingSolver sibling() const { return YieldingSolver(setting_); }
 
-  /// Changes the slack from the next `solve` on. It starts from the kept result unless `calm`
-  /// changes weights of triangles. Throws Error as `check_slack` does; only without peers.
+  /// Changes the slack from the next `solve` on. It starts from the kept result unless
+  /// `branch_penalty` changes weights of triangles. Throws Error as `check_slack` does; only
+  /// without peers.
   void set_slack(const Slack& slack);
 
   /// The same by a setting with the same adjacency; with peers, all must call it.
@@ -79,7 +86,7 @@ class YieldingSolver {
   /// Progress within a step: none with peers, whose steps may differ.
   Progress inner(const Progress& progress) const { return peers_ ? Progress() : progress; }
   void relax(const Progress& progress);
-  float calm_at(std::size_t place) const;
+  float penalty_at(std::size_t place) const;
   RatioSums ratios(float shift) const;
   RatioSums shift_to_mean();
   void set_branch_penalty(float target);

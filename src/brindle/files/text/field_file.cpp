@@ -113,9 +113,9 @@ std::string counts(std::size_t vertices, std::size_t rows) {
   return text;
 }
 
-[[noreturn]] void refuse_calm_rows(const std::filesystem::path& path, std::size_t rows,
-                                   std::size_t line, std::size_t vertex_count,
-                                   std::size_t file_vertices) {
+[[noreturn]] void refuse_penalty_rows(const std::filesystem::path& path, std::size_t rows,
+                                      std::size_t line, std::size_t vertex_count,
+                                      std::size_t file_vertices) {
   std::string count = std::to_string(vertex_count);
   if (file_vertices > vertex_count)
     count += ", or " + std::to_string(file_vertices) + " in its file,";
@@ -126,38 +126,39 @@ std::string counts(std::size_t vertices, std::size_t rows) {
               " vertices; give one row per vertex");
 }
 
-float checked_calm(const std::filesystem::path& path, std::size_t line, double value) {
+float checked_penalty(const std::filesystem::path& path, std::size_t line, double value) {
   if (value >= 0 && value <= 1) return static_cast<float>(value);
-  throw Error(at_line(path, line) + formatted("calm is %g; give a number from 0 to 1", value));
+  throw Error(at_line(path, line) +
+              formatted("avoid_branches is %g; give a number from 0 to 1", value));
 }
 
-struct CalmRows {
-  std::vector<float> calm;
+struct PenaltyRows {
+  std::vector<float> branch_penalty;
   std::size_t last_line = 0;  ///< line of the last row
 };
 
-CalmRows read_calm_rows(const std::filesystem::path& path) {
-  CalmRows rows;
+PenaltyRows read_penalty_rows(const std::filesystem::path& path) {
+  PenaltyRows rows;
   const auto add = [&](std::size_t line, double value) {
-    rows.calm.push_back(checked_calm(path, line, value));
+    rows.branch_penalty.push_back(checked_penalty(path, line, value));
     rows.last_line = line;
   };
-  CsvFile file(path, {"calm", "one number from 0 to 1"});
+  CsvFile file(path, {"avoid_branches", "one number from 0 to 1"});
   if (file.names().size() > 1) {
     const CsvTable table = file.read_table();
-    if (!has_column(table.names(), "calm")) {
+    if (!has_column(table.names(), "avoid_branches")) {
       throw Error("'" + shown(path.string()) +
-                  "' has no column of numbers named calm; name one so");
+                  "' has no column of numbers named avoid_branches; name one so");
     }
     table.for_each_row(
-        std::array<std::string_view, 1>{"calm"},
+        std::array<std::string_view, 1>{"avoid_branches"},
         [&](std::size_t line, std::span<const double> values) { add(line, values[0]); });
     return rows;
   }
   file.read([&](std::size_t line, std::span<const double> values) {
     if (values.size() != 1) {
       throw Error(at_line(path, line) + std::to_string(values.size()) +
-                  " columns; give one number from 0 to 1 a row, or name a column calm");
+                  " columns; give one number from 0 to 1 a row, or name a column avoid_branches");
     }
     add(line, values[0]);
   });
@@ -192,19 +193,21 @@ FieldFile read_field_csv(const std::filesystem::path& path, std::size_t vertex_c
               " vertices; give one row per vertex");
 }
 
-std::vector<float> read_calm_csv(const std::filesystem::path& path, std::size_t vertex_count,
-                                 std::span<const Index> vertex_of_row) {
-  CalmRows rows = read_calm_rows(path);
-  if (rows.calm.size() == vertex_count) return std::move(rows.calm);
-  if (vertex_of_row.empty() || rows.calm.size() != vertex_of_row.size()) {
-    refuse_calm_rows(path, rows.calm.size(), rows.last_line, vertex_count, vertex_of_row.size());
+std::vector<float> read_branch_penalty_csv(const std::filesystem::path& path,
+                                           std::size_t vertex_count,
+                                           std::span<const Index> vertex_of_row) {
+  PenaltyRows rows = read_penalty_rows(path);
+  if (rows.branch_penalty.size() == vertex_count) return std::move(rows.branch_penalty);
+  if (vertex_of_row.empty() || rows.branch_penalty.size() != vertex_of_row.size()) {
+    refuse_penalty_rows(path, rows.branch_penalty.size(), rows.last_line, vertex_count,
+                        vertex_of_row.size());
   }
-  std::vector<float> calm(vertex_count);
-  for (std::size_t row = 0; row < rows.calm.size(); ++row) {
-    float& greatest = calm[vertex_of_row[row]];
-    greatest = std::max(greatest, rows.calm[row]);
+  std::vector<float> branch_penalty(vertex_count);
+  for (std::size_t row = 0; row < rows.branch_penalty.size(); ++row) {
+    float& greatest = branch_penalty[vertex_of_row[row]];
+    greatest = std::max(greatest, rows.branch_penalty[row]);
   }
-  return calm;
+  return branch_penalty;
 }
 
 }  // namespace brindle

@@ -41,7 +41,7 @@ void require(bool holds, const std::string& message) {
 
 bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
 
-void check_detail(const FieldDetailOptions& options) {
+void check_detail(const FieldSmoothingOptions& options) {
   check_scale("measured field", options.periods, options.fill);
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
   require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
@@ -88,7 +88,7 @@ double quantile(std::span<const DatumTurn> sorted, double total, double share) {
 /// Directional coherence of the data around a vertex, 0 to 1.
 float coherence(const Complex& u) { return std::min(std::sqrt(std::norm(u)), 1.0f); }
 
-void tell_turns(std::vector<DatumTurn> turns, FieldDetailFigures& figures) {
+void tell_turns(std::vector<DatumTurn> turns, FieldSmoothingFigures& figures) {
   ranges::sort(turns, {}, &DatumTurn::degrees);
   double total = 0, sum = 0, over = 0;
   for (const DatumTurn& turn : turns) {
@@ -113,8 +113,8 @@ struct FieldDatum {
   float weight;
 };
 
-struct FieldDetail::State {
-  State(const Surface& given, const FieldDetailOptions& wanted, const Progress& progress)
+struct FieldSmoothing::State {
+  State(const Surface& given, const FieldSmoothingOptions& wanted, const Progress& progress)
       : options(wanted), surface(given) {
     check_detail(options);
     check_positions(surface.mesh.positions);
@@ -198,7 +198,7 @@ struct FieldDetail::State {
     return area > 0 ? sum(sums.weight) / area : 1;
   }
 
-  DetailedField frame(const MeasuredField& measured, std::span<const float> frequencies,
+  SmoothedField frame(const MeasuredField& measured, std::span<const float> frequencies,
                       const MeasuredField& last, const Progress& progress);
   void check_frame(const MeasuredField& measured, std::span<const float> frequencies,
                    const MeasuredField& last) const;
@@ -209,16 +209,16 @@ struct FieldDetail::State {
                                    std::size_t more) const;
   void undo_singularities(std::span<const float> frequencies, std::vector<float>& screening,
                           const ScreenedOptions& solving, std::vector<Complex>& u);
-  DetailedField seen(const Found& found, std::span<const float> frequencies,
+  SmoothedField seen(const Found& found, std::span<const float> frequencies,
                      const Progress& progress) const;
   void sign_like_last(DirectionField& field, const Progress& progress) const;
   HeldOut hold_out(const MeasuredField& measured, std::span<const float> frequencies,
                    const MeasuredField& last, const Progress& progress);
   std::vector<DatumTurn> turns(const MeasuredField& measured, std::span<const Complex> u,
                                std::span<const Vec3> field) const;
-  double mean_agreement(bool of_data) const;
+  double mean_coherence(bool of_data) const;
 
-  FieldDetailOptions options;
+  FieldSmoothingOptions options;
   Surface surface;
   PhaseGraph graph;            // transport, times stiffness
   std::vector<float> degrees;  // sums of stiffness
@@ -233,9 +233,9 @@ struct FieldDetail::State {
   DirectionField directions;
 };
 
-void FieldDetail::State::check_frame(const MeasuredField& measured,
-                                     std::span<const float> frequencies,
-                                     const MeasuredField& last) const {
+void FieldSmoothing::State::check_frame(const MeasuredField& measured,
+                                        std::span<const float> frequencies,
+                                        const MeasuredField& last) const {
   require(!measured.of_triangles || !surface.mesh.triangles.empty(),
           "points have no triangles that data could be of");
   check_field(measured, measured.of_triangles ? surface.mesh.triangle_count() : count(),
@@ -251,10 +251,10 @@ void FieldDetail::State::check_frame(const MeasuredField& measured,
           "frequencies must be finite numbers of 0 or above");
 }
 
-FieldDetail::State::Found FieldDetail::State::solve(const MeasuredField& measured,
-                                                    std::span<const float> frequencies,
-                                                    const MeasuredField& last,
-                                                    const Progress& progress) {
+FieldSmoothing::State::Found FieldSmoothing::State::solve(const MeasuredField& measured,
+                                                          std::span<const float> frequencies,
+                                                          const MeasuredField& last,
+                                                          const Progress& progress) {
   Found found{sums_of(measured), {}};
   const Sums& data = found.data;
   const std::vector<Complex>& last_u = found_.u;
@@ -295,8 +295,8 @@ FieldDetail::State::Found FieldDetail::State::solve(const MeasuredField& measure
 
 /// Distance of every vertex from the nearest datum along edges, in periods; infinite beyond the
 /// fill distance. Empty without holes.
-std::vector<float> FieldDetail::State::distances(const Sums& data,
-                                                 std::span<const float> frequencies) const {
+std::vector<float> FieldSmoothing::State::distances(const Sums& data,
+                                                    std::span<const float> frequencies) const {
   if (ranges::find(data.weight, 0.0f) == data.weight.end()) return {};
   const auto is_hole = [&](Index j) { return data.weight[j] == 0; };
   return periods_from_data(surface, frequencies, std::not_fn(is_hole), is_hole, options.fill);
@@ -304,9 +304,9 @@ std::vector<float> FieldDetail::State::distances(const Sums& data,
 
 /// The number of singularities, and the nearest opposite pairs: enough to reach the requested
 /// number, plus `more`. Doubles the search radius until there are pairs.
-FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const Complex> u,
-                                                     std::span<const float> frequencies,
-                                                     std::size_t more) const {
+FoundSingularities FieldSmoothing::State::pairs_to_undo(std::span<const Complex> u,
+                                                        std::span<const float> frequencies,
+                                                        std::size_t more) const {
   const DirectionField field = directions_of(u, surface.normals, options.symmetry);
   FoundSingularities found;
   for (float reach = 1; reach <= kFarthestPair; reach *= 2) {
@@ -321,10 +321,10 @@ FoundSingularities FieldDetail::State::pairs_to_undo(std::span<const Complex> u,
 
 /// Increases the smoothing around pairs of singularities until few enough are left. Otherwise keeps
 /// the field with the fewest.
-void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
-                                            std::vector<float>& screening,
-                                            const ScreenedOptions& solving,
-                                            std::vector<Complex>& u) {
+void FieldSmoothing::State::undo_singularities(std::span<const float> frequencies,
+                                               std::vector<float>& screening,
+                                               const ScreenedOptions& solving,
+                                               std::vector<Complex>& u) {
   constexpr int kMostRounds = 30;
   PeriodWalk walk(surface, frequencies);
   std::vector<Complex> best;
@@ -365,7 +365,7 @@ void FieldDetail::State::undo_singularities(std::span<const float> frequencies,
 }
 
 /// Chooses signs like the neighbours in the first frame, later like the last frame.
-void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& progress) const {
+void FieldSmoothing::State::sign_like_last(DirectionField& field, const Progress& progress) const {
   if (directions.empty()) return orient_alike(surface, field, progress);
   std::vector<std::uint8_t> settled(count());
   parallel_for(count(), [&](std::size_t begin, std::size_t end) {
@@ -378,9 +378,9 @@ void FieldDetail::State::sign_like_last(DirectionField& field, const Progress& p
   if (!all) orient_alike(*surface.neighborhood, settled, field);
 }
 
-DetailedField FieldDetail::State::seen(const Found& found, std::span<const float> frequencies,
-                                       const Progress& progress) const {
-  DetailedField field{DirectionField(count()), std::vector<float>(count()),
+SmoothedField FieldSmoothing::State::seen(const Found& found, std::span<const float> frequencies,
+                                          const Progress& progress) const {
+  SmoothedField field{DirectionField(count()), std::vector<float>(count()),
                       std::vector<std::uint8_t>(count())};
   const std::vector<Complex>& u = found.u;
   const std::vector<float> distance = distances(found.data, frequencies);
@@ -392,7 +392,7 @@ DetailedField FieldDetail::State::seen(const Found& found, std::span<const float
       if (!has_wave || surface.normals[i].isZero(0)) continue;
       const Complex root = unit_root(u[i], options.symmetry);
       field.directions[i] = root.real() * bases[i].x + root.imag() * bases[i].y;
-      field.agreement[i] = coherence(u[i]);
+      field.coherence[i] = coherence(u[i]);
       field.filled[i] = found.data.weight[i] > 0 ? 0 : 1;
     }
   });
@@ -400,9 +400,9 @@ DetailedField FieldDetail::State::seen(const Found& found, std::span<const float
   return field;
 }
 
-DetailedField FieldDetail::State::frame(const MeasuredField& measured,
-                                        std::span<const float> frequencies,
-                                        const MeasuredField& last, const Progress& progress) {
+SmoothedField FieldSmoothing::State::frame(const MeasuredField& measured,
+                                           std::span<const float> frequencies,
+                                           const MeasuredField& last, const Progress& progress) {
   check_frame(measured, frequencies, last);
   if (measured.of_triangles && around.entries.empty()) around = vertex_triangles(surface.mesh);
   progress.report(0);
@@ -412,7 +412,7 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
   Found found = solve(measured, frequencies, last, progress.part(holds_out ? 0.4 : 0, 0.8));
   const bool is_any = ranges::any_of(found.data.weight, [](float w) { return w > 0; });
   require(is_any, "there is no datum: no direction is along the surface, finite and of any weight");
-  DetailedField field = seen(found, frequencies, progress.part(0.8, 1));
+  SmoothedField field = seen(found, frequencies, progress.part(0.8, 1));
   DirectionField kept = field.directions;
   measured_ = measured;
   found_ = std::move(found);
@@ -422,10 +422,10 @@ DetailedField FieldDetail::State::frame(const MeasuredField& measured,
 }
 
 /// Solves with the other data, and compares.
-FieldDetail::State::HeldOut FieldDetail::State::hold_out(const MeasuredField& measured,
-                                                         std::span<const float> frequencies,
-                                                         const MeasuredField& last,
-                                                         const Progress& progress) {
+FieldSmoothing::State::HeldOut FieldSmoothing::State::hold_out(const MeasuredField& measured,
+                                                               std::span<const float> frequencies,
+                                                               const MeasuredField& last,
+                                                               const Progress& progress) {
   MeasuredField used = measured, hidden = measured;
   for (std::size_t place = 0; place < measured.directions.size(); ++place) {
     MeasuredField& without = is_held_out(place, options.hold_out) ? used : hidden;
@@ -435,7 +435,7 @@ FieldDetail::State::HeldOut FieldDetail::State::hold_out(const MeasuredField& me
   require(ranges::any_of(found.data.weight, [](float w) { return w > 0; }),
           "no datum is left beside those to hold out; hold out a smaller share");
   const DirectionField field = seen(found, frequencies, progress.part(0.8, 1)).directions;
-  FieldDetailFigures figures;
+  FieldSmoothingFigures figures;
   const std::vector<DatumTurn> turned = turns(hidden, found.u, field);
   tell_turns(turned, figures);
   require(!turned.empty(),
@@ -444,9 +444,9 @@ FieldDetail::State::HeldOut FieldDetail::State::hold_out(const MeasuredField& me
   return {turned.size(), figures.turned_mean_deg};
 }
 
-std::vector<DatumTurn> FieldDetail::State::turns(const MeasuredField& measured,
-                                                 std::span<const Complex> u,
-                                                 std::span<const Vec3> field) const {
+std::vector<DatumTurn> FieldSmoothing::State::turns(const MeasuredField& measured,
+                                                    std::span<const Complex> u,
+                                                    std::span<const Vec3> field) const {
   const auto in_degrees = [&](const Complex& turned) {
     return std::abs(elementary::arg(turned)) * 180 /
            (std::numbers::pi_v<float> * static_cast<float>(options.symmetry));
@@ -473,7 +473,7 @@ std::vector<DatumTurn> FieldDetail::State::turns(const MeasuredField& measured,
   return turns;
 }
 
-double FieldDetail::State::mean_agreement(bool of_data) const {
+double FieldSmoothing::State::mean_coherence(bool of_data) const {
   double sum = 0, area = 0;
   for (std::size_t i = 0; i < count(); ++i) {
     if (directions[i].isZero(0) || (found_.data.weight[i] > 0) != of_data) continue;
@@ -483,25 +483,26 @@ double FieldDetail::State::mean_agreement(bool of_data) const {
   return area > 0 ? sum / area : 0;
 }
 
-FieldDetail::FieldDetail(const Surface& surface, const FieldDetailOptions& options,
-                         const Progress& progress)
+FieldSmoothing::FieldSmoothing(const Surface& surface, const FieldSmoothingOptions& options,
+                               const Progress& progress)
     : state_(std::make_unique<State>(surface, options, progress)) {}
-FieldDetail::~FieldDetail() = default;
-FieldDetail::FieldDetail(FieldDetail&&) noexcept = default;
-FieldDetail& FieldDetail::operator=(FieldDetail&&) noexcept = default;
+FieldSmoothing::~FieldSmoothing() = default;
+FieldSmoothing::FieldSmoothing(FieldSmoothing&&) noexcept = default;
+FieldSmoothing& FieldSmoothing::operator=(FieldSmoothing&&) noexcept = default;
 
-DetailedField FieldDetail::frame(const MeasuredField& measured, std::span<const float> frequencies,
-                                 const MeasuredField& last, const Progress& progress) {
+SmoothedField FieldSmoothing::frame(const MeasuredField& measured,
+                                    std::span<const float> frequencies, const MeasuredField& last,
+                                    const Progress& progress) {
   return state_->frame(measured, frequencies, last, progress);
 }
 
-FieldDetailFigures FieldDetail::figures() const {
+FieldSmoothingFigures FieldSmoothing::figures() const {
   const State& state = *state_;
   require(state.measured_.has_value(), "there is no frame yet that figures could be of");
-  FieldDetailFigures figures;
+  FieldSmoothingFigures figures;
   tell_turns(state.turns(*state.measured_, state.found_.u, state.directions), figures);
-  figures.agreement_mean = state.mean_agreement(true);
-  figures.agreement_filled_mean = state.mean_agreement(false);
+  figures.coherence_mean = state.mean_coherence(true);
+  figures.coherence_filled_mean = state.mean_coherence(false);
   figures.held_out = state.held_out_.count;
   figures.held_out_turned_mean_deg = state.held_out_.mean_deg;
   std::vector<Complex> before(state.count());

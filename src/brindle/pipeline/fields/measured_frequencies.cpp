@@ -26,7 +26,7 @@ void require_frequencies(bool holds, const std::string& message) {
 }
 
 void check(const Surface& surface, std::span<const float> frequencies,
-           const FrequencyDetailOptions& options) {
+           const FrequencySmoothingOptions& options) {
   check_scale("measured frequencies", options.periods, options.fill);
   require_frequencies(frequencies.size() == surface.mesh.vertex_count(),
                       "there are " + std::to_string(frequencies.size()) + " frequencies for " +
@@ -129,15 +129,15 @@ double median_change(const Logarithms& logarithms) {
 
 }  // namespace
 
-DetailedFrequencies detailed_frequencies(const Surface& surface, std::span<const float> frequencies,
-                                         const FrequencyDetailOptions& options,
+SmoothedFrequencies smoothed_frequencies(const Surface& surface, std::span<const float> frequencies,
+                                         const FrequencySmoothingOptions& options,
                                          const Progress& progress) {
   check(surface, frequencies, options);
   Logarithms logarithms(surface, frequencies, progress.part(0, 0.2));
   // The first pass uses the periods of the noisy data, the second those of the first result.
   logarithms.smooth(options.periods, progress.part(0.2, 0.6));
   logarithms.smooth(options.periods, progress.part(0.6, 1));
-  DetailedFrequencies result;
+  SmoothedFrequencies result;
   result.frequencies.assign(frequencies.begin(), frequencies.end());
   const std::vector<float> distance = logarithms.distances(options.fill);
   for (Index i = 0; i < result.frequencies.size(); ++i) {

@@ -132,8 +132,8 @@ void TextureAnimator::State::find_broken() {
 void TextureAnimator::State::measure(TextureFrameResult& result) {
   Stopwatch watch;
   const auto measure_patterns = [&] {
-    set_quality(surface, options.stripes.slack.calm, pattern.u);
-    set_quality(surface, options.stripes.slack.calm, pattern.v);
+    set_quality(surface, options.stripes.slack.branch_penalty, pattern.u);
+    set_quality(surface, options.stripes.slack.branch_penalty, pattern.v);
     pattern.quality = texture_quality(surface.mesh, pattern);
     result.milliseconds.measure += watch.lap();
   };

@@ -77,10 +77,10 @@ struct BranchPair {
   Trial trial = {};
 };
 
-class PairMerger {
+class PairCanceller {
  public:
-  PairMerger(const Surface& surface, const StripePattern& pattern, double distance,
-             const StripeOptions& options, Progress progress)
+  PairCanceller(const Surface& surface, const StripePattern& pattern, double distance,
+                const StripeOptions& options, Progress progress)
       : progress_(std::move(progress)),
         distance_(distance),
         mesh_(surface.mesh),
@@ -105,10 +105,10 @@ class PairMerger {
   }
 
   /// Cancels pairs while the energy allows it. Returns the number of pairs.
-  std::size_t merge(double share, Progress progress) {
+  std::size_t cancel(double share, Progress progress) {
     progress_ = std::move(progress);
     const double most = (1 + share) * energy_;
-    std::size_t merged = 0;
+    std::size_t cancelled = 0;
     for (int round = 0; round < kMostMergeRounds; ++round) {
       const double left = std::pow(0.5, round);
       progress_.report(1 - left);
@@ -125,11 +125,11 @@ class PairMerger {
         return std::pair(a.trial.raise, a.triangles) < std::pair(b.trial.raise, b.triangles);
       });
       std::fill(changed_.begin(), changed_.end(), false);
-      const std::size_t before = merged;
-      for (BranchPair& pair : pairs) merged += apply(pair, most);
-      if (merged == before) break;
+      const std::size_t before = cancelled;
+      for (BranchPair& pair : pairs) cancelled += apply(pair, most);
+      if (cancelled == before) break;
     }
-    return merged;
+    return cancelled;
   }
 
   const std::vector<Complex>& phases() const { return z_; }
@@ -362,7 +362,7 @@ class PairMerger {
     trial.raise = after - before;
     trial.z = phases_of(trial.vertices);
     trial.triangles = triangles_around(edges);
-    const bool good = is_merged(pair, trial);
+    const bool good = is_cancelled(pair, trial);
     for (std::size_t i = 0; i < old.size(); ++i) {
       z_[trial.vertices[i]] = old[i];
       number_[trial.vertices[i]] = kNoNumber;
@@ -455,7 +455,7 @@ class PairMerger {
   }
 
   /// Whether two branches have gone; others may have moved to a neighbouring triangle.
-  bool is_merged(const BranchPair& pair, Trial& trial) const {
+  bool is_cancelled(const BranchPair& pair, Trial& trial) const {
     int fewer = 0;
     each(trial.triangles.size(), [&](std::size_t number) {
       const Index t = trial.triangles[number];
@@ -529,76 +529,77 @@ double energy_of(const Surface& surface, const StripePattern& pattern, EdgeWeigh
 
 }  // namespace
 
-MergedBranches merge_branches(const Surface& surface, StripePattern& pattern,
-                              const MergingOptions& merging, const StripeOptions& options,
-                              const Progress& progress) {
-  if (!(merging.share >= 0) || !std::isfinite(merging.share)) {
-    throw Error("merging branches: the share must be a finite number of 0 or above");
+CancelledBranches cancel_branches(const Surface& surface, StripePattern& pattern,
+                                  const CancellationOptions& cancellation,
+                                  const StripeOptions& options, const Progress& progress) {
+  if (!(cancellation.share >= 0) || !std::isfinite(cancellation.share)) {
+    throw Error("cancelling branches: the share must be a finite number of 0 or above");
   }
-  if (!(merging.distance > 0) || !(merging.distance <= kMostDistance)) {
-    throw Error("merging branches: the distance must be above 0 and 1000 periods at most");
+  if (!(cancellation.distance > 0) || !(cancellation.distance <= kMostDistance)) {
+    throw Error("cancelling branches: the distance must be above 0 and 1000 periods at most");
   }
-  if (surface.mesh.triangles.empty()) throw Error("merging branches needs triangles");
+  if (surface.mesh.triangles.empty()) throw Error("cancelling branches needs triangles");
   if (pattern.solution.z.size() != surface.mesh.vertex_count() ||
       pattern.corners.size() != surface.mesh.triangle_count()) {
-    throw Error("merging branches: the pattern was made for another surface");
+    throw Error("cancelling branches: the pattern was made for another surface");
   }
   Stopwatch watch;
   StripeMilliseconds times = pattern.milliseconds;
-  MergedBranches merged;
-  merged.branches_before = pattern.quality.branches;
-  merged.energy_before = pattern.solution.energy;
-  JobStages stages(progress, {{"branches", 1}, {"merging branches", 5}, {"pattern", 1}});
-  PairMerger merger(surface, pattern, merging.distance, options, stages.begin("branches"));
-  merged.pairs = merger.merge(merging.share, stages.begin("merging branches"));
+  CancelledBranches cancelled;
+  cancelled.branches_before = pattern.quality.branches;
+  cancelled.energy_before = pattern.solution.energy;
+  JobStages stages(progress, {{"branches", 1}, {"cancelling branches", 5}, {"pattern", 1}});
+  PairCanceller canceller(surface, pattern, cancellation.distance, options,
+                          stages.begin("branches"));
+  cancelled.pairs = canceller.cancel(cancellation.share, stages.begin("cancelling branches"));
   const Progress measuring = stages.begin("pattern");
-  if (merged.pairs > 0) {
+  if (cancelled.pairs > 0) {
     StripePattern result = pattern;
-    result.solution.z = merger.phases();
+    result.solution.z = canceller.phases();
     result.solution.energy = energy_of(surface, result, options.weights, measuring.part(0, 0.4));
-    measure_pattern(surface, options.slack.calm, result, measuring.part(0.4, 1));
+    measure_pattern(surface, options.slack.branch_penalty, result, measuring.part(0.4, 1));
     stages.finish();
     pattern = std::move(result);
   } else {
     stages.finish();
   }
-  times.merge += watch.lap();
+  times.cancel += watch.lap();
   pattern.milliseconds = times;
-  merged.branches_after = pattern.quality.branches;
-  merged.energy_after = pattern.solution.energy;
-  return merged;
+  cancelled.branches_after = pattern.quality.branches;
+  cancelled.energy_after = pattern.solution.energy;
+  return cancelled;
 }
 
-MergedBranches merge_branches(const Surface& surface, TexturePattern& pattern,
-                              const MergingOptions& merging, const TextureOptions& options,
-                              const Progress& progress) {
+CancelledBranches cancel_branches(const Surface& surface, TexturePattern& pattern,
+                                  const CancellationOptions& cancellation,
+                                  const TextureOptions& options, const Progress& progress) {
   JobStages stages(progress, {{"stripes of U", 4}, {"stripes of V", 4}, {"texture", 2}});
   TexturePattern result = pattern;
-  MergedBranches merged =
-      merge_branches(surface, result.u, merging, options.stripes, stages.begin("stripes of U"));
-  const MergedBranches of_v =
-      merge_branches(surface, result.v, merging, options.stripes, stages.begin("stripes of V"));
-  merged.pairs += of_v.pairs;
-  merged.branches_before += of_v.branches_before;
-  merged.branches_after += of_v.branches_after;
-  merged.energy_before += of_v.energy_before;
-  merged.energy_after += of_v.energy_after;
+  CancelledBranches cancelled = cancel_branches(surface, result.u, cancellation, options.stripes,
+                                                stages.begin("stripes of U"));
+  const CancelledBranches of_v = cancel_branches(surface, result.v, cancellation, options.stripes,
+                                                 stages.begin("stripes of V"));
+  cancelled.pairs += of_v.pairs;
+  cancelled.branches_before += of_v.branches_before;
+  cancelled.branches_after += of_v.branches_after;
+  cancelled.energy_before += of_v.energy_before;
+  cancelled.energy_after += of_v.energy_after;
   const Progress texture = stages.begin("texture");
-  if (merged.pairs > 0) orient_texture(surface.mesh, options.oriented, texture, result);
+  if (cancelled.pairs > 0) orient_texture(surface.mesh, options.oriented, texture, result);
   stages.finish();
   pattern = std::move(result);
-  return merged;
+  return cancelled;
 }
 
-MergedBranches merge_branches(const Surface& surface, CrossPattern& pattern,
-                              const MergingOptions& merging, const StripeOptions& options,
-                              const Progress& progress) {
+CancelledBranches cancel_branches(const Surface& surface, CrossPattern& pattern,
+                                  const CancellationOptions& cancellation,
+                                  const StripeOptions& options, const Progress& progress) {
   StripeOptions on_cover = options;
   on_cover.slack = slack_on_cover(options.slack);
-  const MergedBranches merged =
-      merge_branches(pattern.surface, pattern.pattern, merging, on_cover, progress);
-  pattern.quality = cross_quality(surface.mesh.triangles, pattern, options.slack.calm);
-  return merged;
+  const CancelledBranches cancelled =
+      cancel_branches(pattern.surface, pattern.pattern, cancellation, on_cover, progress);
+  pattern.quality = cross_quality(surface.mesh.triangles, pattern, options.slack.branch_penalty);
+  return cancelled;
 }
 
 }  // namespace brindle

@@ -13,7 +13,7 @@
 
 namespace brindle::tool {
 
-struct FieldDetailChoice {
+struct FieldSmoothingChoice {
   float periods = 0;          ///< P; 0: as the field is given
   std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
   std::optional<float> fill;  ///< how far holes are filled, in periods
@@ -26,18 +26,18 @@ struct FieldDetailChoice {
   /// Calls `add("--option", field)` for each option that sets a field.
   template <class Add>
   void visit(const Add& add) {
-    add("--field-detail", periods);
+    add("--field-smoothing", periods);
     add("--fill", fill);
     add("--hold-out", hold_out);
     add("--field-arrows", arrows);
     add("--field-singularities", singularities);
-    add("--frequency-detail", frequency_periods);
+    add("--frequency-smoothing", frequency_periods);
   }
 };
 
-/// --field-detail, --field-weight, --fill, --hold-out, --field-arrows, --field-singularities and
-/// --frequency-detail.
-void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice);
+/// --field-smoothing, --field-weight, --fill, --hold-out, --field-arrows, --field-singularities and
+/// --frequency-smoothing.
+void add_field_smoothing_options(CLI::App& app, FieldSmoothingChoice& choice);
 
 /// Whether a weight is computed from the data themselves: "", "length" or "anisotropy".
 bool is_own_weight(const std::string& weight);
@@ -45,11 +45,11 @@ bool is_own_weight(const std::string& weight);
 /// Weights of data per vertex or, for some, per triangle. Throws Error for arrays and columns as
 /// `vertex_values` does.
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
-                         const FieldDetailChoice& choice, bool of_triangles);
+                         const FieldSmoothingChoice& choice, bool of_triangles);
 
 /// The library's options for a field of this rotational symmetry.
-FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry);
+FieldSmoothingOptions detail_options(const FieldSmoothingChoice& choice, int symmetry);
 
-FrequencyDetailOptions frequency_detail_options(const FieldDetailChoice& choice);
+FrequencySmoothingOptions frequency_smoothing_options(const FieldSmoothingChoice& choice);
 
 }  // namespace brindle::tool

@@ -24,22 +24,22 @@
 namespace brindle::python {
 namespace {
 
-struct FieldDetailData {
+struct FieldSmoothingData {
   SurfacePointer surface;
-  FieldDetail detail;
+  FieldSmoothing detail;
   DirectionField last;  ///< of the frame before; empty in the first one
   std::vector<std::uint8_t> filled;
   std::atomic<bool> busy{false};
 
-  FieldDetailData(SurfacePointer on, const FieldDetailOptions& options)
+  FieldSmoothingData(SurfacePointer on, const FieldSmoothingOptions& options)
       : surface(std::move(on)), detail(surface->surface, options) {}
 };
 
-std::unique_ptr<FieldDetailData> make_field_detail(const SurfacePointer& surface, float periods,
-                                                   int symmetry, float fill,
-                                                   std::optional<int> singularities, float memory,
-                                                   float hold_out) {
-  FieldDetailOptions options;
+std::unique_ptr<FieldSmoothingData> make_field_smoothing(const SurfacePointer& surface,
+                                                         float periods, int symmetry, float fill,
+                                                         std::optional<int> singularities,
+                                                         float memory, float hold_out) {
+  FieldSmoothingOptions options;
   options.periods = periods;
   options.symmetry = symmetry;
   options.fill = fill;
@@ -49,7 +49,7 @@ std::unique_ptr<FieldDetailData> make_field_detail(const SurfacePointer& surface
     throw Error("singularities: give a number of 0 or above");
   }
   if (singularities) options.singularities = static_cast<std::size_t>(*singularities);
-  return std::make_unique<FieldDetailData>(surface, options);
+  return std::make_unique<FieldSmoothingData>(surface, options);
 }
 
 /// A row per vertex or per triangle.
@@ -77,8 +77,9 @@ MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::ha
   return measured;
 }
 
-py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::handle frequencies,
-                             py::handle confidence, py::handle last, const py::object& progress) {
+py::tuple field_smoothing_frame(FieldSmoothingData& data, py::handle vectors,
+                                py::handle frequencies, py::handle confidence, py::handle last,
+                                const py::object& progress) {
   const OneAtATime alone(data.busy, "this detail");
   const Mesh& mesh = data.surface->surface.mesh;
   const MeasuredField measured = measured_of(*data.surface, vectors, confidence);
@@ -94,18 +95,18 @@ py::tuple field_detail_frame(FieldDetailData& data, py::handle vectors, py::hand
     const RowsIn<Vec3> rows(last, mesh, "last");
     before.directions.assign(rows.rows().begin(), rows.rows().end());
   }
-  DetailedField seen;
+  SmoothedField seen;
   Job(progress).run(
       [&](const Progress& reports) { seen = data.detail.frame(measured, waves, before, reports); });
   data.last = seen.directions;
   data.filled = std::move(seen.filled);
-  return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.agreement)));
+  return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.coherence)));
 }
 
 /// As text that Python parses, with the keys of reports.
-std::string figures_of_detail(FieldDetailData& data) {
+std::string figures_of_detail(FieldSmoothingData& data) {
   const OneAtATime alone(data.busy, "this detail");
-  const FieldDetailFigures figures = data.detail.figures();
+  const FieldSmoothingFigures figures = data.detail.figures();
   nlohmann::ordered_json json = brindle::to_json(figures);
   json["field_singularities"] = figures.singularities;
   return brindle::json_text(json);
@@ -113,15 +114,15 @@ std::string figures_of_detail(FieldDetailData& data) {
 
 }  // namespace
 
-void bind_field_detail(py::module_& module) {
-  py::class_<FieldDetailData>(module, "FieldDetail")
-      .def(py::init(&make_field_detail), py::arg("surface").none(false), py::arg("periods"),
+void bind_field_smoothing(py::module_& module) {
+  py::class_<FieldSmoothingData>(module, "FieldSmoothing")
+      .def(py::init(&make_field_smoothing), py::arg("surface").none(false), py::arg("periods"),
            py::arg("symmetry"), py::arg("fill"), py::arg("singularities"), py::arg("memory"),
            py::arg("hold_out"))
-      .def_property_readonly("surface", [](const FieldDetailData& data) { return data.surface; })
-      .def("frame", field_detail_frame, py::arg("vectors"), py::arg("frequencies"),
+      .def_property_readonly("surface", [](const FieldSmoothingData& data) { return data.surface; })
+      .def("frame", field_smoothing_frame, py::arg("vectors"), py::arg("frequencies"),
            py::arg("confidence"), py::arg("last"), py::arg("progress"))
-      .def("filled", [](const FieldDetailData& data) { return owned(std::vector(data.filled)); })
+      .def("filled", [](const FieldSmoothingData& data) { return owned(std::vector(data.filled)); })
       .def("figures", figures_of_detail);
 }
 

@@ -1,4 +1,4 @@
-#include "input/field_detail.h"
+#include "input/field_smoothing.h"
 
 #include <string>
 #include <utility>
@@ -27,7 +27,7 @@ std::string parse_weight_value(const std::string& option, const std::string& tex
 
 }  // namespace
 
-void add_field_detail_options(CLI::App& app, FieldDetailChoice& choice) {
+void add_field_smoothing_options(CLI::App& app, FieldSmoothingChoice& choice) {
   add_fields(app, choice);
   add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
 }
@@ -37,7 +37,7 @@ bool is_own_weight(const std::string& weight) {
 }
 
 FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
-                         const FieldDetailChoice& choice, bool of_triangles) {
+                         const FieldSmoothingChoice& choice, bool of_triangles) {
   const std::string& weight = choice.weight;
   if (is_own_weight(weight)) return {weight, {}};
   if (of_triangles && is_array(weight)) {
@@ -50,8 +50,8 @@ FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
   return {"", of_triangles ? corner_means(source.surface.mesh, values) : std::move(values)};
 }
 
-FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry) {
-  FieldDetailOptions options;
+FieldSmoothingOptions detail_options(const FieldSmoothingChoice& choice, int symmetry) {
+  FieldSmoothingOptions options;
   options.periods = choice.periods;
   options.symmetry = symmetry;
   if (choice.fill) options.fill = *choice.fill;
@@ -61,8 +61,8 @@ FieldDetailOptions detail_options(const FieldDetailChoice& choice, int symmetry)
   return options;
 }
 
-FrequencyDetailOptions frequency_detail_options(const FieldDetailChoice& choice) {
-  FrequencyDetailOptions options;
+FrequencySmoothingOptions frequency_smoothing_options(const FieldSmoothingChoice& choice) {
+  FrequencySmoothingOptions options;
   options.periods = choice.frequency_periods;
   if (choice.fill) options.fill = *choice.fill;
   return options;
