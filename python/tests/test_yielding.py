@@ -35,8 +35,8 @@ def test_slack_and_avoid_branches_per_vertex(trefoil):
     same = brindle.stripes(trefoil, d, slack=np.full(n, 0.25))
     np.testing.assert_array_equal(same.phases, brindle.stripes(trefoil, d, slack=0.25).phases)
     avoid_branches = (trefoil.vertices[:, 2] > 0).astype("f8")
-    calmed = brindle.stripes(trefoil, d, slack=0.25, avoid_branches=avoid_branches)
-    assert "branches_in_avoided_area" in calmed.frequency_change
+    avoided = brindle.stripes(trefoil, d, slack=0.25, avoid_branches=avoid_branches)
+    assert "branches_in_avoided_area" in avoided.frequency_change
     for slack, avoid_branches in ((-1, None), (np.nan, None), (np.ones(3), None), (None, avoid_branches), (0.1, avoid_branches[:5]),
                         (0.1, 2 * np.ones(n))):
         with pytest.raises(brindle.Error):

@@ -129,7 +129,7 @@ double mean_of(const Json& frames, const std::string& key, bool from_scratch) {
 }
 
 /// Shares of what patterns have that are solved for afresh at every step.
-void expect_penalties(const Json& report, double most_step = 0.25, double most_energy = 1.1) {
+void expect_steady(const Json& report, double most_step = 0.25, double most_energy = 1.1) {
   const Json& frames = report["frames"];
   EXPECT_LE(mean_of(frames, "phase_step", false), most_step * mean_of(frames, "phase_step", true));
   EXPECT_LE(mean_of(frames, "energy", false), most_energy * mean_of(frames, "energy", true));
@@ -150,7 +150,7 @@ TEST_F(Series, FieldsOverOneMeshAreCalm) {
     EXPECT_EQ(frame["matched_by"], "number");
     EXPECT_EQ(frame["vertices_unmatched"], 0);
   }
-  expect_penalties(report);
+  expect_steady(report);
 }
 
 TEST_F(Series, MeshesThatMoveAreCalm) {
@@ -158,7 +158,7 @@ TEST_F(Series, MeshesThatMoveAreCalm) {
   const Json report = this->report({"animate", "--series", "m*.vtp", "--field", "array:velocity",
                                     "--stripes", "24", "--compare-from-scratch"});
   EXPECT_EQ(report["frames"][7]["matched_by"], "number");
-  expect_penalties(report);
+  expect_steady(report);
 }
 
 TEST_F(Series, MeshesThatChangeAreCalm) {
@@ -169,7 +169,7 @@ TEST_F(Series, MeshesThatChangeAreCalm) {
     EXPECT_EQ(report["frames"][n]["matched_by"], "position");
     EXPECT_EQ(report["frames"][n]["vertices_unmatched"], 0);
   }
-  expect_penalties(report);
+  expect_steady(report);
 }
 
 TEST_F(Series, NumberAndPositionEndAlike) {
@@ -361,12 +361,12 @@ TEST_F(Series, CurvatureFieldsFollowSurfacesThatMove) {
   };
   // Curvature holds the fields of single steps together, so that their patterns are alike by
   // themselves, but for what the noise of the vertices makes of any pattern that stands still.
-  const Json branch_penalty = played(kNoise);
-  expect_penalties(branch_penalty, 0.3);
-  EXPECT_LE(mean_of(branch_penalty["frames"], "phase_step", false), step_of_noise(24));
+  const Json steady = played(kNoise);
+  expect_steady(steady, 0.3);
+  EXPECT_LE(mean_of(steady["frames"], "phase_step", false), step_of_noise(24));
   // With more noise they are not.
   const Json noisy = played(2 * kNoise);
-  expect_penalties(noisy, 0.15, 1);
+  expect_steady(noisy, 0.15, 1);
   EXPECT_LE(mean_of(noisy["frames"], "phase_step", false), step_of_noise(24, 2 * kNoise));
 }
 
@@ -375,7 +375,7 @@ TEST_F(Series, SmoothFieldsFollowOntoOtherTriangles) {
   const Json report = this->report(
       {"animate", "--series", "c%04d.vtp", "--stripes", "16", "--compare-from-scratch"});
   EXPECT_EQ(report["frames"][3]["matched_by"], "position");
-  expect_penalties(report);
+  expect_steady(report);
 }
 
 TEST_F(Series, WhatDoesNotFollowFindsItsFieldAnew) {

@@ -66,12 +66,12 @@ TEST(DistributedFrequency, OfOneRankHasTheBitsOfTheLibrary) {
   if (rank_count() > 1) GTEST_SKIP() << "of one rank";
   const Parts parts(wavy_surface("molecule,resolution=40", kAxis, 40));
   const Surface whole = make_surface(parts.whole.mesh);
-  Slack uneven = kSlack, branch_penalty = kSlack;
+  Slack uneven = kSlack, penalized = kSlack;
   for (const Vec3& p : whole.mesh.positions) {
     uneven.by_vertex.push_back(p.x() > 0 ? 0.3f : 0.05f);
-    branch_penalty.branch_penalty.push_back(p.y() > 0 ? 1.0f : 0.0f);
+    penalized.branch_penalty.push_back(p.y() > 0 ? 1.0f : 0.0f);
   }
-  for (const Slack& slack : {Slack(kSlack), uneven, branch_penalty}) {
+  for (const Slack& slack : {Slack(kSlack), uneven, penalized}) {
     StripeAnimator expected(whole, with_slack(slack));
     DistributedStripeAnimator animator(parts.surface(), with_slack(slack));
     for (const float angle : {0.0f, 0.1f, 0.1f, 3.0f}) {

@@ -347,17 +347,17 @@ std::array<int, 2> check_with_oracle(const Textured& on, const TileFigures& figu
 TEST(BrokenTiles, AtABranchOfAPlaneAreThoseThatItTouches) {
   const Eigen::Vector2f branch(3.137f, 2.912f);
   const Textured torn = plane(41, 6, {0.31f, 0.83f}, branch);
-  const Textured branch_penalty = plane(41, 6, {0.31f, 0.83f});
+  const Textured whole = plane(41, 6, {0.31f, 0.83f});
   const auto branches = corner_phases(torn.waves.u, PhaseShiftKind::aligned);
   EXPECT_EQ(std::ranges::count(branches, TriangleKind::branch, &CornerPhases::kind), 1);
   for (const TileFigures& figures : {kDots, kArrows}) {
     const auto [kept, left_out] = check_with_oracle(torn, figures);
-    check_with_oracle(branch_penalty, figures);
+    check_with_oracle(whole, figures);
     EXPECT_GT(kept, 1000);
     EXPECT_GT(left_out, 100);
   }
   // The branch is a figure's, or is between figures; no other is touched.
-  const BrokenTiles broken = find(torn, kDots), of_calm = find(branch_penalty, kDots);
+  const BrokenTiles broken = find(torn, kDots), of_whole = find(whole, kDots);
   int touched = 0;
   for (std::size_t t = 0; t < torn.mesh.triangle_count(); ++t) {
     const Vec3& p = torn.mesh.positions[torn.mesh.triangles[t][0]];
@@ -365,7 +365,7 @@ TEST(BrokenTiles, AtABranchOfAPlaneAreThoseThatItTouches) {
     const bool inner = (p.head<2>().array() > 1.2f).all() && (p.head<2>().array() < 4.8f).all();
     touched += inner && broken.touches(t);
     if (inner) {
-      EXPECT_FALSE(of_calm.touches(t)) << p.transpose();
+      EXPECT_FALSE(of_whole.touches(t)) << p.transpose();
     }
     if (inner && away > 1.6f) {
       EXPECT_FALSE(broken.touches(t)) << p.transpose();
