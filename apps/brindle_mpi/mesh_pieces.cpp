@@ -100,11 +100,6 @@ ReadPiece cut_piece(Communicator& ranks, const SurfaceOptions& options, const Wa
     if (options.subdivide == 0) result.vertex_of_row = std::move(loaded.vertex_of_row);
     for (int k = 0; k < 3; ++k) origin[static_cast<std::size_t>(k)] = loaded.mesh.origin[k];
     arrays = wanted_of(std::move(loaded.arrays), wanted, options.mesh);
-    if (Mesh split = loaded.mesh; !split_at_creases(split).empty()) {
-      listener.note(
-          "vertices on creases have one wave over ranks, and stripes bend there; 'brindle stripe' "
-          "has one for each face\n");
-    }
     packed = pack_pieces(loaded.mesh, static_cast<std::size_t>(ranks.size()));
   });
   result.arrays.points = scattered_rows(ranks, arrays.points, rows_of_ranks(packed.ids));
@@ -161,7 +156,19 @@ ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const W
   }
   read.subdivided = options.subdivide;
   if (options.subdivide > 0) subdivide_piece(ranks, options.subdivide, read);
+  read.row_ids = read.piece.vertex_ids;
   return read;
+}
+
+DistributedSurface make_piece_surface(ReadPiece& read, const SurfaceOptions& options) {
+  DistributedSurface surface(read.piece, MPI_COMM_WORLD);
+  auto copied = split_at_creases(surface, read.piece, options.crease_angle.value_or(kCreaseAngle));
+  if (!copied) return surface;
+  const Creases of_piece{std::move(*copied), {}};
+  add_rows_of_copies(of_piece, read.original_ids);
+  add_rows_of_copies(of_piece, read.row_ids);
+  add_rows_of_copies(of_piece, read.arrays);
+  return DistributedSurface(read.piece, MPI_COMM_WORLD);
 }
 
 }  // namespace brindle::tool

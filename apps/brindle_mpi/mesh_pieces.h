@@ -22,6 +22,7 @@ struct ReadPiece {
   /// Per vertex, its number in the mesh's file or shape, -1 for added vertices; empty without
   /// numbers.
   std::vector<std::int64_t> original_ids = {};
+  std::vector<std::uint64_t> row_ids = {};  ///< per vertex, its row in files for the whole
   std::size_t vertices_joined = 0;
   int subdivided = 0;                ///< number of subdivisions
   std::vector<Index> vertex_of_row;  ///< on rank 0, as in LoadedMesh; empty if subdivided
@@ -42,5 +43,8 @@ struct WantedArrays {
 /// requested array.
 ReadPiece read_piece(Communicator& ranks, const SurfaceOptions& options, const WantedArrays& wanted,
                      JobListener& listener);
+
+/// Collective. The surface, with its partitions split at creases.
+DistributedSurface make_piece_surface(ReadPiece& read, const SurfaceOptions& options);
 
 }  // namespace brindle::tool

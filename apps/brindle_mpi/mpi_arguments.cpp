@@ -56,7 +56,7 @@ void check_extension(const std::string& option, const std::string& path, const c
 
 void check_mpi_waves(const CLI::App& command, const WaveOptions& waves,
                      const SolvingOptions& solving) {
-  refuse_given(command, {"--rounded", "--crease-angle"}, kForOneProcess);
+  refuse_given(command, {"--rounded"}, kForOneProcess);
   check_field_options(command, waves);
   check_solving_options(command, solving);
   if (solving.stripes.phase_shift == PhaseShiftKind::common_source) {

@@ -136,11 +136,7 @@ JoinedFamily make_family(const char* name, const GatheredSurface& whole,
   family.branches = solved.quality.branches;
   family.field_singularities = solved.quality.field_singularities;
   family.yields = solved.frequency_change.has_value();
-  if (has_point_trees()) {
-    const CurveSpacing spacing =
-        measure_spacing(whole, pattern, family.curves, solved.frequencies_wanted);
-    if (spacing.measured > 0) family.spacing = spacing;
-  }
+  family.spacing = measure_spacing(whole, pattern, family.curves, solved.frequencies_wanted);
   const auto diagonal = static_cast<float>(patterns.surface->diagonal());
   const float least = arguments.min_length.on(diagonal);
   if (least > 0) {
@@ -265,17 +261,12 @@ void tell(const CLI::App& command, const MpiCurvesArguments& arguments,
 
 /// Collective. The loops of the surface and the winding numbers of a pattern, on rank 0.
 MakingFigures loops_of(const GatheredSurface& whole, const PiecePattern& of_piece) {
-  GatheredPattern gathered = gathered_pattern(whole, of_piece);
+  StripePattern pattern = gathered_pattern(whole, of_piece);
   MakingFigures figures;
   whole.piece().ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
-    const Mesh& mesh = whole.surface().mesh;
-    StripePattern pattern;
-    pattern.phase_shift = of_piece.phase_shift;
-    pattern.waves = std::move(gathered.waves);
-    pattern.solution.z = std::move(gathered.z);
-    pattern.corners =
-        corner_phases(mesh.triangles, pattern.waves, pattern.solution.z, pattern.phase_shift);
+    pattern.corners = corner_phases(whole.surface().mesh.triangles, pattern.waves,
+                                    pattern.solution.z, pattern.phase_shift);
     measure_windings(whole.surface(), pattern, figures);
   });
   return figures;

@@ -53,9 +53,12 @@ bool has_yielded(const FrameResult& frame) { return frame.frequency_change.sweep
 
 Report make_mpi_report(const DistributedSurface& surface, const PieceWaves& waves,
                        const DistributedStripeAnimator& animator, const FrameResult& frame,
-                       const PatternQuality& quality, double energy) {
+                       const DistributedMeasures& measures, double energy) {
+  const PatternQuality& quality = measures.quality;
   Report report;
-  report.vertices = surface.vertex_count();
+  report.vertices = surface.own_vertex_count();
+  report.crease_vertices = surface.vertex_count() - surface.own_vertex_count();
+  report.slip = measures.slip;
   report.triangles = surface.triangle_count();
   report.edges = surface.edge_count();
   report.threads = ThreadLimit::current();
@@ -148,10 +151,10 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     WantedArrays wanted = wanted_arrays(arguments.waves);
     wanted.all = !arguments.output.empty();
     stage("loading");
-    const ReadPiece read = read_piece(ranks, arguments.surface, wanted, display);
+    ReadPiece read = read_piece(ranks, arguments.surface, wanted, display);
     const double load_milliseconds = watch.lap();
     stage("neighbourhood and normals");
-    const DistributedSurface surface(read.piece, MPI_COMM_WORLD);
+    const DistributedSurface surface = make_piece_surface(read, arguments.surface);
     const double topology_milliseconds = watch.lap();
     stage("direction field");
     PieceWaves waves = make_piece_waves(ranks, surface, read, arguments.waves, display);
@@ -164,7 +167,7 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
     stage("pattern");
     watch.lap();
     DistributedMeasures measures = animator.measure();
-    report = make_mpi_report(surface, waves, animator, frame, measures.quality, animator.energy());
+    report = make_mpi_report(surface, waves, animator, frame, measures, animator.energy());
     report.vertices_joined = read.vertices_joined;
     report.milliseconds.load = load_milliseconds;
     report.milliseconds.topology = topology_milliseconds + animator.figures().topology_milliseconds;

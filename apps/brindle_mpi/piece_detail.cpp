@@ -34,7 +34,7 @@ FieldWeight piece_weight(Communicator& ranks, const DistributedSurface& surface,
   } else {
     const auto rows = piece_rows(ranks, read, kWeight, value_file(choice.weight), [&] {
       const VertexValues read_values =
-          csv_values(kWeight, choice.weight, surface.vertex_count(), read.vertex_of_row);
+          csv_values(kWeight, choice.weight, surface.own_vertex_count(), read.vertex_of_row);
       return std::vector<DataArray>{make_data_array("weight", 1, read_values.values)};
     });
     values = numbers_of(rows[0].view(), kWeight);

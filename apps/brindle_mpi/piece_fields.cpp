@@ -170,7 +170,7 @@ PieceField file_field(Communicator& ranks, const DistributedSurface& surface, co
                       const WaveOptions& options) {
   bool named = false, of_globe = false;
   auto columns = piece_rows(ranks, read, "--field", csv_field_name(options.field).path, [&] {
-    FieldColumns file = read_columns(options, read, surface.vertex_count());
+    FieldColumns file = read_columns(options, read, surface.own_vertex_count());
     named = file.named;
     of_globe = file.of_globe;
     return std::move(file.columns);

@@ -24,7 +24,7 @@ DataArray frequency_values(Communicator& ranks, const DistributedSurface& surfac
   if (const std::string file = value_file(value); !file.empty()) {
     return piece_rows(ranks, read, kBy, file, [&] {
       const VertexValues values =
-          csv_values(kBy, value, surface.vertex_count(), read.vertex_of_row);
+          csv_values(kBy, value, surface.own_vertex_count(), read.vertex_of_row);
       return std::vector<DataArray>{make_data_array(values.title, 1, values.values)};
     })[0];
   }

@@ -117,7 +117,7 @@ PiecePatterns make_piece_patterns(Communicator& ranks, const PatternArguments& a
   patterns.read = read_piece(ranks, arguments.surface, wanted_arrays(arguments.waves), display);
   patterns.load = watch.lap();
   stage("neighbourhood and normals");
-  patterns.surface.emplace(patterns.read.piece, MPI_COMM_WORLD);
+  patterns.surface = make_piece_surface(patterns.read, arguments.surface);
   patterns.topology = watch.lap();
   stage("direction field");
   PieceWaves waves =
@@ -156,7 +156,7 @@ nlohmann::ordered_json to_json(Communicator& ranks, const PiecePatterns& pattern
   const auto memory = resident_memory();
   const auto bytes = ranks.sum(traffic.bytes);
   const auto most = ranks.greatest(memory ? memory->peak : std::size_t{0});
-  nlohmann::ordered_json json = {{"vertices", surface.vertex_count()},
+  nlohmann::ordered_json json = {{"vertices", surface.own_vertex_count()},
                                  {"triangles", surface.triangle_count()},
                                  {"edges", surface.edge_count()},
                                  {"vertices_joined", patterns.read.vertices_joined},

@@ -26,7 +26,7 @@ std::vector<DataArray> piece_rows(Communicator& ranks, const ReadPiece& read,
   }
   std::vector<DataArray> of_whole;
   on_first_rank(ranks, [&] { of_whole = rows(); });
-  return rows_of_numbers(ranks, of_whole, read.piece.vertex_ids, file);
+  return rows_of_numbers(ranks, of_whole, read.row_ids, file);
 }
 
 PieceArrays::PieceArrays(Communicator& ranks, const DistributedSurface& surface,

@@ -72,7 +72,7 @@ DistributedOptions animator_options(Communicator& ranks, const SolvingOptions& s
   options.weights = solving.stripes.weights;
   options.sweeps = solving.stripes.solver.sweeps;
   options.cycles = solving.stripes.solver.cycles;
-  options.slack = piece_slack(ranks, solving.slack, read, surface.vertex_count());
+  options.slack = piece_slack(ranks, solving.slack, read, surface.own_vertex_count());
   return options;
 }
 

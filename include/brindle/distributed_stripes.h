@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "brindle/corner_phases.h"
+#include "brindle/crease_slip.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
 #include "brindle/progress.h"
@@ -21,8 +23,8 @@ namespace BRINDLE_EXPORT brindle {
 struct DistributedOptions : AnimatorOptions {
   /// Rank 0 alone solves levels with fewer nodes on all ranks together.
   std::size_t gather_below = 16384;
-  /// Rank 0 alone solves surfaces with fewer vertices, as one process does. It needs memory for the
-  /// whole surface.
+  /// Rank 0 alone solves surfaces with fewer vertices or with creases, as one process does. It
+  /// needs memory for the whole surface.
   std::size_t plan_below = 262144;
   /// From the partitions' geometry; replaces `edge_weights`.
   EdgeWeights weights = EdgeWeights::paper;
@@ -32,6 +34,7 @@ struct DistributedOptions : AnimatorOptions {
 struct DistributedMeasures {
   std::vector<CornerPhases> corners;  ///< of the partition's triangles; ghosts have no_wave
   PatternQuality quality;             ///< of the whole surface, on every rank
+  std::optional<CreaseSlip> slip;     ///< as quality; empty without creases
 };
 
 /// Statistics of frames, on this rank. All but `ghosts` are 0 before the first frame.
@@ -50,7 +53,7 @@ struct DistributedFigures {
   std::uint64_t frequency_halo_bytes = 0;
 };
 
-/// A StripeAnimator over all ranks. All members are collective. With one rank, or below
+/// A StripeAnimator over all ranks. All members are collective. With one rank, creases, or below
 /// `plan_below` vertices, phases and energies are bit-identical to a StripeAnimator's if triangles
 /// have numbers. Otherwise the same partitions give the same bits in every run.
 class DistributedStripeAnimator {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #endif
 #include <mpi.h>
 
+#include "brindle/creases.h"
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/measured_field.h"
@@ -44,6 +46,9 @@ struct SurfacePiece {
   /// follow these numbers. Normals are therefore bit-identical to those of `make_surface` on the
   /// whole, also at borders. Empty: triangles are numbered rank by rank.
   std::vector<std::uint64_t> triangle_ids = {};
+  /// From `split_at_creases`: on rank 0 those of the whole, whose vertices are in the order of
+  /// their numbers; empty on other ranks.
+  Creases creases = {};
 };
 
 /// Collective. 1 for every triangle of the partition that repeats another one: with the same three
@@ -79,8 +84,9 @@ class DistributedSurface {
   /// 1 for vertices of the partition that this rank owns.
   std::span<const std::uint8_t> is_own() const;
 
-  /// Of the whole surface, on every rank.
+  /// Of the whole surface, on every rank. An edge on a crease counts once.
   std::size_t vertex_count() const;
+  std::size_t own_vertex_count() const;  ///< before creases split any
   std::size_t triangle_count() const;
   std::size_t edge_count() const;
   double diagonal() const;  ///< of the bounding box of all vertices in triangles
@@ -101,6 +107,14 @@ class DistributedSurface {
  private:
   std::shared_ptr<const RankSurface> surface_;
 };
+
+/// Collective. Splits the partition that `surface` was made from, as `split_at_creases` does with
+/// the whole. Copies follow all vertices, with numbers above all others. If any edge is sharp, rank
+/// 0 gathers the whole. Returns for each copy the vertex that it copies, or nullopt on all ranks if
+/// there are no creases. Throws Error on all ranks for an angle out of range.
+std::optional<std::vector<Index>> split_at_creases(const DistributedSurface& surface,
+                                                   SurfacePiece& piece,
+                                                   float angle_deg = kCreaseAngle);
 
 // Rank 0 computes fields on the gathered surface, and needs memory for it. They have the bits of
 // one process if triangles have numbers.

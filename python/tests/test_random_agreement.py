@@ -167,8 +167,8 @@ def answer_of(words, path):
     return None, lines[-1]
 
 
-def answer_of_tool(request, path, *more):
-    return answer_of([TOOL, *request.words(), *more, "--report", path], path)
+def answer_of_tool(request, path):
+    return answer_of([TOOL, *request.words(), "--report", path], path)
 
 
 def answer_of_session(request, path):
@@ -245,5 +245,4 @@ def test_requests_of_one_rank(first, tmp_path):
     for seed in range(RANK_EVERY * first, RANK_EVERY * (first + PER_TEST), RANK_EVERY):
         request = Request(seed)
         said = f"request {seed}: {' '.join(request.words())}"
-        # Ranks have one wave a vertex.
-        check_rank(said, request, path, *answer_of_tool(request, path, "--crease-angle", "180"))
+        check_rank(said, request, path, *answer_of_tool(request, path))

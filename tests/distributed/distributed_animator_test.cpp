@@ -145,6 +145,35 @@ TEST(DistributedAnimator, OfASmallSurfaceHasThePhasesOfOneProcessHoweverItIsCut)
   }
 }
 
+/// Rank 0 solves surfaces with creases of any size, in moved frames, too.
+TEST(DistributedAnimator, HasThePhasesOfOneProcessOverCreases) {
+  Parts parts(wavy_surface("bracket", kAxis, 20));
+  ASSERT_TRUE(split_at_creases(parts.surface(), parts.piece));
+  const DistributedSurface surface = parts.surface();
+  Mesh split = parts.whole.mesh;
+  Creases creases = split_at_creases(split);
+  const Surface whole = make_surface(std::move(split), std::move(creases));
+  WaveSet waves{whole.mesh.positions, projected_direction_field({1, 2, 3}, whole.normals),
+                FrequencyField(whole.mesh.vertex_count(), 8)};
+  parts.ids = parts.piece.vertex_ids;
+  parts.whole.mesh = whole.mesh;
+  DistributedStripeAnimator many(surface, unplanned());
+  StripeAnimator one(whole, unplanned());
+  for (const float bend : {0.0f, 0.1f, 0.2f}) {
+    for (std::size_t v = 0; v < waves.positions.size(); ++v) {
+      waves.positions[v].z() += bend * waves.positions[v].x() * waves.positions[v].x();
+    }
+    const WaveSet own = parts.of_piece(waves);
+    const FrameResult frame = many.frame(frame_of(own));
+    const std::vector<Complex> z = parts.gathered(frame.z, surface.is_own());
+    expect_frame_of_one(one, waves, z, frame, many.energy());
+    const auto slip = many.measure().slip, expected = crease_slip(whole, waves, z);
+    ASSERT_TRUE(slip);
+    EXPECT_EQ(slip->mean_deg, expected->mean_deg);
+    EXPECT_EQ(slip->share, expected->share);
+  }
+}
+
 TEST(DistributedAnimator, HasThePhasesOfOneProcessOnModels) {
   for (const char* model : {"horse.ply", "spot.obj"}) {
     const auto path = std::filesystem::path(BRINDLE_SHARED_MODELS) / model;

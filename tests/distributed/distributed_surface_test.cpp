@@ -57,6 +57,52 @@ TEST(DistributedSurface, TurnsTheTrianglesThatTheWholeTurns) {
   }
 }
 
+/// Sheets have edges of three triangles, and no part of a gear that is cut by chance has a chain.
+TEST(DistributedSurface, IsSplitAtTheCreasesOfTheWholeHoweverItIsCut) {
+  for (const Mesh& mesh : {make_shape("gear"), with_turned_triangles(make_shape("bracket")),
+                           make_shape("sheets,resolution=12")}) {
+    Mesh split = mesh;
+    const Creases creases = split_at_creases(split);
+    ASSERT_FALSE(creases.empty());
+    const Surface whole = make_surface(split, creases);
+    for (const Cut& cut : kCuts) {
+      SCOPED_TRACE(cut.name);
+      Parts parts(wavy_surface(mesh, kAxis, 20), cut.rank_of_triangle(mesh));
+      const auto copied = split_at_creases(parts.surface(), parts.piece);
+      ASSERT_TRUE(copied);
+      const DistributedSurface surface = parts.surface();
+      EXPECT_EQ(surface.vertex_count(), whole.mesh.vertex_count());
+      EXPECT_EQ(surface.own_vertex_count(), mesh.vertex_count());
+      EXPECT_EQ(surface.edge_count(),
+                whole.neighborhood->edge_count() - whole.creases.edges.size());
+      const SurfacePiece& piece = parts.piece;
+      ASSERT_EQ(parts.ids.size() + copied->size(), piece.vertex_ids.size());
+      for (const Index vertex : *copied) parts.ids.push_back(parts.ids[vertex]);
+      for (std::size_t v = 0; v < piece.vertex_ids.size(); ++v) {
+        const auto id = static_cast<Index>(piece.vertex_ids[v]);
+        EXPECT_EQ(parts.ids[v], whole.creases.original(id, whole.mesh.vertex_count()));
+        EXPECT_EQ(piece.mesh.positions[v], whole.mesh.positions[id]);
+        EXPECT_EQ(surface.normals()[v], whole.normals[id]);
+      }
+      for (std::size_t t = 0; t < piece.mesh.triangle_count(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+          EXPECT_EQ(piece.vertex_ids[piece.mesh.triangles[t][c]],
+                    split.triangles[piece.triangle_ids[t]][c]);
+        }
+      }
+    }
+  }
+}
+
+TEST(DistributedSurface, IsNotSplitWithoutCreases) {
+  Parts parts(wavy_surface("torus,resolution=30", kAxis, 20));
+  EXPECT_FALSE(split_at_creases(parts.surface(), parts.piece));
+  Parts box(wavy_surface("box,resolution=5", kAxis, 20));
+  EXPECT_FALSE(split_at_creases(box.surface(), box.piece, 180));
+  EXPECT_THROW(split_at_creases(box.surface(), box.piece, 181), Error);
+  EXPECT_EQ(box.piece.vertex_ids, box.ids);
+}
+
 TEST(DistributedSurface, NeedsNoGhostsAndMindsNone) {
   const Parts parts(wavy_surface("torus,resolution=30", kAxis, 20));
   const DistributedSurface plain = parts.surface();

@@ -97,10 +97,8 @@ struct MpiToolFields : MpiTool {
   }
 
   LoadedMesh run_alone(const std::string& input, const Words& options) const {
-    // Ranks have one wave a vertex.
-    Words tool = {"100",      BRINDLE_TOOL_ALONE, "stripe",   input,
-                  "--output", "tool.vtp",         "--report", "tool.json",
-                  "--quiet",  "--crease-angle",   "180"};
+    Words tool = {"100",      BRINDLE_TOOL_ALONE, "stripe",    input,    "--output",
+                  "tool.vtp", "--report",         "tool.json", "--quiet"};
     tool.insert(tool.end(), options.begin(), options.end());
     const auto result = test::run_tool(tool, folder);
     EXPECT_EQ(result.exit_code, 0) << result.err;

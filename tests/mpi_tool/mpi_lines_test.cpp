@@ -24,9 +24,8 @@ struct MpiToolLines : MpiTool {
     return nlohmann::json::parse(content(folder / name));
   }
 
-  /// What 'brindle' makes of the same, with one wave a vertex.
+  /// What 'brindle' makes of the same.
   void run_alone(Words arguments) const {
-    arguments.insert(arguments.end(), {"--crease-angle", "180"});
     arguments.insert(arguments.begin(), {"1000", BRINDLE_TOOL_ALONE});
     const ToolResult result = test::run_tool(arguments, folder);
     ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -56,6 +55,21 @@ TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
       for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
       for (const auto& [key, value] : tool.items()) EXPECT_TRUE(mpi.contains(key)) << key;
     }
+  }
+}
+
+/// Curves go on over creases where phases meet, and end there elsewhere.
+TEST_F(MpiToolLines, CurvesOverCreasesAreThoseOfTheTool) {
+  const Words options = {"curves", "shape:bracket", "--direction", "1,2,3", "--stripes",
+                         "20",     "--offset",      "0.25"};
+  run_alone(with(options, {"--output", "tool.obj", "--report", "tool.json"}));
+  EXPECT_GT(report("tool.json")["u"]["ends"]["crease"], 0);
+  for (const int ranks : {1, 3, 8}) {
+    const auto result =
+        command_on(ranks, with(options, {"--output", "mpi.obj", "--report", "mpi.json"}));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj")) << ranks;
+    EXPECT_EQ(report("mpi.json")["u"]["ends"], report("tool.json")["u"]["ends"]) << ranks;
   }
 }
 

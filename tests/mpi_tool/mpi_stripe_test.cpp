@@ -82,6 +82,10 @@ TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
       {"shape:torus,resolution=40", "--subdivide", "1"},
       {"shape:sphere,resolution=12"},
       {"shape:box,resolution=8", "--subdivide", "2"},
+      {"shape:bracket"},
+      {"shape:gear", "--subdivide", "1"},
+      {"shape:gear", "--crease-angle", "100"},
+      {"shape:sheets,resolution=12"},
       {"shape:box,resolution=9", "--feature-anchor", "2", "--feature-radius", "6%"}};
   for (const Words& mesh : meshes) {
     Words mine = mesh;
@@ -90,8 +94,7 @@ TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
     mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
     ASSERT_EQ(on(1, mine).exit_code, 0);
     tools.insert(tools.begin(), {"1000", BRINDLE_TOOL_ALONE, "stripe"});
-    tools.insert(tools.end(),
-                 {"--crease-angle", "180", "--output", "tool.vtp", "--report", "tool.json"});
+    tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
     ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
     const LoadedMesh one = piece("mpi_0.vtp"), other = piece("tool.vtp");
     // `global_id` is the one that the tool does not have.
@@ -106,6 +109,58 @@ TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
     for (const auto& [key, value] : tool.items()) {
       if (key == "milliseconds" || key == "options") continue;
       EXPECT_EQ(mpi[key], value) << key;
+    }
+  }
+}
+
+/// Vertices on creases have copies, with the rows of the ones that they copy, and the phases of one
+/// process whatever the number of ranks.
+TEST_F(MpiTool, SplitsCreasesAsTheToolDoes) {
+  const Mesh gear = make_shape("gear");
+  std::string field;
+  for (const Vec3& p : gear.positions) field += p.x() > 0 ? "1,0.2,0.1\n" : "0.1,1,0.3\n";
+  test::write_text(folder / "field.csv", field);
+  const Words runs[] = {{"shape:bracket", "--direction", "1,2,3"},
+                        {"shape:bracket", "--field", "curvature", "--slack", "0.2"},
+                        {"shape:gear", "--subdivide", "1", "--plan-below", "0"},
+                        {"shape:gear", "--field", "field.csv", "--weights", "cotangent"}};
+  for (const Words& run : runs) {
+    Words tools = run;
+    std::erase(tools, "--plan-below");
+    std::erase(tools, "0");
+    tools.insert(tools.begin(), {"1000", BRINDLE_TOOL_ALONE, "stripe"});
+    tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
+    ASSERT_EQ(run_tool(tools, folder).exit_code, 0);
+    const LoadedMesh tool = piece("tool.vtp");
+    const auto expected = nlohmann::json::parse(content(folder / "tool.json"));
+    EXPECT_GT(expected["crease_vertices"], 0);
+    for (const int ranks : {1, 3, 8}) {
+      Words mine = run;
+      mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
+      const ToolResult result = on(ranks, mine);
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      std::size_t triangles = 0;
+      for (int r = 0; r < ranks; ++r) {
+        const LoadedMesh part = piece("mpi_" + std::to_string(r) + ".vtp");
+        triangles += part.mesh.triangle_count();
+        const DataArray& ids = array_of(part.arrays.points, "global_id");
+        std::vector<Index> rows;
+        for (std::size_t v = 0; v < ids.rows(); ++v) {
+          rows.push_back(static_cast<Index>(value<std::uint64_t>(ids, v)));
+          EXPECT_EQ(part.mesh.positions[v], tool.mesh.positions[rows.back()]);
+        }
+        for (const char* name : {"phase", "direction", "original_id", "branch"}) {
+          EXPECT_EQ(array_of(part.arrays.points, name),
+                    rows_of(array_of(tool.arrays.points, name), rows))
+              << run[0] << ' ' << name << " of rank " << r << " of " << ranks;
+        }
+      }
+      EXPECT_EQ(triangles, tool.mesh.triangle_count());
+      const auto report = nlohmann::json::parse(content(folder / "mpi.json"));
+      for (const char* key : {"vertices", "edges", "crease_vertices", "branches", "energy",
+                              "crease_slip_mean_deg", "crease_slip_share"}) {
+        EXPECT_EQ(report[key], expected[key]) << run[0] << ' ' << key << ' ' << ranks;
+      }
     }
   }
 }
@@ -130,8 +185,7 @@ TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
   Words mine = words, tools = words;
   mine.insert(mine.end(), {"--output", "mpi.pvtp", "--report", "mpi.json"});
   tools.insert(tools.begin(), {"1000", BRINDLE_TOOL_ALONE, "stripe"});
-  tools.insert(tools.end(),
-               {"--crease-angle", "180", "--output", "tool.vtp", "--report", "tool.json"});
+  tools.insert(tools.end(), {"--output", "tool.vtp", "--report", "tool.json"});
   write_penalties(folder / "avoid.csv", make_shape("torus,resolution=40").vertex_count());
   ASSERT_EQ(on(1, mine).exit_code, 0);
   ASSERT_EQ(run_tool(tools, folder).exit_code, 0);

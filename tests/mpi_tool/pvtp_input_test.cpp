@@ -278,7 +278,6 @@ TEST_F(MpiToolPvtp, TakesWavesFromArraysOfPoints) {
     tool.insert(tool.end(), options.begin(), options.end());
     tool[9] = "tool.vtp";
     tool.back() = "tool.json";
-    tool.insert(tool.end(), {"--crease-angle", "180"});
     ASSERT_EQ(test::run_tool(tool, folder).exit_code, 0);
     const LoadedMesh expected = piece("tool.vtp");
     for (const char* file : {"arrays.vtp", "arrays.pvtp"}) {

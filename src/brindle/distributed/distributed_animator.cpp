@@ -268,7 +268,8 @@ DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& s
   check_on_all(*state_->surface, options.slack);
   state_->options = options;
   const std::size_t alone_below = std::max(options.gather_below, options.plan_below);
-  if (state_->ranks().size() > 1 && state_->surface->vertices < alone_below) {
+  const bool is_small = state_->ranks().size() > 1 && state_->surface->vertices < alone_below;
+  if (is_small || state_->surface->crease_vertices > 0) {
     state_->whole.emplace(*state_->surface, options);
   }
   state_->take_slack();
@@ -459,6 +460,11 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
   if (s.has_penalty) {
     measures.quality.branches_in_avoided_area =
         s.ranks().sum(count_in_avoided_area(surface.mesh.triangles, corners, s.branch_penalty));
+  }
+  if (s.whole) {
+    const Index own = surface.graph.own;
+    measures.slip = s.whole->slip(std::span(s.last_waves).first(own),
+                                  std::span<const Complex>(s.z_by_vertex).first(own));
   }
   measures.corners.resize(surface.piece_triangles);
   for (std::size_t t = 0; t < corners.size(); ++t) {

@@ -9,11 +9,7 @@
 #include <utility>
 
 #include "brindle/error.h"
-#include "brindle/geometry/topology.h"
-#include "brindle/pattern/curve_spacing.h"
-#include "brindle/pattern/lifted_waves.h"
-#include "brindle/pattern/sampling.h"
-#include "brindle/pattern/stripe_curves.h"
+#include "brindle/stripe_tracer.h"
 
 namespace brindle {
 namespace {
@@ -30,20 +26,6 @@ void check_pattern(const PiecePattern& pattern) {
                   std::to_string(count) + " waves or phases; give one for each");
     }
   });
-}
-
-/// On rank 0. Both arguments must outlive the result.
-WavePattern wave_pattern(const Surface& surface, const MeshEdges& edges,
-                         const GatheredPattern& pattern, PhaseShiftKind kind) {
-  return {surface.mesh, edges, surface.normals, pattern.waves, pattern.z, kind};
-}
-
-/// On rank 0. Positions are in triangles of the whole surface.
-StripeCurves curves_of(const Surface& surface, const GatheredPattern& pattern, PhaseShiftKind kind,
-                       const CurveOptions& options, const Progress& progress) {
-  const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
-  const LiftedWaves lifted(wave_pattern(surface, edges, pattern, kind), progress.part(0, 0.2));
-  return stripe_curves(lifted, options, progress.part(0.2, 1));
 }
 
 /// A part of a line within one rank's triangles, to be sent there.
@@ -224,25 +206,25 @@ std::vector<std::vector<std::uint8_t>> kept_samples(
 
 }  // namespace
 
-GatheredPattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern) {
+StripePattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern) {
   check_pattern(pattern);
-  GatheredPattern gathered;
+  StripePattern gathered;
+  gathered.phase_shift = pattern.phase_shift;
   gathered.waves.positions = whole.of_vertices(pattern.waves.positions);
   gathered.waves.directions = whole.of_vertices(pattern.waves.directions);
   gathered.waves.frequencies = whole.of_vertices(pattern.waves.frequencies);
-  gathered.z = whole.of_vertices(pattern.z);
+  gathered.solution.z = whole.of_vertices(pattern.z);
   return gathered;
 }
 
 WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
                          const CurveOptions& options, const Progress& progress) {
   Communicator& ranks = *whole.piece().ranks;
-  ranks.throw_on_all([&] { check_curve_options(options); });
-  const GatheredPattern gathered = gathered_pattern(whole, pattern);
+  const StripePattern gathered = gathered_pattern(whole, pattern);
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
   WholeCurves result;
   ranks.on_first(progress, [&](const Progress& heard) {
-    result.curves = curves_of(whole.surface(), gathered, pattern.phase_shift, options, heard);
+    result.curves = StripeTracer(whole.surface()).curves(gathered, options, heard);
     for (TrianglePoint& place : result.curves.lines.places) {
       result.rank_of_point.push_back(triangles[place.triangle].rank);
       place.triangle = triangles[place.triangle].triangle;
@@ -260,21 +242,19 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
   const RankSurface& surface = pattern.surface.rank_surface();
   Communicator& ranks = *surface.ranks;
   ranks.throw_on_all([&] {
-    check_curve_options(options);
     if (options.fair > 0) {
       throw Error("fair: curves that end at borders keep their kinks; ask for whole_curves");
     }
   });
   const GatheredSurface whole(surface);
-  const GatheredPattern gathered = gathered_pattern(whole, pattern);
+  const StripePattern gathered = gathered_pattern(whole, pattern);
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
   CutLines cut;
   cut.lines.resize(static_cast<std::size_t>(ranks.size()));
   cut.points.resize(cut.lines.size());
   ranks.throw_on_all([&] {
     if (!whole.is_first()) return;
-    const StripeCurves curves =
-        curves_of(whole.surface(), gathered, pattern.phase_shift, options, {});
+    const StripeCurves curves = StripeTracer(whole.surface()).curves(gathered, options);
     CurveCutter(whole, curves, triangles, cut).cut();
   });
   PieceCurves curves = received(ranks.swap_lists(cut.lines)[0], ranks.swap_lists(cut.points)[0]);
@@ -285,31 +265,28 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
 std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,
                          std::span<Complex> z) {
   Communicator& ranks = *whole.piece().ranks;
-  WaveSet all;
-  all.directions = whole.of_vertices(waves.directions);
-  std::vector<Complex> all_z = whole.of_vertices(std::span<const Complex>(z));
+  StripePattern all;
+  all.waves.directions = whole.of_vertices(waves.directions);
+  all.solution.z = whole.of_vertices(std::span<const Complex>(z));
   std::size_t jogs = 0;
   ranks.throw_on_all([&] {
-    if (whole.is_first()) jogs = shift_phases(*whole.surface().neighborhood, periods, all, all_z);
+    if (whole.is_first()) jogs = shift_stripes(whole.surface(), periods, all);
   });
-  waves.directions = whole.to_piece(all.directions);
-  std::ranges::copy(whole.to_piece(all_z), z.begin());
+  waves.directions = whole.to_piece(all.waves.directions);
+  std::ranges::copy(whole.to_piece(all.solution.z), z.begin());
   return ranks.greatest(jogs);
 }
 
-CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& pattern,
-                             const StripeCurves& curves, std::span<const float> wanted) {
-  const GatheredPattern gathered = gathered_pattern(whole, pattern);
-  const bool has_wanted = whole.piece().ranks->any(!wanted.empty());
-  const std::vector<float> all_wanted =
-      has_wanted ? whole.of_vertices(wanted) : std::vector<float>();
-  CurveSpacing spacing;
+std::optional<CurveSpacing> measure_spacing(const GatheredSurface& whole,
+                                            const PiecePattern& pattern, const StripeCurves& curves,
+                                            std::span<const float> wanted) {
+  StripePattern gathered = gathered_pattern(whole, pattern);
+  if (whole.piece().ranks->any(!wanted.empty())) {
+    gathered.frequencies_wanted = whole.of_vertices(wanted);
+  }
+  std::optional<CurveSpacing> spacing;
   whole.piece().ranks->throw_on_all([&] {
-    if (!whole.is_first()) return;
-    const MeshEdges none;  // without crossings
-    spacing =
-        measure_curve_spacing(wave_pattern(whole.surface(), none, gathered, pattern.phase_shift),
-                              curves, kMostSpacingPoints, all_wanted);
+    if (whole.is_first()) spacing = StripeTracer(whole.surface()).spacing(gathered, curves);
   });
   return spacing;
 }
@@ -321,17 +298,12 @@ std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v) {
     throw Error("samples need two patterns on one surface");
   });
   const GatheredSurface whole(surface);
-  const GatheredPattern all_u = gathered_pattern(whole, u), all_v = gathered_pattern(whole, v);
+  const StripePattern all_u = gathered_pattern(whole, u), all_v = gathered_pattern(whole, v);
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
   std::vector<std::vector<Sample>> samples(static_cast<std::size_t>(surface.ranks->size()));
   surface.ranks->throw_on_all([&] {
     if (!whole.is_first()) return;
-    const Surface& all = whole.surface();
-    const MeshEdges edges = mesh_edges(all.mesh, *all.neighborhood);
-    const LiftedWaves lifted_u(wave_pattern(all, edges, all_u, u.phase_shift));
-    const LiftedWaves lifted_v(wave_pattern(all, edges, all_v, v.phase_shift));
-    for (Sample& sample :
-         wave_samples(all.mesh, all.normals, sampled_waves(lifted_u), sampled_waves(lifted_v))) {
+    for (Sample& sample : StripeTracer(whole.surface()).crossings(all_u, all_v)) {
       const auto& [rank, triangle] = triangles[sample.triangle];
       sample.triangle = triangle;
       samples[static_cast<std::size_t>(rank)].push_back(sample);

@@ -2,37 +2,34 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
-#include <vector>
 
 #include "brindle/curve_measures.h"
 #include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed_pattern.h"
+#include "brindle/stripe_pattern.h"
 
 namespace brindle {
 
-/// Waves and phases of all vertices, on rank 0.
-struct GatheredPattern {
-  WaveSet waves;
-  std::vector<Complex> z;
-};
-
 // All of these are collective.
 
-/// Throws Error on all ranks for patterns that do not match their partition.
-GatheredPattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern);
+/// Waves and phases of all vertices, on rank 0. Throws Error on all ranks for patterns that do not
+/// match their partition.
+StripePattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern);
 
 /// As `whole_curves`, for a surface that is already on rank 0.
 WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
                          const CurveOptions& options, const Progress& progress = {});
 
-/// The bits of `shift_phases` on the whole surface, at the partition's vertices.
+/// The bits of `shift_stripes` on the whole surface, at the partition's vertices.
 std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,
                          std::span<Complex> z);
 
-/// `measure_curve_spacing` of rank 0's curves; empty on other ranks. `wanted` are the requested
+/// `StripeTracer::spacing` of rank 0's curves; empty on other ranks. `wanted` are the requested
 /// frequencies at the partition's vertices; empty on all ranks: those of the pattern.
-CurveSpacing measure_spacing(const GatheredSurface& whole, const PiecePattern& pattern,
-                             const StripeCurves& curves, std::span<const float> wanted = {});
+std::optional<CurveSpacing> measure_spacing(const GatheredSurface& whole,
+                                            const PiecePattern& pattern, const StripeCurves& curves,
+                                            std::span<const float> wanted = {});
 
 }  // namespace brindle

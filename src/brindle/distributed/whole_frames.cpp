@@ -12,7 +12,7 @@ WholeFrames::WholeFrames(const RankSurface& surface, const DistributedOptions& o
     if (!whole_.is_first()) return;
     const Surface& all = whole_.surface();
     if (options.weights == EdgeWeights::cotangent) {
-      options_.edge_weights = cotangent_weights(all.mesh, *all.neighborhood);
+      options_.edge_weights = cotangent_weights(all.mesh, *all.coupled());
     }
     animator_.emplace(all, options_);
   });
@@ -67,6 +67,21 @@ FrameResult WholeFrames::frame(std::span<const SentWave> own, std::span<const Ve
   result.frequency_change = outcome.change;
   result.milliseconds = outcome.milliseconds;
   return result;
+}
+
+std::optional<CreaseSlip> WholeFrames::slip(std::span<const SentWave> own,
+                                            std::span<const Complex> z) const {
+  std::vector<SentWave> sent;
+  WaveSet waves;
+  std::vector<Complex> all_z;
+  whole_.of_own(own, sent);
+  whole_.of_own(z, all_z);
+  for (const SentWave& wave : sent) waves.directions.push_back(wave.direction);
+  std::optional<CreaseSlip> slip;
+  ranks_.throw_on_all([&] {
+    if (whole_.is_first()) slip = crease_slip(whole_.surface(), waves, all_z);
+  });
+  return ranks_.all(slip)[0];
 }
 
 double WholeFrames::energy() const { return ranks_.all(animator_ ? animator_->energy() : 0)[0]; }

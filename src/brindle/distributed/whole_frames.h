@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/crease_slip.h"
 #include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed_stripes.h"
 
@@ -28,6 +29,9 @@ class WholeFrames {
   /// throws on one rank, all ranks throw.
   FrameResult frame(std::span<const SentWave> own, std::span<const Vec3> normals,
                     const Progress& progress);
+
+  /// `crease_slip` of waves and phases of own vertices.
+  std::optional<CreaseSlip> slip(std::span<const SentWave> own, std::span<const Complex> z) const;
 
   double energy() const;
   void restart();

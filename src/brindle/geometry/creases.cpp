@@ -16,6 +16,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/surface.h"
@@ -81,7 +82,7 @@ void for_each_edge(const Mesh& mesh, Index v, std::span<const Index> around, con
 }
 
 /// Finds creases from the triangles around vertices. Most surfaces have few sharp edges, so that a
-/// quick test rejects nearly all vertices.
+/// quick test rejects nearly all vertices. At first, all sharp edges are creases.
 class CreaseFinder {
  public:
   CreaseFinder(const Mesh& mesh, float angle_deg, const Progress& progress)
@@ -92,6 +93,20 @@ class CreaseFinder {
         around_(vertex_triangles(mesh, progress.part(0, 0.5))),
         is_crease_(3 * mesh.triangle_count()) {
     find_sharp_edges(progress.part(0.5, 1));
+  }
+
+  /// Whether any edge is sharp, or has three or more triangles: whether those are sharp depends on
+  /// the order of triangles.
+  bool may_split() const {
+    bool found = !ends_.empty();
+    for (Index v = 0; v < around_.size() && !found; ++v) {
+      if (is_smooth(v)) continue;
+      for_each_edge(mesh_, v, around_.of(v), [&](auto edge) { found = found || edge.size() > 2; });
+    }
+    return found;
+  }
+
+  void drop_noise_and_folds() {
     drop_noise();
     drop_open_chains();
   }
@@ -389,16 +404,28 @@ class Splitter {
   std::vector<Index> copy_;
 };
 
-}  // namespace
-
-Creases split_at_creases(Mesh& mesh, float angle_deg, const Progress& progress) {
+/// Whether the angle allows creases.
+bool allows_creases(float angle_deg) {
   if (!(angle_deg >= 0 && angle_deg <= 180)) {
     throw Error("the angle of creases must be from 0 to 180 degrees (180: none)");
   }
-  if (angle_deg == 180) return {};
+  return angle_deg < 180;
+}
+
+}  // namespace
+
+Creases split_at_creases(Mesh& mesh, float angle_deg, const Progress& progress) {
+  if (!allows_creases(angle_deg)) return {};
   check_mesh(mesh);
-  const CreaseFinder found(mesh, angle_deg, progress);
+  CreaseFinder found(mesh, angle_deg, progress);
+  found.drop_noise_and_folds();
   return Splitter(mesh, found).split();
+}
+
+bool may_have_creases(const Mesh& mesh, float angle_deg) {
+  if (!allows_creases(angle_deg)) return false;
+  check_mesh(mesh);
+  return CreaseFinder(mesh, angle_deg, {}).may_split();
 }
 
 Mesh joined_mesh(const Mesh& mesh, const Creases& creases) {

@@ -7,7 +7,7 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/joined_edges.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"

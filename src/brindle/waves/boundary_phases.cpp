@@ -5,7 +5,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/error.h"
-#include "brindle/geometry/joined_edges.h"
+#include "brindle/geometry/crease_edges.h"
 
 namespace brindle {
 namespace {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed/surface/piece_check.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed/surface/shared_vertices.h"
@@ -16,7 +17,6 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/geometry/winding.h"
 
 namespace brindle {
 namespace {
@@ -48,35 +48,6 @@ struct GhostTriangle {
   std::array<std::array<float, 3>, 3> position;
 };
 
-/// A triangle of the whole, by its vertices there.
-struct NumberedTriangle {
-  std::uint64_t number;
-  std::array<std::uint64_t, 3> id;
-  std::array<std::array<float, 3>, 3> position;
-};
-
-/// The numbers of the triangles that normals of the whole turn, ascending.
-std::vector<std::uint64_t> numbers_to_turn(std::vector<NumberedTriangle> triangles) {
-  std::ranges::sort(triangles, {}, &NumberedTriangle::number);
-  std::unordered_map<std::uint64_t, Index> vertex_of;
-  Mesh mesh;
-  for (const NumberedTriangle& triangle : triangles) {
-    Triangle& corners = mesh.triangles.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto next = static_cast<Index>(vertex_of.size());
-      const auto [place, is_new] = vertex_of.emplace(triangle.id[c], next);
-      corners[c] = place->second;
-      if (is_new) mesh.positions.emplace_back(triangle.position[c].data());
-    }
-  }
-  const std::vector<std::uint8_t> turned = triangles_to_turn(mesh, vertex_triangles(mesh));
-  std::vector<std::uint64_t> numbers;
-  for (std::size_t t = 0; t < turned.size(); ++t) {
-    if (turned[t] != 0) numbers.push_back(triangles[t].number);
-  }
-  return numbers;
-}
-
 /// A vertex of another rank.
 struct ForeignVertex {
   int owner;
@@ -94,6 +65,7 @@ class SurfaceMaker {
 
   void make() {
     made_.piece_ids = piece_.vertex_ids;
+    made_.creases = std::move(piece_.creases);
     drop_ghosts();
     owner_ = find_owners(ranks_, piece_.vertex_ids, used_vertices());
     own_triangles_ = piece_.mesh.triangle_count();
@@ -274,55 +246,50 @@ class SurfaceMaker {
 
   /// Computes neighbourhood and normals of own vertices, all of whose triangles are known.
   void derive() {
+    const Mesh known = made_.mesh;
+    const auto received = known.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_);
+    made_.ring.assign(received, known.triangles.end());
+    made_.mesh.triangles.resize(own_triangles_);
     const Index nodes = made_.graph.own + static_cast<Index>(ghosts_.size());
-    VertexTriangles around = vertex_triangles(made_.mesh);
-    Adjacency adjacency = vertex_neighborhood(made_.mesh, around);
+    VertexTriangles around = vertex_triangles(known);
+    Adjacency adjacency = vertex_neighborhood(known, around);
     adjacency.offsets.resize(nodes + 1);
     const Index own_edges = adjacency.offsets[made_.graph.own];
     std::fill(adjacency.offsets.begin() + made_.graph.own, adjacency.offsets.end(), own_edges);
     adjacency.neighbors.resize(own_edges);
     made_.graph.adjacency = std::make_shared<const Adjacency>(std::move(adjacency));
     if (ranks_.size() > 1) sort_around(around);
-    find_normals(around);
+    find_normals(known, around);
     made_.exchange_all(std::span(made_.normals));
-    made_.ring.assign(made_.mesh.triangles.begin() + static_cast<std::ptrdiff_t>(own_triangles_),
-                      made_.mesh.triangles.end());
-    made_.mesh.triangles.resize(own_triangles_);
     made_.piece_normals = made_.to_piece(std::span<const Vec3>(made_.normals));
     for (const Index v : made_.vertex_of_piece) {
       made_.piece_is_own.push_back(v < made_.graph.own ? 1 : 0);
     }
   }
 
-  /// Winding is a property of whole components, so rank 0 decides if neighbours disagree anywhere.
-  void find_normals(const VertexTriangles& around) {
+  /// Winding is a property of whole components, so rank 0 decides if neighbours, of which it alone
+  /// knows those over creases, may disagree anywhere.
+  void find_normals(const Mesh& known, const VertexTriangles& around) {
     std::vector<TriangleAngles> angles;
-    const bool against = fill_vertex_normals(made_.mesh, around, {}, angles, made_.normals);
-    if (!ranks_.any(against)) return;
+    const bool against = fill_vertex_normals(known, around, {}, angles, made_.normals);
+    if (!ranks_.any(against || !made_.creases.empty())) return;
     const std::vector<std::uint8_t> turned = turned_of_whole();
-    fill_vertex_normals(made_.mesh, around, turned, angles, made_.normals);
+    fill_vertex_normals(known, around, turned, angles, made_.normals);
   }
 
   /// For the triangles known here.
   std::vector<std::uint8_t> turned_of_whole() {
-    std::vector<std::uint64_t> id_of(new_number_.size());
-    for (std::size_t v = 0; v < new_number_.size(); ++v) {
-      id_of[new_number_[v]] = piece_.vertex_ids[v];
-    }
-    std::vector<NumberedTriangle> own;
+    const GatheredSurface whole(made_);
+    std::vector<std::uint64_t> number_of_piece(made_.piece_triangles);
     for (std::size_t t = 0; t < own_triangles_; ++t) {
-      NumberedTriangle& triangle = own.emplace_back();
-      triangle.number = piece_.triangle_ids[t];
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Index v = made_.mesh.triangles[t][c];
-        const Vec3& p = made_.mesh.positions[v];
-        triangle.id[c] = id_of[v];
-        triangle.position[c] = {p.x(), p.y(), p.z()};
-      }
+      number_of_piece[made_.triangle_of_piece[t]] = piece_.triangle_ids[t];
     }
-    const auto all = joined<NumberedTriangle>(ranks_.gather(std::as_bytes(std::span(own))));
+    const std::vector<std::uint64_t> number_of =
+        whole.of_triangles(std::span<const std::uint64_t>(number_of_piece));
     std::vector<std::uint64_t> numbers;
-    ranks_.throw_on_all([&] { numbers = numbers_to_turn(all); });
+    for (std::size_t t = 0; t < whole.surface().turned.size(); ++t) {
+      if (whole.surface().turned[t] != 0) numbers.push_back(number_of[t]);
+    }
     numbers = ranks_.of_first(numbers);
     std::vector<std::uint8_t> turned;
     for (const std::uint64_t number : piece_.triangle_ids) {
@@ -334,7 +301,9 @@ class SurfaceMaker {
   void count() {
     made_.vertices = ranks_.sum(std::size_t{made_.graph.own});
     made_.triangles = ranks_.sum(own_triangles_);
-    made_.edges = ranks_.sum(made_.graph.adjacency->directed_edge_count()) / 2;
+    made_.edges = ranks_.sum(made_.graph.adjacency->directed_edge_count()) / 2 -
+                  ranks_.sum(made_.creases.edges.size());
+    made_.crease_vertices = ranks_.sum(made_.creases.copied.size());
     made_.diagonal = diagonal_of_all();
   }
 
@@ -415,6 +384,9 @@ std::span<const std::uint8_t> DistributedSurface::is_own() const {
   return rank_surface().piece_is_own;
 }
 std::size_t DistributedSurface::vertex_count() const { return rank_surface().vertices; }
+std::size_t DistributedSurface::own_vertex_count() const {
+  return vertex_count() - rank_surface().crease_vertices;
+}
 std::size_t DistributedSurface::triangle_count() const { return rank_surface().triangles; }
 std::size_t DistributedSurface::edge_count() const { return rank_surface().edges; }
 double DistributedSurface::diagonal() const { return rank_surface().diagonal; }

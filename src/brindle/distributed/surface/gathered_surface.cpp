@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
-
-#include "brindle/geometry/topology.h"
+#include <utility>
 
 namespace brindle {
 
@@ -26,17 +25,16 @@ GatheredSurface::GatheredSurface(const RankSurface& surface)
   }
   triangles_.gather(std::span<const SentTriangle>(sent), triangles);
   const auto ids = own(known);
-  const auto positions = own(surface.mesh.positions), normals = own(surface.normals);
+  const auto positions = own(surface.mesh.positions);
   surface.ranks->throw_on_all([&] {
-    if (is_first()) put_together(ids, positions, normals, triangles);
+    if (is_first()) put_together(ids, positions, triangles);
   });
 }
 
 void GatheredSurface::put_together(const std::vector<std::uint64_t>& ids,
                                    const std::vector<Vec3>& positions,
-                                   const std::vector<Vec3>& normals,
                                    const std::vector<SentTriangle>& triangles) {
-  Mesh& mesh = surface_.mesh;
+  Mesh mesh;
   mesh.origin = piece_.mesh.origin;
   std::vector<Index> rows(ids.size());
   std::iota(rows.begin(), rows.end(), Index{0});
@@ -46,7 +44,6 @@ void GatheredSurface::put_together(const std::vector<std::uint64_t>& ids,
     vertex_of_row_[row] = static_cast<Index>(ids_.size());
     ids_.push_back(ids[row]);
     mesh.positions.push_back(positions[row]);
-    surface_.normals.push_back(normals[row]);
   }
   row_of_triangle_.resize(triangles.size());
   std::iota(row_of_triangle_.begin(), row_of_triangle_.end(), Index{0});
@@ -58,7 +55,7 @@ void GatheredSurface::put_together(const std::vector<std::uint64_t>& ids,
       corners[c] = static_cast<Index>(place - ids_.begin());
     }
   }
-  surface_.neighborhood = std::make_shared<const Adjacency>(vertex_neighborhood(mesh));
+  surface_ = make_surface(std::move(mesh), piece_.creases);
 }
 
 std::vector<TriangleOfPiece> GatheredSurface::triangles_of_pieces() const {

@@ -103,7 +103,7 @@ class GatheredSurface {
     std::array<std::uint64_t, 3> ids;
   };
   void put_together(const std::vector<std::uint64_t>& ids, const std::vector<Vec3>& positions,
-                    const std::vector<Vec3>& normals, const std::vector<SentTriangle>& triangles);
+                    const std::vector<SentTriangle>& triangles);
 
   const RankSurface& piece_;
   PartsOnFirst vertices_, triangles_;

@@ -31,6 +31,8 @@ struct RankSurface {
   std::vector<Vec3> piece_normals;              ///< by vertex of the partition
   std::vector<std::uint8_t> piece_is_own;
   std::size_t vertices = 0, triangles = 0, edges = 0;  ///< over all ranks
+  Creases creases;                                     ///< as in SurfacePiece
+  std::size_t crease_vertices = 0;                     ///< copies, over all ranks
   double diagonal = 0;
 
   std::size_t vertex_count() const { return mesh.vertex_count(); }
