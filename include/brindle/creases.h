@@ -43,9 +43,10 @@ struct Creases {
 ///
 /// A crease is an edge of two triangles that bend by more than `angle_deg` degrees (0 to 180; 180:
 /// none). To exclude noise, the bend must remain when each side is averaged over nearby triangles.
-/// The edge must belong to a chain that closes or runs from boundary to boundary. Edges of three or
-/// more triangles separate those that bend by more. Throws Error for another angle and for a mesh
-/// that `check_mesh` rejects, and Cancelled if `progress` cancels.
+/// The edge must belong to a chain of at least 20 edges, to one that runs from boundary to
+/// boundary, or to a closed one between faces that are flat or as coarse as the chain. Edges of
+/// three or more triangles separate those that bend by more. Throws Error for another angle and for
+/// a mesh that `check_mesh` rejects, and Cancelled if `progress` cancels.
 Creases split_at_creases(Mesh& mesh, float angle_deg = kCreaseAngle, const Progress& progress = {});
 
 /// The same mesh with triangles between the original vertices; copies stay, unreferenced.

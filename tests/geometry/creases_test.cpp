@@ -63,7 +63,8 @@ TEST(CreasesTest, WhatBendsLessIsNone) {
 }
 
 TEST(CreasesTest, NoiseIsNone) {
-  for (const char* shape : {"torus", "sphere,noise=0.3", "torus,noise=0.15"}) {
+  for (const char* shape : {"torus", "sphere,noise=0.3", "torus,noise=0.15", "torus,noise=0.3",
+                            "torus,noise=0.3,noise_seed=2"}) {
     Mesh mesh = make_shape(shape);
     EXPECT_TRUE(split_at_creases(mesh).empty()) << shape;
   }
@@ -94,18 +95,40 @@ TEST(CreasesTest, WindingDoesNotMatter) {
   EXPECT_EQ(split_at_creases(mesh).copied.size(), 16u);
 }
 
-/// A strip that is folded along its middle, whose height falls from row to row.
-Mesh roof(float first, float last) {
-  constexpr Index kRows = 21;
+// Their walls bend from corner to corner, by up to 36 degrees.
+TEST(CreasesTest, RimsOfCoarseHolesPart) {
+  for (const int corners : {10, 11, 12, 16, 24}) {
+    Mesh mesh = extruded_ring(toothed_circle(corners, 3), toothed_circle(corners, 1), 0.4f);
+    EXPECT_EQ(split_at_creases(mesh).copied.size(), 4u * corners) << corners;
+  }
+}
+
+TEST(CreasesTest, ConesPartFromCylinders) {
+  constexpr Index kCorners = 16;
+  Mesh mesh = extruded(toothed_circle(kCorners, 1), 2);
+  mesh.positions.back().z() += 0.5f;
+  // Its base, and the rim of its tip.
+  EXPECT_EQ(split_at_creases(mesh).copied.size(), 2u * kCorners);
+}
+
+TEST(CreasesTest, FacesOfOneTrianglePart) {
   Mesh mesh;
-  for (Index k = 0; k < kRows; ++k) {
-    const float share = static_cast<float>(k) / (kRows - 1);
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  EXPECT_EQ(split_at_creases(mesh).copied.size(), 8u);
+}
+
+/// A strip that is folded along its middle, whose height falls from row to row.
+Mesh roof(float first, float last, Index rows = 21) {
+  Mesh mesh;
+  for (Index k = 0; k < rows; ++k) {
+    const float share = static_cast<float>(k) / static_cast<float>(rows - 1);
     for (const float x : {-1.0f, 0.0f, 1.0f}) {
       mesh.positions.push_back(
           {x, static_cast<float>(k), x == 0 ? first + share * (last - first) : 0.0f});
     }
   }
-  for (Index k = 0; k + 1 < kRows; ++k) {
+  for (Index k = 0; k + 1 < rows; ++k) {
     for (const Index a : {3 * k, 3 * k + 1}) {
       mesh.triangles.push_back({a, a + 1, a + 4});
       mesh.triangles.push_back({a, a + 4, a + 3});
@@ -114,10 +137,18 @@ Mesh roof(float first, float last) {
   return mesh;
 }
 
-TEST(CreasesTest, FoldsFromBorderToBorderPartAndFoldsThatRunOutDoNot) {
+TEST(CreasesTest, FoldsFromBorderToBorderPartAndShortFoldsThatRunOutDoNot) {
   Mesh whole = roof(1, 1), sinks = roof(1, 0);
   EXPECT_EQ(split_at_creases(whole).copied.size(), 21u);
   EXPECT_TRUE(split_at_creases(sinks).empty());
+}
+
+TEST(CreasesTest, LongFoldsPartUntilTheyRunOut) {
+  Mesh sinks = roof(1, 0, 61);
+  // The first 38 edges bend by more than 40 degrees.
+  const std::size_t copies = split_at_creases(sinks).copied.size();
+  EXPECT_GE(copies, 30u);
+  EXPECT_LE(copies, 38u);
 }
 
 TEST(CreasesTest, SharpFoldsOfSheetsThatAreWoundAgainstEachOtherPart) {

@@ -27,6 +27,9 @@ namespace {
 /// Most triangles in the mean normal of a side; bounds the work at vertices of high valence.
 constexpr std::size_t kMostOfSide = 24;
 
+/// Fewest edges of a chain that is a crease of any surface. Noise makes shorter ones.
+constexpr std::size_t kLongChain = 20;
+
 float cosine_of(float angle_deg) {
   return elementary::cos(angle_deg * std::numbers::pi_v<float> / 180);
 }
@@ -108,7 +111,7 @@ class CreaseFinder {
 
   void drop_noise_and_folds() {
     drop_noise();
-    drop_open_chains();
+    drop_short_chains();
   }
 
   std::span<const Index> around(Index v) const { return around_.of(v); }
@@ -222,36 +225,56 @@ class CreaseFinder {
     bool alike;
   };
 
-  /// Mean normal, of any length, of the triangles nearest to this one that are connected to it
-  /// without sharp edges.
-  Vec3 side(Index triangle) const {
+  /// The surface on one side of an edge.
+  struct Side {
+    Vec3 normal = Vec3::Zero();  ///< mean normal, of any length
+    double area = 0;             ///< its length if the side is flat
+    std::size_t count = 0;       ///< of triangles
+
+    bool is_flat() const { return normal.cast<double>().norm() >= 0.999 * area; }
+  };
+
+  /// The triangles nearest to this one that are connected to it without sharp edges. They bend from
+  /// it by less than 90 degrees: normals all around a hole would cancel.
+  Side side(Index triangle) const {
     std::array<SideTriangle, kMostOfSide> reached;
     reached[0] = {triangle, true};
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t next = 0, count = 1; next < count; ++next) {
+    Side found;
+    found.count = 1;
+    for (std::size_t next = 0; next < found.count; ++next) {
       const auto [t, alike] = reached[next];
-      sum += alike ? areas_[t] : Vec3(-areas_[t]);
-      for (Index h = 3 * t; h < 3 * t + 3 && count < kMostOfSide; ++h) {
+      found.normal += alike ? areas_[t] : Vec3(-areas_[t]);
+      found.area += areas_[t].cast<double>().norm();
+      for (Index h = 3 * t; h < 3 * t + 3 && found.count < kMostOfSide; ++h) {
         if (is_crease_[h] != 0) continue;
         const std::optional<Index> beyond = across(h);
         if (!beyond) continue;
         const auto is_same = [&](const SideTriangle& s) { return s.triangle == *beyond / 3; };
-        if (std::any_of(reached.begin(), reached.begin() + count, is_same)) continue;
-        reached[count++] = {*beyond / 3, alike != run_against(h, *beyond)};
+        if (std::any_of(reached.begin(), reached.begin() + found.count, is_same)) continue;
+        const SideTriangle more{*beyond / 3, alike != run_against(h, *beyond)};
+        const Vec3& area = areas_[more.triangle];
+        if (!bends_less(areas_[triangle], more.alike ? area : Vec3(-area), 0)) continue;
+        reached[found.count++] = more;
       }
     }
-    return sum;
+    return found;
   }
 
+  /// Also finds `is_clean_`.
   void drop_noise() {
     std::vector<std::uint8_t> is_noise(ends_.size());
+    is_clean_.assign(ends_.size(), 1);
     const auto find_noise = [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) {
         const std::span<const Index> along = half_edges_.of(e);
         if (along.size() != 2) continue;
-        const Vec3 a = side(along[0] / 3);
-        const Vec3 b = turned(along[0], along[1], side(along[1] / 3));
-        is_noise[e] = bends_less(a, b, cosine_) ? 1 : 0;
+        const Side a = side(along[0] / 3), b = side(along[1] / 3);
+        is_noise[e] = bends_less(a.normal, turned(along[0], along[1], b.normal), cosine_) ? 1 : 0;
+        // A few triangles are flat by chance.
+        constexpr std::size_t kFew = 3;
+        const bool is_clean =
+            a.is_flat() ? b.is_flat() || a.count > kFew : b.is_flat() && b.count > kFew;
+        is_clean_[e] = is_clean ? 1 : 0;
       }
     };
     constexpr std::size_t kGrain = 64;
@@ -267,37 +290,82 @@ class CreaseFinder {
     return found;
   }
 
-  /// Creases bound the faces of a part: their chains are closed or run from boundary to boundary.
-  /// Other chains are folds of rounded shapes, or noise.
-  void drop_open_chains() {
-    const CompressedRows<Index> at_vertex =
-        compressed_rows<Index>(mesh_.vertex_count(), [&](const auto& add) {
-          for (std::size_t e = 0; e < ends_.size(); ++e) {
-            if (!is_crease(e)) continue;
-            for (const Index v : ends_[e]) add(v, static_cast<Index>(e));
-          }
-        });
+  /// Connected creases, and their vertices.
+  struct Chain {
+    std::vector<Index> edges;
+    std::vector<Index> vertices;
+  };
+
+  /// Long chains are features. Short ones are too if they run from boundary to boundary, or if they
+  /// bound the faces of a part. Others are noise, or too short for the mesh.
+  void drop_short_chains() {
+    at_vertex_ = compressed_rows<Index>(mesh_.vertex_count(), [&](const auto& add) {
+      for (std::size_t e = 0; e < ends_.size(); ++e) {
+        if (!is_crease(e)) continue;
+        for (const Index v : ends_[e]) add(v, static_cast<Index>(e));
+      }
+    });
     std::vector<std::uint8_t> seen(mesh_.vertex_count());
-    std::vector<Index> vertices, chain;
+    Chain chain;
     for (Index first = 0; first < seen.size(); ++first) {
-      if (seen[first] != 0 || at_vertex.of(first).empty()) continue;
-      vertices.assign(1, first);
-      chain.clear();
-      seen[first] = 1;
-      std::size_t ends_at_boundary = 0;
-      for (std::size_t next = 0; next < vertices.size(); ++next) {
-        const Index v = vertices[next];
-        ends_at_boundary += is_at_boundary(v) ? 1 : 0;
-        for (const Index e : at_vertex.of(v)) {
-          const auto& [low, high] = ends_[e];
-          const Index other = v == low ? high : low;
-          if (v == low) chain.push_back(e);
-          if (std::exchange(seen[other], std::uint8_t{1}) == 0) vertices.push_back(other);
+      if (seen[first] != 0 || at_vertex_.of(first).empty()) continue;
+      find_chain(first, seen, chain);
+      if (chain.edges.size() >= kLongChain) continue;
+      if (ranges::count_if(chain.vertices, [&](Index v) { return is_at_boundary(v); }) > 1)
+        continue;
+      drop_open_ends(chain);
+      if (bounds_faces(chain)) continue;
+      for (const Index e : chain.edges) drop(e);
+    }
+  }
+
+  void find_chain(Index first, std::vector<std::uint8_t>& seen, Chain& chain) const {
+    chain.vertices.assign(1, first);
+    chain.edges.clear();
+    seen[first] = 1;
+    for (std::size_t next = 0; next < chain.vertices.size(); ++next) {
+      const Index v = chain.vertices[next];
+      for (const Index e : at_vertex_.of(v)) {
+        const auto& [low, high] = ends_[e];
+        const Index other = v == low ? high : low;
+        if (v == low) chain.edges.push_back(e);
+        if (std::exchange(seen[other], std::uint8_t{1}) == 0) chain.vertices.push_back(other);
+      }
+    }
+  }
+
+  bool ends_at(Index v) const {
+    return ranges::count_if(at_vertex_.of(v), [&](Index e) { return is_crease(e); }) == 1;
+  }
+
+  void drop_open_ends(Chain& chain) {
+    const auto drop_end = [&](Index e) {
+      const bool is_end = ends_at(ends_[e][0]) || ends_at(ends_[e][1]);
+      if (is_end) drop(e);
+      return is_end;
+    };
+    while (std::erase_if(chain.edges, drop_end) > 0) {
+    }
+    std::erase_if(chain.vertices, [&](Index v) {
+      return ranges::none_of(at_vertex_.of(v), [&](Index e) { return is_crease(e); });
+    });
+  }
+
+  /// Whether a closed chain is one of a part's: most of its faces are flat, or as coarse as the
+  /// chain, so that nearly all vertices around are on creases.
+  bool bounds_faces(const Chain& chain) const {
+    if (chain.edges.empty()) return false;
+    const auto clean = ranges::count_if(chain.edges, [&](Index e) { return is_clean_[e] != 0; });
+    if (2 * clean >= std::ssize(chain.edges)) return true;
+    std::vector<Index> off;
+    for (const Index v : chain.vertices) {
+      for (const Index t : around_.of(v)) {
+        for (const Index w : mesh_.triangles[t]) {
+          if (at_vertex_.of(w).empty() && ranges::find(off, w) == off.end()) off.push_back(w);
         }
       }
-      if (chain.size() >= vertices.size() || ends_at_boundary > 1) continue;
-      for (const Index e : chain) drop(e);
     }
+    return 3 * off.size() <= chain.vertices.size();
   }
 
   const Mesh& mesh_;
@@ -308,6 +376,8 @@ class CreaseFinder {
   std::vector<std::array<Index, 2>> ends_;  ///< of sharp edges, the lower number first
   CompressedRows<Index> half_edges_;        ///< of sharp edges, in ascending order
   std::vector<std::uint8_t> is_crease_;     ///< by half-edge
+  std::vector<std::uint8_t> is_clean_;      ///< by sharp edge: between flat faces, not noisy ones
+  CompressedRows<Index> at_vertex_;         ///< the sharp edges at a vertex that are not noise
 };
 
 /// Splits the vertices of a mesh at the creases that were found.
