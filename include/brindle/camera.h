@@ -55,6 +55,9 @@ struct CameraView {
   std::optional<Eigen::Quaternionf> rotation = {};
   /// In the coordinates of the framed points. It does not affect the framing.
   std::optional<Slice> slice = {};
+  /// Orthographic: the height of the picture at zoom 1, in the units of the points. Empty: the
+  /// points fill the picture.
+  std::optional<float> visible_height = {};
 
   bool operator==(const CameraView&) const = default;
 };
@@ -108,7 +111,8 @@ std::vector<Vec3> points_of_triangles(const Mesh& mesh);
 
 /// The closest camera that shows all points, with a small margin, in a picture of `width` x
 /// `height` pixels. No points count as one at zero. With a centre, the camera is moved sideways
-/// until the centre is in the middle.
+/// until the centre is in the middle. Throws Error for a visible height in perspective, or if it
+/// leaves no space for all points at zoom 1 without a centre.
 Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int width, int height);
 
 }  // namespace brindle

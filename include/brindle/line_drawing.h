@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -98,9 +99,20 @@ std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
                               std::span<const PenLines> drawn, const CameraView& view, int width,
                               int height, const Progress& progress = {});
 
-/// Writes one group per pen: a path per stroke, or one path for a filled pen; no background. Throws
-/// what write_file does, and Cancelled if `progress` cancels.
+/// Pixels of a drawing in an inch, as in browsers.
+inline constexpr double kDrawingDpi = 96;
+inline constexpr double kMillimetresPerInch = 25.4;
+
+/// A page in millimetres.
+struct PaperSize {
+  double width = 0;
+  double height = 0;
+};
+
+/// Writes one group per pen: a path per stroke, or one path for a filled pen; no background. With
+/// `paper`, the page has exactly that size, else `width` x `height` pixels. Throws what write_file
+/// does, and Cancelled if `progress` cancels.
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
-               const Progress& progress = {});
+               const Progress& progress = {}, const std::optional<PaperSize>& paper = {});
 
 }  // namespace brindle

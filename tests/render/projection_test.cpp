@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/error.h"
 #include "brindle/feature_lines.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/headless_context.h"
@@ -166,6 +167,26 @@ TEST(Projection, ATurntableIsAlsoAFreeRotation) {
     EXPECT_TRUE(a.view_from_world.isApprox(b.view_from_world, 1e-5f));
     EXPECT_TRUE(a.clip_from_view.isApprox(b.clip_from_view, 1e-5f));
   }
+}
+
+TEST(Projection, AVisibleHeightGivesTheScale) {
+  const std::vector<Vec3> points = {{-1, -1, -5}, {1, 1, -5}, {-1, -1, 5}, {1, 1, 5}};
+  CameraView view = straight(Projection::orthographic);
+  view.visible_height = 8;
+  for (const int finer : {1, 2}) {
+    const Camera camera = framed_camera(points, view, finer * 400, finer * 200);
+    EXPECT_LT((place_of(camera, points[3]) - Eigen::Vector2f(0.125f, 0.25f)).norm(), 1e-6f);
+  }
+  view.zoom = 3;
+  EXPECT_NEAR(place_of(framed_camera(points, view, 200, 200), points[3]).y(), 0.75f, 1e-6f);
+  view.zoom = 1;
+  view.visible_height = 1.9f;
+  EXPECT_THROW(framed_camera(points, view, 400, 200), Error) << "the points are 2 high";
+  view.visible_height = 2;
+  EXPECT_NO_THROW(framed_camera(points, view, 400, 200));
+  EXPECT_THROW(framed_camera(points, view, 199, 200), Error) << "and 2 wide";
+  view.projection = Projection::perspective;
+  EXPECT_THROW(framed_camera(points, view, 400, 200), Error);
 }
 
 TEST(Projection, TheCentreIsInTheMiddle) {

@@ -456,9 +456,9 @@ TEST(Session, FollowsChangesOfOneSurface) {
 
 /// What the parser of a document's command has, but what a session has another way.
 std::set<std::string> options_of_command(Shown shown) {
-  std::set<std::string> elsewhere = {"camera",  "projection", "size",   "min-area",
-                                     "quality", "threads",    "output", "report",
-                                     "quiet",   "uv",         "help"};
+  std::set<std::string> elsewhere = {"camera",   "projection", "size",    "scale",  "dpi",
+                                     "min-area", "quality",    "threads", "output", "report",
+                                     "quiet",    "uv",         "help"};
   if (shown == Shown::curves) elsewhere.insert("creases");
   SessionDocument document;
   document.shown = shown;

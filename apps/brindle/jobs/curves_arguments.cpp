@@ -4,6 +4,7 @@
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
 #include "outputs/outputs.h"
+#include "pictures/paper.h"
 
 namespace brindle::tool {
 namespace {
@@ -28,6 +29,7 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_field(command, "--creases", arguments.crease_deg);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_camera_options(command);
+  add_paper_options(command, *arguments.picture);
 }
 
 void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
@@ -51,6 +53,7 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
     refuse_picture_options(command, arguments.waves,
                            "nothing is drawn; add --output FILE.svg or FILE.png");
   }
+  check_paper_options(command, *arguments.picture, picture, has(files, CurveOutput::drawing));
   if (!picture && has(files, CurveOutput::drawing)) {
     refuse_given(command, {"--quality"}, "a drawing of lines has but one; add --output FILE.png");
     if (arguments.traced == TracedWaves::v) {

@@ -9,6 +9,7 @@
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
 #include "outputs/outputs.h"
+#include "pictures/paper.h"
 
 namespace brindle::tool {
 
@@ -22,6 +23,7 @@ void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_solving_options(command, arguments.solving);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_camera_options(command);
+  add_paper_options(command, *arguments.picture);
   add_glyph_options(command, arguments.glyphs);
 }
 
@@ -46,6 +48,7 @@ void check_sample_options(const CLI::App& command, const SampleArguments& argume
     refuse_picture_options(command, arguments.waves,
                            "no picture is written; add --output FILE.png");
   }
+  check_paper_options(command, *arguments.picture, has(files, SampleOutput::picture), false);
   if (!has_point_trees()) {
     refuse_given(command, {"--min-distance"},
                  "this build has no nanoflann; configure with -DBRINDLE_NANOFLANN=ON");

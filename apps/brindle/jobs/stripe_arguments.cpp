@@ -8,6 +8,7 @@
 #include "cli/option_fields.h"
 #include "outputs/mesh_output.h"
 #include "pictures/drawing_file.h"
+#include "pictures/paper.h"
 
 namespace brindle::tool {
 namespace {
@@ -45,6 +46,10 @@ bool is_drawing(const Output& output) {
   return output.kind == OutputKind::picture && is_drawing_file(output.path);
 }
 
+bool is_raster(const Output& output) {
+  return output.kind == OutputKind::picture && !is_drawing(output);
+}
+
 bool has(const std::vector<Output>& outputs, OutputKind kind) {
   return std::any_of(outputs.begin(), outputs.end(),
                      [kind](const Output& output) { return output.kind == kind; });
@@ -75,10 +80,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
   }
   if (is_points(arguments.surface)) refuse("points have no outlines; write .png");
   if (!shows_stripes(*arguments.picture)) refuse("--view has colours; write .png");
-  const bool alone = std::ranges::all_of(outputs, [](const Output& output) {
-    return output.kind != OutputKind::picture || is_drawing(output);
-  });
-  if (!alone) return;
+  if (std::ranges::any_of(outputs, is_raster)) return;
   refuse_given(command, {"--quality"}, "a drawing has but one; it is for .png");
   refuse_for_outlines(command, arguments.style);
   if (!arguments.style.by_light()) {
@@ -101,6 +103,8 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   check_drawings(command, arguments, outputs, texture);
   check_light_option(command, arguments.style, arguments.waves);
+  check_paper_options(command, *arguments.picture, std::ranges::any_of(outputs, is_raster),
+                      std::ranges::any_of(outputs, is_drawing));
   const std::string no_picture = "no picture is written; add --output FILE.png";
   if (!has(outputs, OutputKind::picture)) {
     refuse_style_options(command, no_picture);
@@ -203,6 +207,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   command.add_flag("--uv", arguments.uv);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
   arguments.picture = add_picture_options(command);
+  add_paper_options(command, *arguments.picture);
   add_style_options(command, arguments.style);
   add_field(command, "--min-area", arguments.style.min_area);
 }

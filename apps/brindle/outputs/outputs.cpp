@@ -96,7 +96,7 @@ void refuse_camera_options(const CLI::App& command, const WaveOptions& waves,
   refuse_light_option(command, waves, why);
   refuse_given(command, {"--slice"}, why);
   if (depends_on_camera(waves.arrays.frequency_by)) return;
-  refuse_given(command, {"--camera", "--projection", "--size"}, why);
+  refuse_given(command, {"--camera", "--projection", "--size", "--scale"}, why);
   if (!depends_on_up(waves.arrays.frequency_by)) refuse_given(command, {"--up"}, why);
 }
 

@@ -19,7 +19,8 @@ bool is_pdf(const std::filesystem::path& path) { return lower_extension(path) ==
 
 #ifdef BRINDLE_HAS_CAIRO
 
-constexpr double kPointsPerPixel = 72 / kDrawingDpi;  // 72 points are an inch
+constexpr double kPointsPerInch = 72;
+constexpr double kPointsPerPixel = kPointsPerInch / kDrawingDpi;
 
 using CairoSurface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Cairo = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
@@ -60,11 +61,12 @@ void draw_pen(cairo_t* cairo, const Pen& pen, const Progress& progress) {
   if (pen.filled) cairo_fill(cairo);
 }
 
-std::string pdf_of(int width, int height, std::span<const Pen> pens, const Progress& progress) {
+std::string pdf_of(const PaperSize& paper, std::span<const Pen> pens, const Progress& progress) {
+  constexpr double kPointsPerMillimetre = kPointsPerInch / kMillimetresPerInch;
   std::string bytes;
   const CairoSurface surface(
-      cairo_pdf_surface_create_for_stream(add_bytes, &bytes, kPointsPerPixel * width,
-                                          kPointsPerPixel * height),
+      cairo_pdf_surface_create_for_stream(add_bytes, &bytes, kPointsPerMillimetre * paper.width,
+                                          kPointsPerMillimetre * paper.height),
       cairo_surface_destroy);
   // Without a date, the same drawing always gives the same file.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
@@ -89,9 +91,9 @@ std::string pdf_of(int width, int height, std::span<const Pen> pens, const Progr
   return bytes;
 }
 
-void write_pdf(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
+void write_pdf(const std::filesystem::path& path, const PaperSize& paper, std::span<const Pen> pens,
                const Progress& progress) {
-  const std::string bytes = pdf_of(width, height, pens, progress.part(0, 0.5));
+  const std::string bytes = pdf_of(paper, pens, progress.part(0, 0.5));
   write_file(
       path, [&](OutputStream& out) { out << bytes; }, progress.part(0.5, 1));
 }
@@ -115,11 +117,14 @@ std::string drawing_refusal([[maybe_unused]] const std::filesystem::path& path) 
 }
 
 void write_drawing(const std::filesystem::path& path, int width, int height,
-                   std::span<const Pen> pens, const Progress& progress) {
+                   std::span<const Pen> pens, const std::optional<PaperSize>& paper,
+                   const Progress& progress) {
 #ifdef BRINDLE_HAS_CAIRO
-  if (is_pdf(path)) return write_pdf(path, width, height, pens, progress);
+  constexpr double kPixel = kMillimetresPerInch / kDrawingDpi;
+  const PaperSize page = paper.value_or(PaperSize{kPixel * width, kPixel * height});
+  if (is_pdf(path)) return write_pdf(path, page, pens, progress);
 #endif
-  write_svg(path, width, height, pens, progress);
+  write_svg(path, width, height, pens, progress, paper);
 }
 
 }  // namespace brindle::tool

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -9,17 +10,15 @@
 
 namespace brindle::tool {
 
-/// A pixel of a drawing is a 96th of an inch, as in browsers.
-inline constexpr double kDrawingDpi = 96;
-
 /// Whether a file of this name is a drawing (vector graphics).
 bool is_drawing_file(const std::filesystem::path& path);
 
 /// The reason why this build cannot write a drawing of this name (.pdf without Cairo); else empty.
 std::string drawing_refusal(const std::filesystem::path& path);
 
-/// Writes pens to an .svg or a .pdf at `kDrawingDpi`, atomically. Throws what `write_svg` throws.
+/// Writes pens to an .svg or a .pdf at `kDrawingDpi`, atomically, as `write_svg` does.
 void write_drawing(const std::filesystem::path& path, int width, int height,
-                   std::span<const Pen> pens, const Progress& progress = {});
+                   std::span<const Pen> pens, const std::optional<PaperSize>& paper,
+                   const Progress& progress = {});
 
 }  // namespace brindle::tool

@@ -97,7 +97,7 @@ void write_glyphs(const std::filesystem::path& path, const Surface& surface,
       slice_refusal(drawn.surfaces, styled_camera(drawn.surfaces, drawn.styled), "--slice"));
   Image image = render_styled(drawn.surfaces, drawn.styled, progress.part(kPlaced, kDrawn));
   draw_legends(image, drawn.legends);
-  write_png(path, image, progress.part(kDrawn, 1));
+  write_png(path, image, progress.part(kDrawn, 1), picture.dpi);
 }
 
 }  // namespace brindle::tool

@@ -48,7 +48,7 @@ void write_ornaments(const std::filesystem::path& path, const Surface& surface,
   const OrnamentedSurface all = ornamented(surface, ornaments, render);
   check_slice(all.mesh, render, "--slice");
   const Image image = render_picture(all.drawing(), render, progress.part(0, kDrawn));
-  write_png(path, image, progress.part(kDrawn, 1));
+  write_png(path, image, progress.part(kDrawn, 1), options.dpi);
 }
 
 void write_line_drawing(const std::filesystem::path& path, const Surface& surface,
@@ -63,7 +63,7 @@ void write_line_drawing(const std::filesystem::path& path, const Surface& surfac
   const int width = render.width, height = render.height;
   const std::vector<Pen> pens = line_drawing(surface.mesh, surface.normals, lines, render.camera,
                                              width, height, progress.part(0, 0.8));
-  write_drawing(path, width, height, pens, progress.part(0.8, 1));
+  write_drawing(path, width, height, pens, options.paper, progress.part(0.8, 1));
 }
 
 }  // namespace brindle::tool

@@ -1,7 +1,6 @@
 #include "pictures/picture.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,33 +10,12 @@
 #include "brindle/render/parsed_words.h"
 #include "brindle/render/slice_refusal.h"
 #include "cli/option_fields.h"
+#include "pictures/paper.h"
 #include "pictures/picture_options.h"
 
 namespace brindle::tool {
 
 namespace {
-
-std::optional<int> whole_number(const std::string& text) {
-  int value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end) return std::nullopt;
-  return value;
-}
-
-void set_size(RenderOptions& render, const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = split(text, 'x');
-  const auto width = whole_number(parts.front());
-  const auto height = whole_number(parts.back());
-  if (parts.size() != 2 || !width || !height) wrong_usage(option, "WIDTHxHEIGHT in pixels", text);
-  try {
-    check_image_size(*width, *height);
-  } catch (const Error& error) {
-    throw CLI::ValidationError(option, error.what());
-  }
-  render.width = *width;
-  render.height = *height;
-}
 
 void set_camera(RenderOptions& render, const std::string& option, const std::string& text) {
   const auto view = parse_camera_view(text, render.camera.up);
@@ -89,7 +67,7 @@ CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOpt
 
 std::shared_ptr<PictureOptions> add_size_options(CLI::App& app) {
   auto options = std::make_shared<PictureOptions>();
-  add_render_option(app, "--size", options->render, set_size)
+  add_render_option(app, "--size", options->render, set_pixel_size)
       ->description("picture: pixels (default: the session's)")
       ->type_name("WIDTHxHEIGHT");
   add_field(app, "--quality", options->render.quality);
@@ -105,10 +83,18 @@ std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
   add_render_option(app, "--light-from", render, set_light);
   app.add_option_function<std::string>(
       "--slice", [slice = &options->slice](const std::string& text) { *slice = slice_of(text); });
-  add_render_option(app, "--size", render, set_size);
+  app.add_option_function<std::string>("--size",
+                                       [&app, picture = options.get()](const std::string& text) {
+                                         set_size(app, *picture, "--size", text);
+                                       });
   add_field(app, "--quality", render.quality);
   add_render_option(app, "--colors", render, set_colors);
   return options;
+}
+
+void add_paper_options(CLI::App& app, PictureOptions& options) {
+  add_parsed_option(app, "--scale", options.scale, parse_scale);
+  add_field(app, "--dpi", options.dpi);
 }
 
 std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
@@ -122,8 +108,9 @@ void stand_upright(PictureOptions& options, const std::string& mesh) {
 }
 
 std::optional<Viewpoint> viewpoint_of(const PictureOptions& options) {
-  const RenderOptions render = render_options(
-      {options.view, options.up, options.projection, {}, options.render}, Eigen::Vector3d::Zero());
+  PictureOptions whole = options;
+  whole.slice.reset();
+  const RenderOptions render = render_options(whole, Eigen::Vector3d::Zero());
   // A file's pictures have y up only because nobody has said what is; its heights stay along z.
   return Viewpoint{
       render.camera,    render.width, render.height, std::nullopt, options.up.value_or(UpAxis::z),
@@ -160,6 +147,7 @@ RenderOptions render_options(const PictureOptions& options, const Eigen::Vector3
   if (options.view != View::stripes) render = with_faint_stripes(render);
   render.camera.up = options.up.value_or(render.camera.up);
   render.camera.projection = options.projection.value_or(render.camera.projection);
+  set_paper(render, options);
   return render;
 }
 
@@ -200,11 +188,11 @@ void write_picture(const std::filesystem::path& path, const Surface& surface,
   if (surface.mesh.triangles.empty()) {
     const std::vector<float> radii = splat_radii(surface.mesh.positions, *surface.neighborhood);
     const SplatDrawing splats = splat_drawing_of(surface, pattern, radii);
-    return write_png(path, render_splats(splats, render, drawing), writing);
+    return write_png(path, render_splats(splats, render, drawing), writing, options.dpi);
   }
   const Overlay overlay = overlay_of(options.view, surface.mesh, pattern.waves, pattern.corners);
   const SurfaceDrawing drawn = drawing_of(surface, result, overlay);
-  write_png(path, render_picture(drawn, render, drawing), writing);
+  write_png(path, render_picture(drawn, render, drawing), writing, options.dpi);
 }
 
 std::string tile_png(const TextureTile& tile, const PictureOptions& options) {

@@ -30,7 +30,10 @@ std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app);
 /// The same without options of stripes: --view and --stripe-width.
 std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app);
 
-/// --size and --quality alone.
+/// --scale and --dpi, and --size in millimetres.
+void add_paper_options(CLI::App& app, PictureOptions& options);
+
+/// --size and --quality alone, for pixels.
 std::shared_ptr<PictureOptions> add_size_options(CLI::App& app);
 
 /// Lets the axis point up that `usual_up_axis` gives, unless the user says otherwise.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "brindle/line_drawing.h"
 #include "brindle/quality.h"
 #include "brindle/renderer.h"
 #include "brindle/splats.h"
@@ -17,8 +18,11 @@ struct PictureOptions {
   View view = View::stripes;
   std::optional<UpAxis> up;  // the user's choice
   std::optional<Projection> projection;
-  std::optional<Slice> slice;  // in the coordinates of the mesh's file
-  RenderOptions render;
+  std::optional<Slice> slice;      // in the coordinates of the mesh's file
+  RenderOptions render;            // pixels unless `paper`
+  std::optional<PaperSize> paper;  // --size in millimetres
+  std::optional<float> scale;      // millimetres on paper for each unit of length
+  double dpi = 0;                  // pixels per inch of .png; 0: not given
 
   /// Calls `add("--option", field)` for options of stripes.
   template <class Add>

@@ -30,7 +30,8 @@ std::vector<Pen> pens_on_top(const StyledPicture& picture, StyleOptions style,
 
 /// Outlines of strokes, then lines over them.
 void write_outlines(const std::filesystem::path& path, const StyledPicture& picture,
-                    const StyleOptions& style, const Progress& progress) {
+                    const StyleOptions& style, const std::optional<PaperSize>& paper,
+                    const Progress& progress) {
   constexpr double kTraced = 0.7, kLined = 0.9;
   const RenderOptions& render = picture.options.render;
   std::vector<Pen> pens =
@@ -40,7 +41,7 @@ void write_outlines(const std::filesystem::path& path, const StyledPicture& pict
   for (Pen& pen : pens_on_top(picture, style, progress.part(kTraced, kLined))) {
     if (!pen.strokes.empty()) pens.push_back(std::move(pen));
   }
-  write_drawing(path, render.width, render.height, pens, progress.part(kLined, 1));
+  write_drawing(path, render.width, render.height, pens, paper, progress.part(kLined, 1));
 }
 
 StyledScene scene_of(const Surface& surface, const StripeResult& result, const StyleOptions& style,
@@ -152,12 +153,12 @@ void write_styled_picture(const std::filesystem::path& path, const Surface& surf
   check_slice(
       slice_refusal(styled.surfaces, styled_camera(styled.surfaces, styled.options), "--slice"));
   if (is_drawing_file(path)) {
-    return write_outlines(path, styled, style, progress);
+    return write_outlines(path, styled, style, picture.paper, progress);
   }
   constexpr double kPainted = 0.5;
   Image image = render_styled(styled.surfaces, styled.options, progress.part(0, kPainted));
   draw_on_top(image, styled, style, styled.options, progress.part(kPainted, kDrawn));
-  write_png(path, image, progress.part(kDrawn, 1));
+  write_png(path, image, progress.part(kDrawn, 1), picture.dpi);
 }
 
 }  // namespace brindle::tool

@@ -21,10 +21,12 @@ namespace brindle::tool {
 namespace {
 
 /// Options that sessions do not have, and what there is instead.
-constexpr std::array<std::pair<const char*, const char*>, 12> kElsewhere = {{
+constexpr std::array<std::pair<const char*, const char*>, 14> kElsewhere = {{
     {"camera", "the session's camera says where from"},
     {"projection", "the session's camera has it"},
     {"size", "the session's size says it"},
+    {"scale", "a session has pixels; give --scale to the command"},
+    {"dpi", "a session has pixels; give --dpi to 'brindle render'"},
     {"quality", "pictures are fast while something moves and careful when it rests"},
     {"threads", "a session does not depend on the machine; give --threads to the command"},
     {"output", "a session has one picture; give --output to the command"},

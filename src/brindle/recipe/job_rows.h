@@ -6,6 +6,8 @@
 
 namespace brindle {
 
+constexpr unsigned kPrinted = kStripe | kCurves | kSample;
+
 constexpr auto kPictureRows =
     in_group({.group = "Picture", .jobs = kStripe | kCurves | kSample | kAnimate},
              {{.name = "camera",
@@ -24,7 +26,29 @@ constexpr auto kPictureRows =
                .kind = OptionKind::text,
                .form = "WIDTHxHEIGHT",
                .standard = "1200x900",
+               .jobs = kAnimate,
                .help = "picture: pixels (default 1200x900)"},
+              {.name = "size",
+               .common = true,
+               .kind = OptionKind::text,
+               .form = "WIDTHxHEIGHT",
+               .standard = "1200x900",
+               .jobs = kPrinted,
+               .help = "picture: pixels, or mm, cm, in (default 1200x900; 297mmx210mm)"},
+              {.name = "scale",
+               .kind = OptionKind::text,
+               .form = "MM:UNITS",
+               .needs = "projection",
+               .jobs = kPrinted,
+               .help = "orthographic: millimetres on paper for units of the mesh, such as 1:1"},
+              {.name = "dpi",
+               .kind = OptionKind::number,
+               .form = "D",
+               .unit = "pixels per inch",
+               .range = {.least = 1, .most = 1e6},
+               .slider = {72, 1200},
+               .jobs = kPrinted,
+               .help = "pixels of a .png in an inch, for --size in mm, cm, in and for --scale"},
               {.name = "quality",
                .kind = OptionKind::choice,
                .form = "interactive|final",

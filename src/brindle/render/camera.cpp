@@ -13,6 +13,8 @@
 #include "brindle/base/file_names.h"
 #include "brindle/base/number_text.h"
 #include "brindle/base/standard.h"
+#include "brindle/base/text.h"
+#include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {
@@ -105,13 +107,36 @@ Eigen::Matrix4f parallel(double half_width, double half_height, double near_plan
   return m.cast<float>();
 }
 
-/// An orthographic projection that fills the picture with the extent, seen straight on.
+/// Half a pixel so large that the picture shows all of the extent, seen straight on.
+double half_framed_pixel(const Extent& extent, int width, int height, double size) {
+  return std::max({(extent.right + extent.left) / 2 / width,
+                   (extent.top + extent.bottom) / 2 / height,
+                   1e-3 * size / std::max(width, height)}) /
+         (1 - kMargin);
+}
+
+void check_visible_height(const Extent& extent, const CameraView& view, int width, int height) {
+  if (view.projection != Projection::orthographic) {
+    throw Error("a picture in perspective has no scale; take the orthographic projection");
+  }
+  if (view.zoom != 1 || view.center) return;
+  const double visible_height = *view.visible_height;
+  const double share = std::max((extent.right + extent.left) / (visible_height * width / height),
+                                (extent.top + extent.bottom) / visible_height);
+  if (share <= 1 + 1e-6) return;
+  throw Error(
+      formatted("at this scale the surface is %.2f times as large as the picture; take a "
+                "larger picture or a smaller scale",
+                std::ceil(100 * share) / 100));
+}
+
+/// An orthographic projection of the extent, seen straight on.
 Eigen::Matrix4f parallel_projection(const Extent& extent, const CameraView& view, int width,
                                     int height, double size, const Eigen::Vector2d& planes) {
   const double half_pixel =
-      std::max({(extent.right + extent.left) / 2 / width, (extent.top + extent.bottom) / 2 / height,
-                1e-3 * size / std::max(width, height)}) /
-      (1 - kMargin) / static_cast<double>(view.zoom);
+      (view.visible_height ? static_cast<double>(*view.visible_height) / 2 / height
+                           : half_framed_pixel(extent, width, height, size)) /
+      static_cast<double>(view.zoom);
   return parallel(half_pixel * width, half_pixel * height, planes[0], planes[1]);
 }
 
@@ -260,6 +285,7 @@ Camera framed_camera(std::span<const Vec3> points, const CameraView& view, int w
     straight = extent_of(points, camera.origin, axes, 0, 0);
     eye.head<2>() << (straight.right - straight.left) / 2, (straight.top - straight.bottom) / 2;
   }
+  if (view.visible_height) check_visible_height(straight, view, width, height);
   if (view.center) eye.head<2>() = (axes * (*view.center - camera.origin).cast<double>()).head<2>();
 
   if (view.slice) camera.slice = plane_of(*view.slice, points);

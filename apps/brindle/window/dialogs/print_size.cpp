@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "brindle/line_drawing.h"
+
 namespace brindle::tool {
 namespace {
-
-constexpr double kMillimetresPerInch = 25.4;
 
 int whole_pixels(double pixels) {
   constexpr double kMost = std::numeric_limits<int>::max();

@@ -10,6 +10,7 @@
 
 #include "brindle/base/output_file.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
 #include "brindle/render/drawing/drawing_size.h"
@@ -177,6 +178,17 @@ void put_pen(TextOutput& text, const Pen& pen) {
     text << "\"/>\n";
   }
   text << "</g>\n";
+}
+
+std::string page_of(int width, int height) {
+  return formatted("width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\"", width, height, width,
+                   height);
+}
+
+std::string page_of(const PaperSize& paper) {
+  constexpr double kPixels = kDrawingDpi / kMillimetresPerInch;
+  return formatted("width=\"%.9gmm\" height=\"%.9gmm\" viewBox=\"0 0 %.9g %.9g\"", paper.width,
+                   paper.height, kPixels * paper.width, kPixels * paper.height);
 }
 
 Camera drawing_camera(const Mesh& mesh, const CameraView& view, int width, int height) {
@@ -414,13 +426,12 @@ std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
 }
 
 void write_svg(const std::filesystem::path& path, int width, int height, std::span<const Pen> pens,
-               const Progress& progress) {
+               const Progress& progress, const std::optional<PaperSize>& paper) {
   const auto write = [&](OutputStream& out) {
     TextOutput text(out);
     text << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
-         << width << "\" height=\"" << height << "\" viewBox=\"0 0 " << width << ' ' << height
-         << "\">\n";
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+         << (paper ? page_of(*paper) : page_of(width, height)) << ">\n";
     for (const Pen& pen : pens) put_pen(text, pen);
     text << "</svg>\n";
   };
