@@ -30,9 +30,9 @@ constexpr const char* kToolExamples = R"(Examples:
   brindle sample horse.ply --output samples.csv
   brindle info horse.ply
 
-'brindle COMMAND --help' describes each command. All end with 0 if the job is done, 1 if it failed,
-2 if the command line is wrong and 130 if Ctrl-C ended it (143 for SIGTERM,
-129 for SIGHUP).)";
+'brindle COMMAND --help' describes each command, 'brindle help' values, lengths, cameras and files.
+All end with 0 if the job is done, 1 if it failed, 2 if the command line is wrong and 130 if Ctrl-C
+ended it (143 for SIGTERM, 129 for SIGHUP).)";
 
 int fail(int code, const std::string& message) {
   std::cerr << "brindle: " << shown_lines(message) << '\n';
@@ -125,11 +125,11 @@ int parse_and_run(int argc, char** argv) {
       "List the built-in shapes and exit");
   app.require_subcommand(1);
   app.footer(kToolExamples);
-  const std::vector<Command> commands = {add_stripe_command(app),  add_compare_command(app),
-                                         add_curves_command(app),  add_sample_command(app),
-                                         add_animate_command(app), add_info_command(app),
-                                         add_view_command(app),    add_render_command(app),
-                                         add_gallery_command(app), add_bench_command(app)};
+  const std::vector<Command> commands = {
+      add_stripe_command(app), add_compare_command(app), add_curves_command(app),
+      add_sample_command(app), add_animate_command(app), add_info_command(app),
+      add_view_command(app),   add_render_command(app),  add_gallery_command(app),
+      add_bench_command(app),  add_help_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

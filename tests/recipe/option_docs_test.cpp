@@ -166,7 +166,8 @@ TEST(OptionDocs, SayOfOptionsWhatTheTableSays) {
   const std::filesystem::path source(BRINDLE_SOURCE);
   std::vector<std::filesystem::path> pages = {source / "README.md"};
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "docs")) {
-    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    const bool generated = entry.path().filename() == "options.md";  // from the table
+    if (entry.path().extension() == ".md" && !generated) pages.push_back(entry.path());
   }
   EXPECT_GT(pages.size(), 20U);
   std::size_t mentions = 0;

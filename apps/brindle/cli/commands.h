@@ -39,5 +39,6 @@ Command add_render_command(CLI::App& app);
 Command add_bench_command(CLI::App& app);
 Command add_gallery_command(CLI::App& app);
 Command add_view_command(CLI::App& app);
+Command add_help_command(CLI::App& app);
 
 }  // namespace brindle::tool

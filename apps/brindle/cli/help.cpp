@@ -16,16 +16,6 @@ namespace {
 constexpr std::size_t kColumn = 32;
 constexpr int kFewExamples = 6;
 
-/// Output first, the solver last, and the rest in the table's order.
-int rank_of(const std::string& group) {
-  if (group == "Options") return -2;
-  if (group == "Output") return -1;
-  if (group == "Solver") return static_cast<int>(option_table().size());
-  const auto rows = option_table();
-  return static_cast<int>(std::ranges::find(rows, std::string_view(group), &OptionInfo::group) -
-                          rows.begin());
-}
-
 /// The options of a group in the table's order.
 std::vector<const CLI::Option*> options_of(const CLI::App& app, const std::string& group) {
   std::vector<const CLI::Option*> options = app.get_options([&](const CLI::Option* option) {
@@ -50,6 +40,14 @@ std::string with_few_examples(const std::string& footer) {
 
 }  // namespace
 
+int rank_of_group(std::string_view group) {
+  if (group == "Options") return -2;
+  if (group == "Output") return -1;
+  if (group == "Solver") return static_cast<int>(option_table().size());
+  const auto rows = option_table();
+  return static_cast<int>(std::ranges::find(rows, group, &OptionInfo::group) - rows.begin());
+}
+
 HelpFormatter::HelpFormatter() { column_width(kColumn); }
 
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
@@ -66,7 +64,7 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
 
 std::string HelpFormatter::groups_of(const CLI::App& app) const {
   std::vector<std::string> groups = app.get_groups();
-  std::ranges::stable_sort(groups, {}, rank_of);
+  std::ranges::stable_sort(groups, {}, rank_of_group);
   const auto is_rare = [job = job_of(app.get_name())](const CLI::Option* option) {
     const OptionInfo* row = row_of(*option, job);
     return row != nullptr && !row->common;
@@ -80,7 +78,8 @@ std::string HelpFormatter::groups_of(const CLI::App& app) const {
   }
   if (left_out == 0) return text;
   return text + "\n'brindle " + app.get_name() + " --help-all' lists " + std::to_string(left_out) +
-         " more options and all examples\n";
+         " more options and all examples;\n'brindle help' explains values, lengths, cameras and "
+         "files\n";
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
 namespace brindle::tool {
+
+/// The order of groups: output first, the solver last, the rest as in the table.
+int rank_of_group(std::string_view group);
 
 /// Lists options group by group: `--help` the common ones and a few examples, `--help-all` all.
 class HelpFormatter : public CLI::Formatter {

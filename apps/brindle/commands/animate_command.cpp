@@ -55,7 +55,7 @@ ParaView.
 Scenes: zoom, the frequency grows by 1 % per frame; vortices, two vortex cores orbit the surface;
 rotate, the direction turns by 1 degree per frame; wobble, a wave moves the vertices; brush, a
 stroke is drawn and a smooth field follows it. Frames are numbered from 0. Without --output, frames
-are solved and measured only. See 'brindle stripe --help' for VALUE.)";
+are solved and measured only.)";
 
 struct AnimateArguments {
   SurfaceOptions surface;

@@ -18,12 +18,7 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves shape:torus --stripes 60 --path-width 0.8% --report torus.json
   brindle curves shape:tube --field curvature --curvature-direction min --winding 1 --output vase.vtp
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
-  brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg
-
-Outputs: .obj .ply .vtp .csv lines; with --tube-radius .obj .ply .vtp .gltf .glb a mesh of tubes;
-.svg or .pdf a drawing without hidden lines; .png a picture; .json a report. Lengths are in the
-mesh's units, or in percent of the bounding box's diagonal. See 'brindle stripe --help' for
-VALUE.)";
+  brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg)";
 
 void write(CurveOutput kind, const std::string& path, const CLI::App& command,
            const CurvesArguments& arguments, const CurvesJob& job, ProgressDisplay& display) {

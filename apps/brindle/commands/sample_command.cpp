@@ -22,12 +22,7 @@ constexpr const char* kSampleExamples = R"(Examples:
   brindle sample shape:torus --output samples.png
   brindle sample scan.obj --glyph arrow --size-by curvature --output arrows.png
   brindle sample points.ply --stripes 50 --output samples.csv
-  brindle sample flow.vtp --frequency-by array:speed --output samples.csv
-
-Outputs: .csv .ply .vtp samples, each with position, normal, both directions and spacings, triangle
-and barycentric coordinates; .png a picture; .json a report. Column 4 of the files of --field and
---field-v is the frequency, and column 5 of --field is that of V: larger is denser. See 'brindle
-stripe --help' for VALUE.)";
+  brindle sample flow.vtp --frequency-by array:speed --output samples.csv)";
 
 nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& picture) {
   const Surface& surface = job.prepared.surface;

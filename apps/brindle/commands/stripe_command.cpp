@@ -43,20 +43,7 @@ Examples:
   brindle stripe step2.vtp --field array:velocity --previous step1_stripes.vtp --output step2.png
   brindle stripe flow.vtp --field array:velocity --frequency-by array:speed --output flow.png
   brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
-  brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png
-
-MESH: a file (.vtp .vtu .vtk .ply .obj .stl .off .gltf .glb) or a built-in shape.
---field: smooth; curvature, smooth but drawn to principal curvature; raw-curvature, that alone;
-array:NAME, array:points/NAME or array:cells/NAME, vectors or tensors of MESH; or FILE.csv[:NAME]
-with a row x,y,z[,frequency[,frequency_v]] per vertex.
-VALUE: array:NAME, FILE.csv[:COLUMN], distance:X,Y,Z, distance:camera, curvature, height, light or
-coherence.
-
-Outputs: .png a picture; .svg or .pdf a drawing; .json a report; .obj the mesh alone; .ply .vtp
-.gltf .glb a mesh with its arrays and, at every vertex, phase (radians; NaN where valid is 0: no
-wave), sine (1 on crests), direction, frequency, branch (1 at triangles where a stripe begins or
-ends) and original_id (the number in MESH). --texture adds texture coordinates and the tile's
-image, --uv coordinates alone.)";
+  brindle stripe scan.obj --field array:velocity --field-mesh flow.vtp --output scan.png)";
 
 constexpr const char* kStripes = "stripes";
 constexpr const char* kStyle = "stripes of the style";
