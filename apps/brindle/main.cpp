@@ -129,7 +129,7 @@ int parse_and_run(int argc, char** argv) {
       add_stripe_command(app), add_compare_command(app), add_curves_command(app),
       add_sample_command(app), add_animate_command(app), add_info_command(app),
       add_view_command(app),   add_render_command(app),  add_gallery_command(app),
-      add_bench_command(app),  add_help_command(app)};
+      add_bench_command(app),  add_help_command(app),    add_completion_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

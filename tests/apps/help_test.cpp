@@ -1,4 +1,5 @@
-/// Help beyond commands: topics and the reference of options.
+/// Help beyond commands: topics, the reference of options, completion.
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -24,7 +25,21 @@ Words all_matches(const std::string& text, const std::regex& pattern) {
   return matches;
 }
 
-struct HelpTool : ToolTest {};
+struct HelpTool : ToolTest {
+  /// bash's offers for the last of `words`.
+  Words offered(const std::string& words) const {
+    write_text(folder / "brindle.bash", run({"completion", "bash"}).out);
+    write_text(folder / "try.bash", "set -u\n. ./brindle.bash\nCOMP_WORDS=(" + words +
+                                        ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_brindle\n"
+                                        "printf '%s\\n' \"${COMPREPLY[@]}\" >offered\n");
+    const std::string command = "cd '" + folder.string() + "' && bash try.bash";
+    EXPECT_EQ(std::system(command.c_str()), 0) << words;
+    std::istringstream lines(content(folder / "offered"));
+    Words offers;
+    for (std::string line; std::getline(lines, line);) offers.insert(line);
+    return offers;
+  }
+};
 
 TEST_F(HelpTool, TopicsAreListedAndExplained) {
   const std::string list = run({"help"}).out;
@@ -44,6 +59,7 @@ TEST_F(HelpTool, TopicsAreListedAndExplained) {
 TEST_F(HelpTool, UnknownTopicsAreWrongUsage) {
   expect_refusal(2, "'lenghts' is neither a topic nor a command (did you mean 'lengths'?)",
                  {"help", "lenghts"});
+  expect_refusal(2, "expected bash or zsh, got 'fish'", {"completion", "fish"});
 }
 
 /// Options that topics name exist.
@@ -75,6 +91,37 @@ TEST_F(HelpTool, TheReferenceHasAllOptions) {
       if (name == "--help-all" || name == "--help") continue;
       EXPECT_TRUE(has(page, "- `" + name + ' ') || has(page, "- `" + name + '`')) << name;
     }
+  }
+}
+
+TEST_F(HelpTool, CompletionOffersCommandsOptionsAndChoices) {
+  EXPECT_EQ(offered("brindle str"), Words{"stripe"});
+  EXPECT_EQ(offered("brindle --ver"), Words{"--version"});
+  EXPECT_EQ(offered("brindle stripe a.ply --solv"), Words{"--solver"});
+  const Words solvers = {"multilevel", "relaxation", "averaged", "global"};
+  EXPECT_EQ(offered("brindle stripe a.ply --solver ''"), solvers);
+  EXPECT_EQ(offered("brindle stripe --solver ="), solvers);
+  EXPECT_EQ(offered("brindle stripe --solver = mu"), Words{"multilevel"});
+  EXPECT_EQ(offered("brindle animate --solver m"), Words{"multilevel"});
+  EXPECT_EQ(offered("brindle stripe --up -"), Words({"-x", "-y", "-z"}));
+  EXPECT_EQ(offered("brindle stripe --field c"), Words{"curvature"});
+  EXPECT_EQ(offered("brindle help le"), Words{"lengths"});
+  EXPECT_EQ(offered("brindle completion ''").count("zsh"), 1u);
+}
+
+TEST_F(HelpTool, CompletionLeavesFilesToTheShell) {
+  for (const char* words : {"brindle stripe ''", "brindle stripe a.ply --output ''",
+                            "brindle stripe --field wind", "brindle stripe a.ply --stripes 4"}) {
+    EXPECT_EQ(offered(words), Words{""}) << words;
+  }
+}
+
+TEST_F(HelpTool, CompletionHasAllOptions) {
+  for (const std::string& command : kCommands) {
+    Words options =
+        all_matches(run({command, "--help-all"}).out, std::regex("\n  (?:-.,)?(--[a-z-]+)"));
+    for (const std::string& offer : offered("brindle " + command + " --")) options.erase(offer);
+    EXPECT_EQ(options, Words()) << command;
   }
 }
 

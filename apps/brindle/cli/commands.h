@@ -40,5 +40,6 @@ Command add_bench_command(CLI::App& app);
 Command add_gallery_command(CLI::App& app);
 Command add_view_command(CLI::App& app);
 Command add_help_command(CLI::App& app);
+Command add_completion_command(CLI::App& app);
 
 }  // namespace brindle::tool
