@@ -25,6 +25,7 @@ TensorAxis = Literal["major", "minor", "max-abs", "tangent-major", "tangent-mino
 TensorOrder = Literal["vtk", "voigt", "plane"]
 View = Literal["stripes", "branches", "angle_error"]
 Tiles = Literal["whole", "cut"]
+Projection = Literal["perspective", "orthographic"]
 Up = Literal["x", "y", "z", "-x", "-y", "-z"]
 
 Error = _core.Error

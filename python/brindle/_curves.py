@@ -136,8 +136,8 @@ class Curves(Result):
         self._core.write(text, name, dict(point_data or {}))
 
     def draw(self, path: Any, **options: Any) -> None:
-        """Writes an SVG drawing without hidden lines; size, camera, up, colors and slice as in
-        ``brindle.render``."""
+        """Writes an SVG drawing without hidden lines; size, camera, projection, up, colors
+        and slice as in ``brindle.render``."""
         from ._pictures import draw_curves
         draw_curves(path_of(path), self, options)
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Union
 
 from . import _core
-from ._arguments import Error, Tiles, Up, View, flag, number, path_of, warn, whole_number, word
+from ._arguments import Error, Projection, Tiles, Up, View, flag, number, path_of, warn, whole_number, word
 from ._curves import Curves, Samples
 from ._stripes import Stripes
 from ._surface import Surface, as_surface
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 _STRIPE_COLOR = "#1c325a"
 _SAMPLE_COLOR = "#c7422b"
-_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "up": None, "colors": None, "light_from": None,
-            "slice": None}
+_OPTIONS = {"size": (1200, 900), "camera": (30, 20), "projection": None, "up": None, "colors": None,
+            "light_from": None, "slice": None}
 
 
 #: Whether this build draws pictures.
@@ -26,7 +26,8 @@ has_opengl: bool = _core.has_opengl
 
 
 def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
-               camera: Sequence[float] = (30, 20), up: Optional[Up] = None,
+               camera: Union[str, Sequence[float]] = (30, 20),
+               projection: Optional[Projection] = None, up: Optional[Up] = None,
                colors: Optional[Sequence[str]] = None,
                light_from: Optional[Sequence[float]] = None, slice: Optional[str] = None,
                **unknown: Any) -> "_core.Picture":
@@ -36,17 +37,22 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
     picture = _core.Picture()
     try:
         width, height = size
-        azimuth, elevation, *rest = camera
+        azimuth, elevation, *rest = (0, 0) if isinstance(camera, str) else camera
         zoom = rest[0] if rest else 1
         if len(rest) > 1:
             raise ValueError("too many numbers")
     except (TypeError, ValueError) as error:
-        raise Error("expected size=(width, height) and camera=(azimuth, elevation[, zoom])") from error
+        raise Error("expected size=(width, height) and camera=(azimuth, elevation[, zoom]) or a side "
+                    "such as 'front'") from error
     picture.set_size(whole_number(width, "size"), whole_number(height, "size"))
-    if up is None:
-        up = surface._core.up
-    picture.set_camera(number(azimuth, "camera"), number(elevation, "camera"),
-                       number(zoom, "camera"), word(up, "up"))
+    up = word(surface._core.up if up is None else up, "up")
+    if isinstance(camera, str):
+        picture.set_side(camera, up)
+    else:
+        picture.set_camera(number(azimuth, "camera"), number(elevation, "camera"),
+                           number(zoom, "camera"), up)
+    if projection is not None:
+        picture.set_projection(word(projection, "projection"))
     if colors is not None:
         picture.set_colors([word(color, "colors") for color in colors])
     if light_from is not None:
@@ -61,7 +67,8 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
 
 
 def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 900),
-           camera: Sequence[float] = (30, 20), up: Optional[Up] = None,
+           camera: Union[str, Sequence[float]] = (30, 20),
+           projection: Optional[Projection] = None, up: Optional[Up] = None,
            colors: Optional[Sequence[str]] = None, view: Optional[View] = None,
            stripe_width: Optional[float] = None, tile: Any = None, tiles: Optional[Tiles] = None,
            tube_radius: Optional[float] = None, transparent: bool = False,
@@ -71,8 +78,9 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     that of the tool with the same options.
 
     ``pattern``: Stripes, Texture, Curves, Samples or None, of this surface. ``size``: (width,
-    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; ``up``: the
-    axis that points up, x, y, z, -x, -y or -z; None: z for built-in shapes and .stl, else y. ``colors``: those of stripes,
+    height) in pixels. ``camera``: (azimuth, elevation) in degrees, and a zoom; or "front", "back",
+    "left", "right", "top" or "bottom", as in "front,2" with a zoom. ``projection``: "perspective"
+    (None) or "orthographic", which keeps parallel lines. ``up``: the axis that points up, x, y, z, -x, -y or -z; None: z for built-in shapes and .stl, else y. ``colors``: those of stripes,
     surface and background, like "#1c325a". ``view`` of stripes: "stripes", "branches" or
     "angle_error"; ``stripe_width``: share of the period, 0 to 1. ``tile`` of textures: "checker",
     "dots", "arrows" and so on, or an array of pixels; ``tiles``: "whole" leaves out those that a
@@ -87,8 +95,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     raises brindle.Error.
     """
     surface = as_surface(surface)
-    picture = picture_of(surface, size=size, camera=camera, up=up, colors=colors,
-                         light_from=light_from, slice=slice)
+    picture = picture_of(surface, size=size, camera=camera, projection=projection, up=up,
+                         colors=colors, light_from=light_from, slice=slice)
     picture.transparent = flag(transparent, "transparent")
     picture.shading = flag(shading, "shading")
     if not picture.shading and light_from is not None:

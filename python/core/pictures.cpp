@@ -42,6 +42,21 @@ void set_camera(Picture& picture, float azimuth, float elevation, float zoom,
   picture.options.camera = {azimuth, elevation, zoom, up_axis(up)};
 }
 
+void set_side(Picture& picture, const std::string& text, const std::string& up) {
+  const auto view = parse_camera_view(text, up_axis(up));
+  if (!view)
+    throw Error("camera: expected " + std::string(kCameraViewForm) + "; got '" + text + "'");
+  picture.options.camera = *view;
+}
+
+void set_projection(Picture& picture, const std::string& word) {
+  if (word != "perspective" && word != "orthographic") {
+    throw Error("projection: '" + word + "' is none of perspective, orthographic");
+  }
+  picture.options.camera.projection =
+      word == "perspective" ? Projection::perspective : Projection::orthographic;
+}
+
 void set_light_from(Picture& picture, float azimuth, float elevation) {
   if (!(elevation >= -90 && elevation <= 90) || !std::isfinite(azimuth)) {
     throw Error("light_from: give azimuth and elevation in degrees, elevation from -90 to 90");
@@ -147,6 +162,8 @@ void bind_pictures(py::module_& module) {
       .def(py::init<>())
       .def("set_camera", set_camera, py::arg("azimuth"), py::arg("elevation"), py::arg("zoom"),
            py::arg("up"))
+      .def("set_side", set_side, py::arg("side"), py::arg("up"))
+      .def("set_projection", set_projection, py::arg("projection"))
       .def("set_light_from", set_light_from, py::arg("azimuth"), py::arg("elevation"))
       .def("set_slice", set_slice, py::arg("slice"))
       .def("set_size", set_size, py::arg("width"), py::arg("height"))

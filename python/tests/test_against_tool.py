@@ -377,6 +377,8 @@ def test_points(tool, tmp_path):
     (["--camera", "60,-10,1.5", "--up", "y", "--colors", "#ff0000,#00ff00,#0000ff"],
      {"camera": (60, -10, 1.5), "up": "y", "colors": ("#ff0000", "#00ff00", "#0000ff")}),
     (["--up", "-x"], {"up": "-x"}),
+    (["--camera", "top", "--projection", "orthographic"], {"camera": "top", "projection": "orthographic"}),
+    (["--camera", "left,2"], {"camera": "left,2", "projection": "perspective"}),
     (["--light-from", "70,-15.5"], {"light_from": (70, -15.5)}),
     (["--slice", "z=40%"], {"slice": "z=40%"}),
     (["--slice=-x=0.1", "--view", "branches"], {"slice": "-x=0.1", "view": "branches"}),

@@ -403,7 +403,7 @@ def test_what_points_and_crosses_do_not_show(torus, tmp_path):
 def test_pictures(torus, tmp_path):
     p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
     for options in ({"size": (0, 5)}, {"size": (10**6, 10**6)}, {"size": 5}, {"camera": (1,)},
-                    {"camera": (0, 100)}, {"up": "w"}, {"colors": ("reddish", "blue")},
+                    {"camera": (0, 100)}, {"camera": "nowhere"}, {"projection": "flat"}, {"up": "w"}, {"colors": ("reddish", "blue")},
                     {"colors": ("#fff",)}, {"view": "nothing"}, {"stripe_width": 2},
                     {"tile": "dots"}, {"tube_radius": 1}, {"light_from": 5}, {"slice": "50%"}, {"slice": "0,0,0,0,0,0"}, {"light_from": (0, 95)},
                     {"light_from": (float("nan"), 0)},

@@ -80,6 +80,7 @@ def test_types_name_the_choices(torus):
             ("TensorAxis", lambda: torus.tensor_field(tensors, "x")),
             ("TensorOrder", lambda: torus.tensor_field(tensors, order="x")),
             ("View", lambda: brindle.render(torus, p, view="x")),
+            ("Projection", lambda: brindle.render(torus, p, projection="x")),
             ("Up", lambda: brindle.render(torus, p, up="w")),
             ("Tiles", lambda: brindle.render(torus, brindle.texture(torus, stripes=5), tiles="x"))):
         assert set(typing.get_args(getattr(_arguments, kind))) == named_by(call), kind
@@ -87,7 +88,7 @@ def test_types_name_the_choices(torus):
 
 def test_types_of_arguments_are_the_choices():
     """No argument that has choices is any text."""
-    choices = {"solver", "phase_shift", "weights", "match", "curvature", "axis", "view", "up", "tiles"}
+    choices = {"solver", "phase_shift", "weights", "match", "curvature", "axis", "view", "projection", "up", "tiles"}
     functions = [getattr(brindle, name) for name in brindle.__all__]
     for owner in [thing for thing in functions if isinstance(thing, type)]:
         functions += [value for value in vars(owner).values() if hasattr(value, "__annotations__")]
