@@ -81,6 +81,12 @@ TEST_F(PaperTool, DrawingsHaveTheSizeOfThePage) {
   }
 }
 
+TEST_F(PaperTool, PagesOfPdfHaveTheSize) {
+  if (!has(run({"--version"}).out, "Cairo")) GTEST_SKIP() << "this build writes no .pdf";
+  drawn({"--size", "297mmx210mm", "--output", "a.pdf"});
+  EXPECT_TRUE(has(content(folder / "a.pdf"), "MediaBox [ 0 0 841.88976")) << "72 points an inch";
+}
+
 TEST_F(PaperTool, PicturesHaveTheScaleInPixels) {
   const ToolResult result =
       run({"stripe", "shape:plane,width=60,height=40,resolution=24", "--camera", "top",
