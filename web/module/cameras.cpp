@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <emscripten/bind.h>
 
 #include "brindle/camera.h"
@@ -15,7 +17,19 @@ val camera_of(const SurfaceObject& object, val given) {
     CameraView view;
     view.azimuth_deg = float_of(given, "azimuth");
     view.elevation_deg = float_of(given, "elevation");
+    if (const std::string side = text_of(given, "side"); !side.empty()) {
+      // Without the parser of --camera, which makes the module heavier.
+      const auto* seen = std::find_if(kViewSides.begin(), kViewSides.end(),
+                                      [&](const ViewSide& known) { return known.name == side; });
+      if (seen == kViewSides.end()) {
+        throw Error("side must be one of front, back, left, right, top, bottom, not '" + side +
+                    "'");
+      }
+      view.azimuth_deg = seen->azimuth_deg;
+      view.elevation_deg = seen->elevation_deg;
+    }
     view.zoom = float_of(given, "zoom");
+    if (given["orthographic"].as<bool>()) view.projection = Projection::orthographic;
     const auto up = parse_up_axis(text_of(given, "up"));
     if (!up) {
       throw Error("up must be one of x, y, z, -x, -y, -z, not '" + text_of(given, "up") + "'");

@@ -87,12 +87,13 @@ val curves_file(const PatternObject& object, std::string format, bool join, floa
   });
 }
 
-val drawing(const PatternObject& object, val rotation, float zoom, int width, int height, bool join,
-            float trim, float fair) {
+val drawing(const PatternObject& object, val rotation, float zoom, bool orthographic, int width,
+            int height, bool join, float trim, float fair) {
   return guarded([&] {
     const Surface& surface = object.surface->surface;
     CameraView view;
     view.zoom = zoom;
+    if (orthographic) view.projection = Projection::orthographic;
     if (const std::vector<float> turn = floats_of(rotation); !turn.empty()) {
       view.rotation = Eigen::Quaternionf(turn[3], turn[0], turn[1], turn[2]);
     }

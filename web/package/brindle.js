@@ -10,6 +10,9 @@ import { Brindle as RealtimeBrindle, frameInput, frameOptions, frequencyOptions,
 export { BrindleError };
 export { Animator } from './realtime.js';
 
+const projections = ['perspective', 'orthographic'];
+const isOrthographic = (projection) => choice(projection, projections, 'projection') === 'orthographic';
+
 export class Surface extends RealtimeSurface {
   constructor(module, raw) {
     super(module, raw);
@@ -57,10 +60,14 @@ export class Surface extends RealtimeSurface {
   }
 
   camera(given) {
-    const o = options(given, { azimuth: 30, elevation: 20, zoom: 1, up: 'y', width: 800, height: 600 }, 'camera');
+    const o = options(given, { azimuth: 30, elevation: 20, side: '', zoom: 1, projection: projections[0], up: 'y', width: 800, height: 600 },
+      'camera');
+    if (o.side !== '' && (given.azimuth ?? given.elevation) !== undefined) fail('side excludes azimuth and elevation');
     if (Math.abs(o.elevation) > 90) fail('elevation must be from -90 to 90');
     if (!(o.zoom > 0 && o.width > 0 && o.height > 0)) fail('zoom, width and height must be above 0');
-    return { ...this.module.camera(this.raw, { ...o, up: String(o.up) }), zoom: o.zoom, width: o.width, height: o.height };
+    const orthographic = isOrthographic(o.projection);
+    const seen = this.module.camera(this.raw, { ...o, side: String(o.side), up: String(o.up), orthographic });
+    return { ...seen, zoom: o.zoom, projection: o.projection, width: o.width, height: o.height };
   }
 
   patternOf(raw) {
@@ -68,8 +75,9 @@ export class Surface extends RealtimeSurface {
   }
 }
 
-// What a camera gives; drawings need but the last four.
-const seen = { viewFromWorld: undefined, clipFromView: undefined, up: undefined, rotation: undefined, zoom: 1, width: 800, height: 600 };
+// Camera results; drawings need only the last five.
+const seen = { viewFromWorld: undefined, clipFromView: undefined, up: undefined, rotation: undefined, zoom: 1,
+  projection: projections[0], width: 800, height: 600 };
 const curveOptions = { join: false, trim: NaN, fair: 0 };  // NaN: as the library has it
 
 export class Pattern extends RealtimePattern {
@@ -86,9 +94,9 @@ export class Pattern extends RealtimePattern {
   }
   svg(given) {
     const o = options(given, { camera: undefined, ...curveOptions }, 'svg');
-    const { rotation, zoom, width, height } = options(o.camera, seen, 'camera of svg');
+    const { rotation, zoom, projection, width, height } = options(o.camera, seen, 'camera of svg');
     const turn = rotation && floats(rotation, 4, 'rotation');
-    return this.module.drawing(this.raw, turn, zoom, width, height, o.join, o.trim, o.fair);
+    return this.module.drawing(this.raw, turn, zoom, isOrthographic(projection), width, height, o.join, o.trim, o.fair);
   }
 }
 

@@ -171,12 +171,19 @@ export class Surface extends Owned {
   textureAnimator(options?: TextureAnimatorOptions): TextureAnimator;
 }
 
+/** Orthographic keeps parallel lines. */
+export type Projection = 'perspective' | 'orthographic';
+
 export interface CameraOptions {
   /** Degrees; default 30 and 20. A larger azimuth moves the camera counter-clockwise, seen from above. */
   azimuth?: number;
   elevation?: number;
+  /** Instead of azimuth and elevation. */
+  side?: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
   /** Default 1. */
   zoom?: number;
+  /** Default 'perspective'. */
+  projection?: Projection;
   /** The axis that points up; 'y' if left out. */
   up?: 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
   /** Pixels of the picture; 800 and 600 if left out. */
@@ -188,6 +195,7 @@ export interface CameraOptions {
 export interface DrawnView {
   rotation?: Numbers;
   zoom?: number;
+  projection?: Projection;
   width?: number;
   height?: number;
 }
@@ -200,6 +208,7 @@ export interface CameraView {
   up: Float32Array;
   rotation: Float32Array;
   zoom: number;
+  projection: Projection;
   width: number;
   height: number;
 }

@@ -355,6 +355,13 @@ test("a camera is the tool's", () => {
   // From -y and a quarter counter-clockwise: from +x, with z up.
   assert.ok(Math.abs(viewFromWorld[2] - 1) < 1e-6 && Math.abs(viewFromWorld[9] - 1) < 1e-6 && Math.abs(up[1] - 1) < 1e-6);
   assert.ok(sphere.camera({ zoom: 2 }).clipFromView[0] / sphere.camera().clipFromView[0] - 2 < 1e-6);
+  const top = sphere.camera({ side: 'top', projection: 'orthographic' });
+  assert.deepEqual(top.rotation, sphere.camera({ azimuth: 0, elevation: 90 }).rotation);
+  assert.deepEqual([top.projection, top.clipFromView[15]], ['orthographic', 1]);
+  assert.equal(sphere.camera().clipFromView[15], 0);
+  refused(() => sphere.camera({ side: '30,20' }), /side must be one of front, back, left, right, top, bottom, not '30,20'/);
+  refused(() => sphere.camera({ side: 'top', azimuth: 0 }), /side excludes azimuth and elevation/);
+  refused(() => sphere.camera({ projection: 'flat' }), /projection must be perspective or orthographic, not 'flat'/);
   refused(() => sphere.camera({ elevation: 91 }), /elevation must be/);
   refused(() => sphere.camera({ up: 'w' }), /up must be one of x, y, z, -x, -y, -z, not 'w'/);
   refused(() => sphere.camera({ width: 0 }), /above 0/);
@@ -521,6 +528,7 @@ test('curves and drawings are files of the library', () => {
   assert.equal(drawn(camera), drawn({ rotation: [...rotation], zoom, width, height }));
   assert.equal(drawn(torus.camera()), drawn(undefined));
   assert.notEqual(drawn(camera), drawn(torus.camera({ width, height })));
+  assert.notEqual(drawn(camera), drawn({ ...camera, projection: 'orthographic' }));
   refused(() => pattern.svg({ camera: { azimuth: 70 } }), /camera of svg knows no option 'azimuth'/);
   refused(() => pattern.svg({ camera: { rotation: [1, 2] } }), /rotation must have 4 numbers/);
   for (const format of ['ply', 'vtp', 'csv']) assert.ok(pattern.curvesFile(format).length > 1000, format);

@@ -22,7 +22,7 @@ async function here(gl: WebGL2RenderingContext): Promise<Curves> {
   const measured = surface.measuredField(surface.array(surface.arrays[0].name), { stripes: 20 });
   surface.stripes(surface.arrayField('flow', { rotate: 90, oriented: true })).dispose();
   const said: string[] = [...surface.subdivided(1).stripes(field).warnings, ...surface.texture(field, { tile: 'dots' }).warnings];
-  pattern.svg({ camera: surface.camera({ up: '-z' }), join: true });
+  pattern.svg({ camera: surface.camera({ side: 'top', projection: 'orthographic', up: '-z' }), join: true });
   pattern.svg({ camera: { rotation: [0, 0, 0, 1], width: 400 } });
   pattern.curvesFile('vtp');
   // @ts-expect-error a name, not a format
