@@ -12,6 +12,7 @@
 #include "brindle/crease_slip.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
+#include "brindle/field_index.h"
 #include "brindle/frequency_field.h"
 #include "brindle/normals.h"
 #include "brindle/pattern_warnings.h"
@@ -199,6 +200,18 @@ TEST(CreasedShapes, HaveNoBranchesOnFlatFaces) {
         }
       }
     }
+  }
+}
+
+TEST(CreasedShapes, HaveNoMoreSingularitiesOfCrossFieldsThanWithoutCreases) {
+  for (const std::string shape : {"bracket", "gear", "box,resolution=20"}) {
+    const auto count = [&](const Surface& surface) {
+      SmoothFieldOptions options;
+      options.symmetry = 4;
+      return count_singularities(surface.mesh, smooth_direction_field(surface, options), 4);
+    };
+    const Mesh mesh = subdivide(make_shape(shape), 1);
+    EXPECT_LE(count(with_creases(mesh)), count(make_surface(mesh))) << shape;
   }
 }
 
