@@ -14,8 +14,6 @@
 
 namespace BRINDLE_EXPORT brindle {
 
-class Stopwatch;
-
 /// Solvers that let a frame's phases follow the last frame's.
 enum class FrameSolver {
   multilevel,  ///< a full descent, attracted to the last phases by anchors of weight lambda
@@ -131,7 +129,6 @@ class StripeAnimator {
   void keep(const FrameInput& input, FrameResult& solved);
   void take_back(const FrameResult& solved);
   void start(const Progress& progress);
-  FrameMilliseconds solve_next(Stopwatch& watch, const Progress& progress);
   void take_phases_back();
   Pimpl<State> state_;
 };

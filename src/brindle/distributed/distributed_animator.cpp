@@ -62,24 +62,14 @@ struct DistributedStripeAnimator::State {
       whole;  ///< if rank 0 solves alone; otherwise the following members are used
 
   std::optional<RankHierarchy> hierarchy;  ///< empty before the first frame
-  bool has_last = false;   ///< whether the next frame continues one; even on ranks without vertices
-  bool has_given = false;  ///< whether it continues given phases
-  std::vector<Complex> given_z;                      ///< of own vertices and ghosts
-  WaveSet input;                                     ///< of own vertices and ghosts
-  std::vector<SlicedWave> waves, cancellable_waves;  ///< as in StripeAnimator
-  std::vector<float> weights;                        ///< by entry; empty: all 1
-  std::vector<float> degree;
-  std::vector<Complex> last_z;  ///< by slot
-  std::vector<Complex> z_by_node;
-  Momentum momentum;
-  std::shared_ptr<const RankRows> rows;  ///< of the spacing tolerance over several ranks
-  FrameFrequencies yielding;             ///< of own vertices and ghosts
+  FramePhases phases;                      ///< of own vertices and ghosts
+  WaveSet input;                           ///< of own vertices and ghosts
+  std::shared_ptr<const RankRows> rows;    ///< of the spacing tolerance over several ranks
+  FrameFrequencies yielding;               ///< of own vertices and ghosts
   DistributedFigures figures;
 
   Communicator& ranks() const { return *surface->ranks; }
   Level& finest() { return hierarchy->finest(); }
-  std::vector<SlicedWave>& next_waves() { return options.cycles > 0 ? cancellable_waves : waves; }
-  bool descends() const { return options.solver == FrameSolver::multilevel || !has_last; }
 
   void take_slack();
   void take_own(const FrameInput& frame);
@@ -90,14 +80,10 @@ struct DistributedStripeAnimator::State {
   bool is_kept() const;
   FrameInput yielded(const Progress& progress);
   void start();
-  void take_given();
   void keep(std::span<const Complex> z, std::span<const float> frequencies);
   FrameResult kept_frame(const FrameResult& solved) const;
   FrameResult frame_of_whole(const FrameInput& frame, const Progress& progress);
   FrameResult frame_of_pieces(const FrameInput& frame, const Progress& progress);
-  FrameMilliseconds solve_next(const Progress& progress);
-  void couple_next();
-  void iterate();
   void take_back();
 
   /// Values of all vertices; only those of own ones, or also of ghosts, are set.
@@ -198,7 +184,7 @@ FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
 
 /// Whether the input equals the last frame's on all ranks, with a spacing tolerance.
 bool DistributedStripeAnimator::State::is_kept() const {
-  return has_last && !has_given && yielding.yields() &&
+  return phases.has_last && !phases.has_given && yielding.yields() &&
          !ranks().any(!yielding.is_kept(input_of_nodes()));
 }
 
@@ -219,24 +205,13 @@ void DistributedStripeAnimator::State::start() {
   Stopwatch watch;
   hierarchy.emplace(ranks(), surface->graph, options.gather_below);
   const SlicedLayout& layout = finest().layout();
-  waves.reserve(layout.slot_count());
-  if (options.cycles > 0) cancellable_waves.reserve(layout.slot_count());
-  if (options.solver == FrameSolver::relaxation) momentum.m.resize(layout.slot_count());
-  degree.resize(layout.slot_count());
+  phases.start(layout);
   if (options.weights == EdgeWeights::cotangent) {
     const Adjacency& adjacency = *surface->graph.adjacency;
-    weights = sliced_weights(layout, adjacency,
-                             cotangent_weights(triangles_around_own(*surface), adjacency));
+    phases.weights = sliced_weights(layout, adjacency,
+                                    cotangent_weights(triangles_around_own(*surface), adjacency));
   }
-  figures.topology_milliseconds = watch.lap();
-}
-
-/// Makes given phases the last ones.
-void DistributedStripeAnimator::State::take_given() {
-  const SlicedLayout& layout = finest().layout();
-  last_z.assign(layout.slot_count(), Complex(0));
-  to_slots(layout, given_z, last_z);
-  has_last = true;
+  phases.topology_milliseconds = watch.lap();
 }
 
 /// Makes the solved frame the last one; it has values of own vertices, and often of ghosts.
@@ -273,7 +248,8 @@ DistributedStripeAnimator::DistributedStripeAnimator(const DistributedSurface& s
     state_->whole.emplace(*state_->surface, options);
   }
   state_->take_slack();
-  state_->momentum.strength = SolverOptions().momentum;
+  state_->phases = FramePhases(options);
+  state_->phases.may_be_taken_back = options.cycles > 0;
 }
 
 DistributedStripeAnimator::~DistributedStripeAnimator() = default;
@@ -312,115 +288,44 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
   FrameResult unchanged;
   unchanged.unchanged = true;
   unchanged.frequency_change = yielding.change();
-  Stopwatch watch;
+  FrameClock clock;
   take_own(frame);
   take_ghosts();
   check_values(frame);
-  const double exchange_milliseconds = watch.lap();
+  clock.add(&FrameMilliseconds::couple);
   if (is_kept()) return kept_frame(unchanged);
   const FrameInput next = yielded(progress);
-  const double yield_milliseconds = watch.lap();
+  clock.add(&FrameMilliseconds::frequency);
   start();
-  watch.lap();
-  // Given phases belong to this frame's directions and need no turn.
-  const bool loaded_new =
-      load_waves(finest().layout(), next.positions, next.directions, next.frequencies, next_waves(),
-                 waves, has_given ? std::span<Complex>() : std::span(last_z), momentum.m);
-  // A rank without vertices always sees no change.
-  const bool changed = ranks().any(loaded_new && surface->graph.own > 0);
-  if (has_given) {
-    take_given();
-  } else if (has_last && !changed) {
+  clock.lap();
+  const bool is_first = !phases.has_last;
+  const bool loaded_new = phases.load(finest(), next);
+  // A rank without vertices always sees a change.
+  if (!ranks().any(loaded_new && (is_first || surface->graph.own > 0))) {
     return kept_frame(unchanged);
   }
-  const double load_milliseconds = watch.lap();
-  FrameResult result;
   try {
-    result.milliseconds = solve_next(progress);
+    phases.solve(*hierarchy, options, clock, progress);
   } catch (...) {
     take_back();
     throw;
   }
-  watch.lap();
-  if (has_last) {
-    result.phase_step = ranks().sum(phase_steps(finest().z, last_z, degree)).mean();
-  }
-  const SlicedLayout& layout = finest().layout();
-  last_z.assign(finest().z.begin(), finest().z.begin() + layout.slot_count());
-  to_nodes(layout, last_z, z_by_node);
-  if (options.cycles > 0) std::swap(waves, cancellable_waves);
+  FrameResult result;
+  result.phase_step = ranks().sum(phases.steps(finest())).mean();
+  phases.keep(finest());
   if (yields) yielding.keep(input_of_nodes());
-  keep(z_by_node, yielding.frequencies());
-  has_last = true;
-  has_given = false;
+  keep(phases.z_by_node, yielding.frequencies());
   result.frequency_change = yielding.change();
-  result.milliseconds.frequency = yield_milliseconds;
-  result.milliseconds.couple += exchange_milliseconds + load_milliseconds;
-  result.milliseconds.solve += watch.lap();
+  clock.add(&FrameMilliseconds::solve);
+  result.milliseconds = clock.spent;
   return kept_frame(result);
-}
-
-/// Solves from the next waves to phases of the finest level.
-FrameMilliseconds DistributedStripeAnimator::State::solve_next(const Progress& progress) {
-  FrameMilliseconds milliseconds;
-  Stopwatch watch;
-  couple_next();
-  milliseconds.couple = watch.lap();
-  const bool builds = !hierarchy->is_coarsened();
-  if (builds) {
-    hierarchy->coarsen(progress);
-    figures.topology_milliseconds += watch.lap();
-  }
-  if (descends() && !builds) hierarchy->renew();
-  milliseconds.sum = watch.lap();
-  if (descends()) {
-    const SweepPlan plan =
-        builds ? SweepPlan::for_new_levels(options.sweeps, hierarchy->slots_of_all())
-               : options.sweeps;
-    hierarchy->descend(plan);
-    hierarchy->run_cycles(plan, options.cycles, progress);
-    figures.sweeps = plan.on_level(hierarchy->slots_of_all()).count * (1 + options.cycles);
-  } else {
-    iterate();
-  }
-  milliseconds.solve = watch.lap();
-  return milliseconds;
-}
-
-void DistributedStripeAnimator::State::couple_next() {
-  Level& level = finest();
-  couple(level.layout(), next_waves(), options.phase_shift, weights, level.couplings, degree);
-  const bool anchored = has_last && options.lambda > 0 && options.solver == FrameSolver::multilevel;
-  if (anchored) {
-    set_anchors(degree, last_z, options.lambda, level.couplings.anchor);
-  } else {
-    level.couplings.anchor.clear();
-  }
-}
-
-/// The paper's iterations, starting from the last phases.
-void DistributedStripeAnimator::State::iterate() {
-  std::ranges::transform(last_z, finest().z.begin(),
-                         [](const Complex& z) { return z == Complex(0) ? kPeak : z; });
-  for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    hierarchy->relax(momentum);
-  }
 }
 
 /// Restores the state before a frame that failed or was cancelled.
 void DistributedStripeAnimator::State::take_back() {
-  if (has_frame) {
-    Level& level = finest();
-    turn_phases(waves, next_waves(), last_z);
-    turn_phases(waves, next_waves(), momentum.m);
-    couple(level.layout(), waves, options.phase_shift, weights, level.couplings, degree);
-    to_slots(level.layout(), z_by_node, level.z);
-  } else {
-    // Aggregates are those of the first completed frame.
-    hierarchy.reset();
-    waves.clear();
-    has_last = false;
-  }
+  phases.take_back(finest());
+  // Aggregates are those of the first completed frame.
+  if (!has_frame) hierarchy.reset();
 }
 
 double DistributedStripeAnimator::energy() const {
@@ -476,14 +381,14 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
 void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
   State& s = *state_;
   s.ranks().throw_on_all([&] { check_last_phases(z, s.surface->vertex_of_piece.size()); });
-  s.given_z.assign(s.surface->graph.node_count(), Complex(0));
+  std::vector<Complex> given(s.surface->graph.node_count(), Complex(0));
   for (std::size_t p = 0; p < z.size(); ++p) {
     const Index v = s.surface->vertex_of_piece[p];
-    if (v < s.surface->graph.own) s.given_z[v] = z[p];
+    if (v < s.surface->graph.own) given[v] = z[p];
   }
-  if (s.whole) return s.whole->set_last_phases(std::span(s.given_z).first(s.surface->graph.own));
-  exchange(s.ranks(), s.surface->graph.halo, std::span(s.given_z));
-  s.has_given = true;
+  if (s.whole) return s.whole->set_last_phases(std::span(given).first(s.surface->graph.own));
+  exchange(s.ranks(), s.surface->graph.halo, std::span(given));
+  s.phases.give(given);
 }
 
 void DistributedStripeAnimator::set_slack(const Slack& slack) {
@@ -505,10 +410,8 @@ void DistributedStripeAnimator::set_slack(const Slack& slack) {
 void DistributedStripeAnimator::restart() {
   State& s = *state_;
   if (s.whole) return s.whole->restart();
-  s.last_z.clear();
-  s.has_last = s.has_given = false;
+  s.phases.restart();
   s.yielding.restart();
-  std::ranges::fill(s.momentum.m, Complex(0));
 }
 
 DistributedFigures DistributedStripeAnimator::figures() const {
@@ -519,6 +422,8 @@ DistributedFigures DistributedStripeAnimator::figures() const {
     figures.topology_milliseconds = s.whole->topology_milliseconds();
     figures.sweeps = s.whole->sweeps();
   } else if (s.has_frame) {
+    figures.topology_milliseconds = s.phases.topology_milliseconds;
+    figures.sweeps = s.phases.sweeps;
     figures.distributed_levels = s.hierarchy->distributed_levels();
     figures.halo_bytes = s.hierarchy->halo_bytes(s.options.sweeps);
   }

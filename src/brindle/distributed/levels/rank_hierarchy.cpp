@@ -252,7 +252,7 @@ void RankHierarchy::descend_from(Complex start, SweepPlan plan) {
   }
 }
 
-void RankHierarchy::descend(SweepPlan plan) {
+void RankHierarchy::descend(SweepPlan plan, const Progress&) {
   if (gathered_) {
     gathered_->descend(ranks_, plan, hierarchy_.levels.back());
   }

@@ -28,10 +28,10 @@ class RankHierarchy {
   bool is_coarsened() const { return is_coarsened_; }
 
   /// As the functions of the same names in phases/hierarchy.h and phases/multilevel.h. If
-  /// `progress` throws on one rank, all ranks throw.
+  /// `progress` throws on one rank, all ranks throw; `descend` reports nothing.
   void coarsen(const Progress& progress = {});
   void renew();
-  void descend(SweepPlan plan);
+  void descend(SweepPlan plan, const Progress& progress = {});
   void run_cycles(SweepPlan plan, int cycles, const Progress& progress);
 
   /// One iteration of the paper's relaxation over all colours of the finest level.

@@ -25,8 +25,7 @@ PhaseSteps steps_of_slice(const Complex* z, const Complex* last_z, const float* 
   return steps;
 }
 
-}  // namespace
-
+/// T_i = lambda deg_i z_i of the last frame, by slot.
 void set_anchors(std::span<const float> degree, std::span<const Complex> last_z, float lambda,
                  std::vector<Complex>& anchor) {
   anchor.resize(degree.size());
@@ -37,6 +36,7 @@ void set_anchors(std::span<const float> degree, std::span<const Complex> last_z,
   });
 }
 
+/// Arrays are by slot, in whole slices. A slot with degree 0 has no wave.
 PhaseSteps phase_steps(std::span<const Complex> z, std::span<const Complex> last_z,
                        std::span<const float> degree) {
   return parallel_sum<PhaseSteps>(
@@ -52,6 +52,8 @@ PhaseSteps phase_steps(std::span<const Complex> z, std::span<const Complex> last
       kSliceGrain);
 }
 
+}  // namespace
+
 FramePhases::FramePhases(const AnimatorOptions& options)
     : solver(options.solver),
       lambda(options.lambda),
@@ -60,13 +62,30 @@ FramePhases::FramePhases(const AnimatorOptions& options)
   momentum.strength = SolverOptions().momentum;
 }
 
+void FramePhases::start(const SlicedLayout& layout) {
+  const Index slots = layout.slot_count();
+  waves.reserve(slots);
+  if (may_be_taken_back) cancellable_waves.reserve(slots);
+  last_z.resize(slots);  // touches its pages now, not in the first `keep`
+  last_z.clear();
+  has_last = false;
+  z_by_node.resize(layout.slot_of.size());
+  if (solver == FrameSolver::relaxation) momentum.m.resize(slots);
+  degree.resize(slots);
+}
+
+void FramePhases::give(std::span<const Complex> z) {
+  given_z.assign(z.begin(), z.end());
+  has_given = true;
+}
+
 bool FramePhases::load(const Level& finest, const FrameInput& input) {
   const SlicedLayout& layout = finest.layout();
   has_iterated = false;
   const bool changed =
       load_waves(layout, input.positions, input.directions, input.frequencies, next_waves(), waves,
-                 has_given() ? std::span<Complex>() : std::span(last_z), momentum.m);
-  if (!has_given()) return changed || !has_last;
+                 has_given ? std::span<Complex>() : std::span(last_z), momentum.m);
+  if (!has_given) return changed || !has_last;
   last_z.assign(layout.slot_count(), Complex(0));
   to_slots(layout, given_z, last_z);
   has_last = true;
@@ -112,7 +131,7 @@ void FramePhases::keep(const Level& finest) {
   last_z.assign(finest.z.begin(),
                 finest.z.begin() + static_cast<std::ptrdiff_t>(layout.slot_count()));
   to_nodes(layout, last_z, z_by_node);
-  given_z.clear();
+  has_given = false;
   if (may_be_taken_back) std::swap(waves, cancellable_waves);
   std::swap(normals, next_normals);
   has_frame = has_last = true;
@@ -129,8 +148,7 @@ void FramePhases::take_back(Level& finest) {
 
 void FramePhases::restart() {
   last_z.clear();
-  given_z.clear();
-  has_last = false;
+  has_last = has_given = false;
   ranges::fill(momentum.m, Complex(0));
 }
 

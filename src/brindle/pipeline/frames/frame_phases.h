@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "brindle/phases/hierarchy.h"
+#include "brindle/base/stopwatch.h"
+#include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/progress.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/types.h"
 
@@ -24,23 +26,24 @@ struct PhaseSteps {
   double mean() const { return count > 0 ? angle / count : 0; }
 };
 
-/// T_i = lambda deg_i z_i of the last frame, by slot.
-void set_anchors(std::span<const float> degree, std::span<const Complex> last_z, float lambda,
-                 std::vector<Complex>& anchor);
+/// Times the stages of a frame.
+struct FrameClock : Stopwatch {
+  FrameMilliseconds spent;
 
-/// Arrays are by slot, in whole slices. A slot with degree 0 has no wave.
-PhaseSteps phase_steps(std::span<const Complex> z, std::span<const Complex> last_z,
-                       std::span<const float> degree);
+  /// Adds the time since the last stage.
+  void add(double FrameMilliseconds::*stage) { spent.*stage += lap(); }
+};
 
 /// A frame is coupled, solved, then kept or rolled back; until then the last frame stays intact.
-/// Phases and waves are by slot of the finest level. Reserve `waves` and `momentum` for its slots
-/// before the first frame.
+/// Phases and waves are by slot of the finest level.
 struct FramePhases {
   explicit FramePhases(const AnimatorOptions& options = {});
 
-  bool has_given() const { return !given_z.empty(); }
-  /// Whether the next frame is solved by descent, not by the paper's iterations.
-  bool descends() const { return solver == FrameSolver::multilevel || !has_last; }
+  /// Allocates all buffers for a new finest level, so that frames allocate nothing.
+  void start(const SlicedLayout& layout);
+
+  /// Makes these phases, by node, the last ones of the next frame.
+  void give(std::span<const Complex> z);
 
   /// Loads the next waves. Last phases are flipped with reversed waves. Given phases belong to the
   /// new directions and replace the last ones. Returns whether anything has changed.
@@ -49,12 +52,12 @@ struct FramePhases {
   /// Sets the normals of the next waves; only used for links across creases.
   void load_normals(std::span<const Vec3> normals_by_node);
 
-  /// Couples the next waves and anchors them to the last phases, if any.
-  void couple_next(Level& finest);
-
-  /// The paper's iterations, starting from the last phases, or from the peak where there are none.
-  /// `relax(momentum)` is one iteration.
-  void iterate(Level& finest, const std::function<void(Momentum&)>& relax);
+  /// Solves for phases of the finest level from the next waves, by a descent, which builds coarser
+  /// levels at first, or by the paper's iterations. `levels` is a RankHierarchy or has its
+  /// functions.
+  template <class Levels>
+  void solve(Levels& levels, const AnimatorOptions& options, FrameClock& clock,
+             const Progress& progress);
 
   /// Phase distances between the solution and the last frame.
   PhaseSteps steps(const Level& finest) const;
@@ -76,6 +79,7 @@ struct FramePhases {
   /// their waves then overwrite the last ones, which saves memory.
   bool may_be_taken_back = false;
   bool has_frame = false;                     ///< whether a frame has been completed
+  bool has_given = false;                     ///< whether given_z replaces last_z in the next frame
   bool has_last = false;                      ///< whether the next frame has last phases
   std::vector<SlicedWave> waves;              ///< of the last frame
   std::vector<SlicedWave> cancellable_waves;  ///< of the next frame, if reversible
@@ -84,15 +88,47 @@ struct FramePhases {
   std::vector<Vec3> normals, next_normals;    ///< by node, for `linked`
   std::vector<float> degree;                  ///< by slot: sum of weights
   std::vector<Complex> last_z;
-  std::vector<Complex> given_z;  ///< by node: replaces last_z in the next frame; empty: none
+  std::vector<Complex> given_z;  ///< by node
   std::vector<Complex> z_by_node;
   Momentum momentum;
   std::vector<Complex> last_momentum;  ///< for rolling back; valid if has_iterated
   bool has_iterated = false;           ///< whether the frame has changed `momentum`
+  int sweeps = 0;                      ///< over the finest level in the last descent, with cycles
+  double topology_milliseconds = 0;    ///< to build levels
 
  private:
+  /// Whether the next frame is solved by descent, not by the paper's iterations.
+  bool descends() const { return solver == FrameSolver::multilevel || !has_last; }
+  /// Couples the next waves and anchors them to the last phases, if any.
+  void couple_next(Level& finest);
+  /// The paper's iterations, starting from the last phases, or from the peak where there are none.
+  /// `relax(momentum)` is one iteration.
+  void iterate(Level& finest, const std::function<void(Momentum&)>& relax);
   void couple_to(Level& finest, std::span<const SlicedWave> of, std::span<const Vec3> normals_of);
   std::vector<SlicedWave>& next_waves() { return may_be_taken_back ? cancellable_waves : waves; }
 };
+
+template <class Levels>
+void FramePhases::solve(Levels& levels, const AnimatorOptions& options, FrameClock& clock,
+                        const Progress& progress) {
+  couple_next(levels.finest());
+  clock.add(&FrameMilliseconds::couple);
+  const bool builds = !levels.is_coarsened();
+  if (builds) {
+    levels.coarsen(progress.part(0, 0.6));
+    topology_milliseconds += clock.lap();
+  }
+  if (descends() && !builds) levels.renew();
+  clock.add(&FrameMilliseconds::sum);
+  if (!descends()) {
+    return iterate(levels.finest(), [&](Momentum& m) { levels.relax(m); });
+  }
+  const Index slots = levels.slots_of_all();
+  const SweepPlan plan =
+      builds ? SweepPlan::for_new_levels(options.sweeps, slots) : SweepPlan(options.sweeps);
+  levels.descend(plan, progress.part(0.6, 0.7));
+  levels.run_cycles(plan, options.cycles, progress.part(0.7, 1));
+  sweeps = plan.on_level(slots).count * (1 + options.cycles);
+}
 
 }  // namespace brindle

@@ -19,7 +19,6 @@ struct StripeAnimator::State {
   std::shared_ptr<const Adjacency> neighborhood;
   std::shared_ptr<const Adjacency> coupled;  ///< with links across creases, if any
   AnimatorOptions options;
-  double topology_milliseconds = 0;
 
   Hierarchy hierarchy = {};  ///< empty before the first frame
   bool is_sibling = false;   ///< whether the hierarchy came from another animator
@@ -33,6 +32,36 @@ struct StripeAnimator::State {
 };
 
 namespace {
+
+/// The levels of one process, with the functions of a RankHierarchy.
+struct WholeLevels {
+  Hierarchy& hierarchy;
+
+  Level& finest() { return hierarchy.levels[0]; }
+  Index slots_of_all() { return finest().layout().slot_count(); }
+  bool is_coarsened() const { return hierarchy.levels.size() > 1; }
+  void coarsen(const Progress& progress) { brindle::coarsen(hierarchy, progress); }
+  void renew() { brindle::renew(hierarchy); }
+  void descend(SweepPlan plan, const Progress& progress) {
+    brindle::descend(hierarchy, plan, progress);
+  }
+  void run_cycles(SweepPlan plan, int cycles, const Progress& progress) {
+    brindle::run_cycles(hierarchy, plan, cycles, progress);
+  }
+  void relax(Momentum& momentum) {
+    Level& level = finest();
+    for (Index color = 0; color < level.layout().color_count(); ++color) {
+      relax_color(level.layout(), level.couplings, level.z, momentum, color);
+    }
+  }
+};
+
+/// For the next frames, so that they allocate nothing.
+void reserve_anchors(Hierarchy& hierarchy) {
+  for (Level& level : hierarchy.levels) {
+    level.couplings.anchor.reserve(level.layout().slot_count());
+  }
+}
 
 FrameResult unchanged_result() {
   FrameResult result;
@@ -101,29 +130,31 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   // A listener may cancel the frame.
   if (heard.is_heard()) allow_take_back();
   s.has_yielded = false;
-  const bool follows = s.phases.has_last && !s.phases.has_given();
+  const bool follows = s.phases.has_last && !s.phases.has_given;
   if (follows && s.yielding.is_kept(input)) return unchanged_result();
-  Stopwatch watch;
+  FrameClock clock;
   const Progress progress = progress_of_frame(heard);
   const FrameInput yielded = s.yielding.yielded(input, progress.part(0, 0.3));
   s.has_yielded = true;
   progress.report(0.3);
-  const double yield_milliseconds = watch.lap();
+  clock.add(&FrameMilliseconds::frequency);
   start(progress.part(0.3, 0.4));
-  watch.lap();
+  clock.lap();
   if (!s.phases.load(s.finest(), yielded)) return unchanged_result();
   if (s.coupled != s.neighborhood) s.phases.load_normals(normals_of(input, s.in_place, s.moving));
-  FrameResult result;
   try {
-    result.milliseconds = solve_next(watch, progress.part(0.4, 1));
+    WholeLevels levels{s.hierarchy};
+    s.phases.solve(levels, s.options, clock, progress.part(0.4, 1));
+    if (!s.phases.has_last && s.options.lambda > 0) reserve_anchors(s.hierarchy);
     if (s.coupled != s.neighborhood && !s.phases.has_last) sew(yielded);
   } catch (...) {
     take_phases_back();
     throw;
   }
+  FrameResult result;
   result.phase_step = s.phases.steps(s.finest()).mean();
-  result.milliseconds.solve = watch.lap();
-  result.milliseconds.frequency = yield_milliseconds;
+  clock.add(&FrameMilliseconds::solve);
+  result.milliseconds = clock.spent;
   return result;
 }
 
@@ -156,7 +187,7 @@ void StripeAnimator::take_back(const FrameResult& solved) {
   if (!solved.unchanged) take_phases_back();
 }
 
-/// Builds the finest level and all buffers, so that frames allocate nothing.
+/// Builds the finest level and all buffers.
 void StripeAnimator::start(const Progress& progress) {
   State& s = *state_;
   FramePhases& phases = s.phases;
@@ -165,59 +196,14 @@ void StripeAnimator::start(const Progress& progress) {
   const bool builds = s.hierarchy.levels.empty();
   if (builds) s.hierarchy = finest_level(*s.coupled, progress);
   const SlicedLayout& layout = s.finest().layout();
-  phases.waves.reserve(layout.slot_count());
-  if (phases.may_be_taken_back) phases.cancellable_waves.reserve(layout.slot_count());
-  phases.last_z.resize(layout.slot_count());  // touches its pages now, not in the first `keep`
-  phases.last_z.clear();
-  phases.has_last = false;
-  phases.z_by_node.resize(layout.slot_of.size());
+  phases.start(layout);
   if (!s.options.edge_weights.empty()) {
     phases.weights = sliced_weights(layout, *s.coupled, s.options.edge_weights);
   }
   if (s.coupled != s.neighborhood) {
     phases.linked = take_linked_entries(layout, *s.coupled, s.in_place.positions, phases.weights);
   }
-  if (s.options.solver == FrameSolver::relaxation) phases.momentum.m.resize(layout.slot_count());
-  phases.degree.resize(layout.slot_count());
-  if (builds) s.topology_milliseconds = watch.lap();
-}
-
-/// Solves for phases of the finest level from the next waves.
-FrameMilliseconds StripeAnimator::solve_next(Stopwatch& watch, const Progress& progress) {
-  State& s = *state_;
-  FrameMilliseconds milliseconds;
-  progress.report(0);
-  s.phases.couple_next(s.finest());
-  milliseconds.couple = watch.lap();
-  progress.tick();
-  const bool builds = s.hierarchy.levels.size() == 1;
-  if (builds) {
-    coarsen(s.hierarchy, progress.part(0, 0.6));
-    s.topology_milliseconds += watch.lap();
-  }
-  if (!s.phases.has_last && s.options.lambda > 0) {
-    for (Level& level : s.hierarchy.levels) {
-      level.couplings.anchor.reserve(level.layout().slot_count());
-    }
-  }
-  const bool descends = s.phases.descends();
-  if (descends && !builds) renew(s.hierarchy);
-  milliseconds.sum = watch.lap();
-  if (descends) {
-    const SweepPlan plan =
-        builds ? SweepPlan::for_new_levels(s.options.sweeps, s.finest().layout().slot_count())
-               : s.options.sweeps;
-    descend(s.hierarchy, plan, progress.part(0.6, 0.7));
-    run_cycles(s.hierarchy, plan, s.options.cycles, progress.part(0.7, 1));
-  } else {
-    s.phases.iterate(s.finest(), [&](Momentum& momentum) {
-      Level& finest = s.finest();
-      for (Index color = 0; color < finest.layout().color_count(); ++color) {
-        relax_color(finest.layout(), finest.couplings, finest.z, momentum, color);
-      }
-    });
-  }
-  return milliseconds;
+  if (builds) phases.topology_milliseconds = watch.lap();
 }
 
 /// Rolls back a frame that was not completed.
@@ -250,7 +236,7 @@ StripeAnimator StripeAnimator::sibling() const {
 
 void StripeAnimator::set_last_phases(std::span<const Complex> z) {
   check_last_phases(z, state_->neighborhood->node_count());
-  state_->phases.given_z.assign(z.begin(), z.end());
+  state_->phases.give(z);
 }
 
 void StripeAnimator::restart() {
@@ -263,6 +249,8 @@ void StripeAnimator::set_slack(const Slack& slack) {
   state_->options.slack = slack;
 }
 
-double StripeAnimator::topology_milliseconds() const { return state_->topology_milliseconds; }
+double StripeAnimator::topology_milliseconds() const {
+  return state_->phases.topology_milliseconds;
+}
 
 }  // namespace brindle
