@@ -1,6 +1,6 @@
 """The C++ side. Arguments are those of the layer above, checked there; arrays are described there."""
 
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Mapping, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -340,7 +340,7 @@ class FieldSmoothing:
     def frame(self, vectors: ArrayLike, frequencies: ArrayLike, confidence: Optional[ArrayLike],
               last: Optional[ArrayLike], progress: _Progress) -> tuple[_Floats, _Floats]: ...
     def filled(self) -> NDArray[np.uint8]: ...
-    def figures(self) -> dict[str, Any]: ...
+    def figures(self) -> str: ...
 
 class FieldAnimator:
     def __init__(self, surface: Surface, symmetry: int, lambda_: float, sweeps: int) -> None: ...
@@ -349,12 +349,12 @@ class FieldAnimator:
     def frame(self, vertices: ArrayLike, directions: ArrayLike, weights: ArrayLike,
               progress: _Progress) -> _Floats: ...
 
-def write_surface(path: str, surface: Surface, point_data: dict[str, ArrayLike],
-                  cell_data: dict[str, ArrayLike], input_point_data: dict[str, ArrayLike],
-                  input_cell_data: dict[str, ArrayLike]) -> list[str]: ...
+def write_surface(path: str, surface: Surface, point_data: Mapping[str, ArrayLike],
+                  cell_data: Mapping[str, ArrayLike], input_point_data: Mapping[str, ArrayLike],
+                  input_cell_data: Mapping[str, ArrayLike]) -> list[str]: ...
 def write_mesh(path: str, origin: tuple[float, float, float], vertices: ArrayLike,
-               triangles: ArrayLike, point_data: dict[str, ArrayLike],
-               cell_data: dict[str, ArrayLike], png: bytes) -> list[str]: ...
+               triangles: ArrayLike, point_data: Mapping[str, ArrayLike],
+               cell_data: Mapping[str, ArrayLike], png: bytes) -> list[str]: ...
 
 class Picture:
     transparent: bool

@@ -262,6 +262,7 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
         stripes_v, frequency_v)
 
     first = field.origin
+    said = invocation("samples", surface, given, _DEFAULTS)
 
     def pattern(of: Field, directions: Any, count: Any, frequency: Any) -> Stripes:
         of.origin.see_frequencies_like(first)
@@ -270,7 +271,6 @@ def samples(surface: Any, directions: "Optional[ArrayLike]" = None, *, stripes: 
         warn(made.warnings(of.origin.source), 4)
         return Stripes(made, surface, said)
 
-    said = invocation("samples", surface, given, _DEFAULTS)
     u = pattern(field, field.directions, count, frequency)
     if directions_v is None:
         across = surface.turned_field(u.directions, 90)

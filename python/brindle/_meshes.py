@@ -79,7 +79,8 @@ def padded(faces: Any) -> tuple[Any, Any]:
     VTK's old layout."""
     faces = np.asarray(faces).ravel()
     kept = np.ones(len(faces), bool)
-    ends, at = [], 0
+    ends: list[int] = []
+    at = 0
     while at < len(faces):
         if faces[at] < 0 or at + 1 + faces[at] > len(faces):
             raise Error(f"faces: the number of corners at {at} leads beyond the end")
@@ -163,7 +164,7 @@ def of_vtk(mesh: Any) -> Cells:
         raise Error(f"the {mesh.GetClassName()} has no points")
     if hasattr(mesh, "GetPolys"):
         groups = [(mesh.GetVerts(), 2), (mesh.GetLines(), 4), (mesh.GetPolys(), 7), (mesh.GetStrips(), 6)]
-        types = np.repeat(np.uint8([kind for _, kind in groups]),
+        types = np.repeat(np.asarray([kind for _, kind in groups], np.uint8),
                           [cells.GetNumberOfCells() for cells, _ in groups])
     else:
         groups = [(mesh.GetCells(), 0)] if mesh.GetNumberOfCells() else []

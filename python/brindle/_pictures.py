@@ -45,12 +45,12 @@ def picture_of(surface: Surface, *, size: Sequence[int] = (1200, 900),
         raise Error("expected size=(width, height) and camera=(azimuth, elevation[, zoom]) or a side "
                     "such as 'front'") from error
     picture.set_size(whole_number(width, "size"), whole_number(height, "size"))
-    up = word(surface._core.up if up is None else up, "up")
+    axis = word(surface._core.up if up is None else up, "up")
     if isinstance(camera, str):
-        picture.set_side(camera, up)
+        picture.set_side(camera, axis)
     else:
         picture.set_camera(number(azimuth, "camera"), number(elevation, "camera"),
-                           number(zoom, "camera"), up)
+                           number(zoom, "camera"), axis)
     if projection is not None:
         picture.set_projection(word(projection, "projection"))
     if colors is not None:

@@ -116,7 +116,7 @@ class Field:
             return directions
         if isinstance(given, (list, tuple)):
             given = _core.unmasked(given)
-        shape = getattr(given, "shape", ())
+        shape: tuple[int, ...] = getattr(given, "shape", ())
         if len(shape) == 2 and shape[1] == 2 or len(shape) == 3 or (
                 len(shape) == 2 and shape[1] in _TENSOR_COLUMNS):
             return self._of_array(surface, "directions", given)

@@ -424,8 +424,8 @@ class Surface:
               cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb, atomically, with the surface's arrays and the
         given ones. Warns of arrays that the format cannot hold."""
-        points = {**self.point_data, **(point_data or {})}
-        cells = {**self.cell_data, **(cell_data or {})}
+        points: "dict[str, ArrayLike]" = {**self.point_data, **(point_data or {})}
+        cells: "dict[str, ArrayLike]" = {**self.cell_data, **(cell_data or {})}
         for line in _core.write_surface(path_of(path), self._core, points, cells, {}, {}):
             warn(line)
 
