@@ -106,7 +106,7 @@ A drawing (.svg, .pdf) has 96 pixels in an inch.
 Arrays at vertices:
 
   phase                 radians; not a number if valid is 0, which means no wave
-  sine                  1 on crests
+  sin_phase             sine of the phase: 1 on crests
   direction, frequency  of the wave
   branch                1 at triangles in which a stripe begins or ends
   original_id           the number of the vertex in MESH
