@@ -429,9 +429,9 @@ TEST(Session, TakesBackWhatTurnedOutNotToWork) {
   Session session(torus_document());
   session.apply(commands::SetOption{"stripes", {"20"}});
   const SessionDocument good = session.document();
-  session.apply(commands::SetOption{"avoid_branches", {"nowhere.csv"}});  // needs --slack: refused
+  session.apply(commands::SetOption{"avoid-branches", {"nowhere.csv"}});  // needs --slack: refused
   session.apply(
-      commands::SetOptions{{{"slack", {"0.1"}}, {"avoid_branches", {"nowhere.csv"}}}, {}});
+      commands::SetOptions{{{"slack", {"0.1"}}, {"avoid-branches", {"nowhere.csv"}}}, {}});
   EXPECT_TRUE(session.take_back(session.revision(), "nowhere.csv: there is no such file"));
   EXPECT_EQ(session.document(), good);
   EXPECT_FALSE(session.can_redo());
