@@ -183,7 +183,8 @@ void run_mpi_stripe(const CLI::App& command, const MpiArguments& arguments, Comm
       DataArrays own = arrays_of(w, frame, std::move(measures.corners), branches);
       add_support_of_piece(own.points, waves);
       copy_from_partners(ranks, surface, read, own.points);
-      own.points.push_back(make_data_array("global_id", 1, read.piece.vertex_ids));
+      // Copies at creases have the number of their vertex, so that readers join them again.
+      own.points.push_back(make_data_array("global_id", 1, read.row_ids));
       if (read.numbered) {
         own.points.push_back(make_data_array("original_id", 1, read.original_ids));
       }
