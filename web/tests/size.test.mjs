@@ -12,7 +12,7 @@ const weight = (folder, name) => gzipSync(readFileSync(join(folder, name)), { le
 // triangles that are wound against their neighbours. brindle.wasm is above 385 kB for files as others write them (skins,
 // instances and sparse accessors of glTF, faces with bridged holes), and above 395 kB for surfaces that are subdivided
 // with their arrays, warnings of textures and data that are held out.
-for (const [name, most] of [['stripes.wasm', 160_000], ['brindle.wasm', 405_000]]) {
+for (const [name, most] of [['stripes.wasm', 161_000], ['brindle.wasm', 406_000]]) {
   test(`${name} is at most ${most / 1000} kB gzipped`, () => {
     const bytes = weight(process.env.BRINDLE_PACKAGE, name);
     assert.ok(bytes > 50_000 && bytes <= most, `${bytes} bytes`);
