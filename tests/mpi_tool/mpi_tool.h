@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstring>
+#include <numeric>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,6 +19,19 @@
 namespace brindle::test {
 
 using Words = std::vector<std::string>;
+
+/// Rows of an array with the positions of their vertices, as bytes.
+inline std::set<std::string> rows_at_places(const LoadedMesh& mesh, const DataArray& array,
+                                            std::span<const Index> vertices) {
+  std::set<std::string> rows;
+  const std::size_t size = array.rows() > 0 ? array.bytes.size() / array.rows() : 0;
+  for (const Index v : vertices) {
+    std::string row(reinterpret_cast<const char*>(mesh.mesh.positions[v].data()), sizeof(Vec3));
+    row.append(reinterpret_cast<const char*>(&array.bytes[v * size]), size);
+    rows.insert(std::move(row));
+  }
+  return rows;
+}
 
 /// Empty folders; whatever hangs there is ended, long after a busy machine would be done.
 struct MpiTool : ToolTest {
@@ -109,6 +125,37 @@ Number value(const DataArray& array, std::size_t row) {
   Number number;
   std::memcpy(&number, array.bytes.data() + row * size, sizeof(Number));
   return number;
+}
+
+/// Expects the rows of a whole file in its parts. Its first `own` vertices have their numbers as
+/// `global_id`; those behind them are copies, which have the number of their vertex in parts.
+inline void expect_rows_of_whole(const LoadedMesh& whole, std::size_t own,
+                                 std::span<const LoadedMesh> parts, const Words& names) {
+  std::vector<Index> copies(whole.mesh.vertex_count() - own);
+  std::iota(copies.begin(), copies.end(), static_cast<Index>(own));
+  for (const std::string& name : names) {
+    const DataArray& expected = array_of(whole.arrays.points, name);
+    std::set<std::string> found;
+    for (const LoadedMesh& part : parts) {
+      const DataArray& ids = array_of(part.arrays.points, "global_id");
+      const DataArray& array = array_of(part.arrays.points, name);
+      std::set<std::uint64_t> known;
+      std::vector<Index> vertices, numbers, copied;
+      for (Index v = 0; v < ids.rows(); ++v) {
+        const auto id = value<std::uint64_t>(ids, v);
+        if (!known.insert(id).second) {
+          copied.push_back(v);
+          continue;
+        }
+        vertices.push_back(v);
+        numbers.push_back(static_cast<Index>(id));
+        EXPECT_EQ(part.mesh.positions[v], whole.mesh.positions[id]);
+      }
+      EXPECT_EQ(rows_of(array, vertices), rows_of(expected, numbers)) << name;
+      found.merge(rows_at_places(part, array, copied));
+    }
+    EXPECT_TRUE(found == rows_at_places(whole, expected, copies)) << name << " of copies";
+  }
 }
 
 }  // namespace brindle::test
