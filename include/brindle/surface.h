@@ -31,6 +31,8 @@ struct Surface {
 
   /// The number of vertices before creases split any.
   std::size_t own_vertex_count() const { return mesh.vertex_count() - creases.copied.size(); }
+  /// The number of edges then.
+  std::size_t own_edge_count() const { return neighborhood->edge_count() - creases.edges.size(); }
 
   /// The graph of coupled waves: neighbours, and vertices on the two sides of a crease.
   const std::shared_ptr<const Adjacency>& coupled() const { return linked ? linked : neighborhood; }

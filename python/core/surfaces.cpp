@@ -487,10 +487,7 @@ void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
           "triangle_count",
           [](const SurfaceData& data) { return data.surface.mesh.triangle_count(); })
       .def_property_readonly("edge_count",
-                             [](const SurfaceData& data) {
-                               return data.surface.neighborhood->edge_count() -
-                                      data.surface.creases.edges.size();
-                             })
+                             [](const SurfaceData& data) { return data.surface.own_edge_count(); })
       .def_property_readonly(
           "diagonal",
           [](const SurfaceData& data) { return bounding_box(data.surface.mesh).diagonal(); })

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
@@ -27,17 +28,26 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-namespace {
-
-// Empty unless the whole text is one finite number.
-template <class Number = float>
-std::optional<Number> finite_number(const std::string& text) {
-  const bool plus = !text.empty() && text.front() == '+';
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
   Number value = 0;
   const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || rest != end) return std::nullopt;
+  if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
   return value;
+}
+
+template std::optional<int> number_in(std::string_view text);
+template std::optional<float> number_in(std::string_view text);
+template std::optional<double> number_in(std::string_view text);
+
+namespace {
+
+/// The same with or without a plus.
+template <class Number = float>
+std::optional<Number> finite_number(std::string_view text) {
+  return number_in<Number>(text.starts_with('+') ? text.substr(1) : text);
 }
 
 }  // namespace

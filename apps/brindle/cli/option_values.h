@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +18,10 @@ namespace brindle::tool {
 /// Throws for a wrong value of an option.
 [[noreturn]] void wrong_usage(const std::string& option, const std::string& expected,
                               const std::string& value);
+
+/// The whole text as a finite int, float or double; empty for other text.
+template <class Number>
+std::optional<Number> number_in(std::string_view text);
 
 /// A finite number.
 float parse_number(const std::string& option, const std::string& text);

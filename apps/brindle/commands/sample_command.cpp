@@ -30,14 +30,10 @@ nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& pictu
     return job.u.milliseconds.*part + job.v.milliseconds.*part;
   };
   nlohmann::ordered_json json = {
-      {"vertices", surface.own_vertex_count()},
-      {"triangles", surface.mesh.triangle_count()},
-      {"edges", surface.neighborhood->edge_count() - surface.creases.edges.size()},
-      {"vertices_joined", job.prepared.vertices_joined},
-      {"threads", ThreadLimit::current()},
-      {"samples", job.taken.samples.size()},
-      {"doubles_left_out", job.taken.doubles},
-      {"branches_u", job.u.quality.branches},
+      {"vertices", surface.own_vertex_count()}, {"triangles", surface.mesh.triangle_count()},
+      {"edges", surface.own_edge_count()},      {"vertices_joined", job.prepared.vertices_joined},
+      {"threads", ThreadLimit::current()},      {"samples", job.taken.samples.size()},
+      {"doubles_left_out", job.taken.doubles},  {"branches_u", job.u.quality.branches},
       {"branches_v", job.v.quality.branches}};
   json.update(to_json(job.prepared.figures, job.prepared.field_rows_nonfinite));
   const auto add_frequency = [&](const char* name, const StripePattern& pattern) {

@@ -264,12 +264,11 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
   time.load = prepared.load_milliseconds;
   time.topology = prepared.topology_milliseconds + curves.edges_milliseconds;
   double extract = 0;
-  nlohmann::ordered_json json = {
-      {"vertices", surface.own_vertex_count()},
-      {"triangles", surface.mesh.triangle_count()},
-      {"edges", surface.neighborhood->edge_count() - surface.creases.edges.size()},
-      {"vertices_joined", prepared.vertices_joined},
-      {"threads", ThreadLimit::current()}};
+  nlohmann::ordered_json json = {{"vertices", surface.own_vertex_count()},
+                                 {"triangles", surface.mesh.triangle_count()},
+                                 {"edges", surface.own_edge_count()},
+                                 {"vertices_joined", prepared.vertices_joined},
+                                 {"threads", ThreadLimit::current()}};
   json.update(to_json(prepared.figures, prepared.field_rows_nonfinite));
   for (const CurveFamily& family : curves.families) {
     json[family.name] = to_json(family);

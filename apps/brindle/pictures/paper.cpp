@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -17,15 +16,6 @@
 
 namespace brindle::tool {
 namespace {
-
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end) return std::nullopt;
-  return value;
-}
 
 void check_pixels(const std::string& option, int width, int height) {
   try {
@@ -54,7 +44,7 @@ std::optional<double> millimetres(std::string_view text) {
   for (const auto& [unit, size] : kUnits) {
     if (!text.ends_with(unit)) continue;
     const auto number = number_in<double>(text.substr(0, text.size() - unit.size()));
-    if (number && std::isfinite(*number) && *number > 0) return *number * size;
+    if (number && *number > 0) return *number * size;
   }
   return std::nullopt;
 }

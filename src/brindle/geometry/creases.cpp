@@ -232,6 +232,8 @@ class CreaseFinder {
     std::size_t count = 0;       ///< of triangles
 
     bool is_flat() const { return normal.cast<double>().norm() >= 0.999 * area; }
+    /// A few triangles are flat by chance.
+    bool is_face() const { return is_flat() && count > 3; }
   };
 
   /// The triangles nearest to this one that are connected to it without sharp edges. They bend from
@@ -270,11 +272,8 @@ class CreaseFinder {
         if (along.size() != 2) continue;
         const Side a = side(along[0] / 3), b = side(along[1] / 3);
         is_noise[e] = bends_less(a.normal, turned(along[0], along[1], b.normal), cosine_) ? 1 : 0;
-        // A few triangles are flat by chance.
-        constexpr std::size_t kFew = 3;
-        const bool is_clean =
-            a.is_flat() ? b.is_flat() || a.count > kFew : b.is_flat() && b.count > kFew;
-        is_clean_[e] = is_clean ? 1 : 0;
+        const bool both_flat = a.is_flat() && b.is_flat();
+        is_clean_[e] = both_flat || a.is_face() || b.is_face() ? 1 : 0;
       }
     };
     constexpr std::size_t kGrain = 64;

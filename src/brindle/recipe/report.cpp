@@ -153,7 +153,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   Report report;
   report.vertices = surface.own_vertex_count();
   report.triangles = surface.mesh.triangle_count();
-  report.edges = surface.neighborhood->edge_count() - surface.creases.edges.size();
+  report.edges = surface.own_edge_count();
   report.crease_vertices = surface.creases.copied.size();
   // The stripes of a cross field lie on a mesh with split triangles.
   if (pattern.solution.z.size() == surface.mesh.vertex_count()) {

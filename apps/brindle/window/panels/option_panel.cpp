@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -23,19 +22,11 @@ namespace {
 
 constexpr float kLabelShare = 0.44f;
 
-std::optional<float> number_in(const std::string& text) {
-  float value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// Both numbers of "0.1,0.9", also of "0.4,2.5,inverse". Empty for other text.
 std::vector<float> numbers_in(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 2) return {};
-  const auto first = number_in(parts[0]), second = number_in(parts[1]);
+  const auto first = number_in<float>(parts[0]), second = number_in<float>(parts[1]);
   if (!first || !second) return {};
   return {*first, *second};
 }
@@ -227,7 +218,7 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
       return draw_choice(option);
     case WidgetKind::number: {
       const std::string text = text_of(option);
-      const auto value = number_in(text);
+      const auto value = number_in<float>(text);
       // A slider cannot show values such as array:NAME.
       if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
       const auto lowest = static_cast<float>(range_of(option).lowest);
@@ -250,7 +241,7 @@ std::string OptionPanel::text_of(const CatalogOption& option) const {
   if (option.name == "frequency" && diagonal_ > 0 && noted_) {
     // The frequency of --stripes.
     const auto stripes = options.find("stripes");
-    const auto count = stripes == options.end() ? 40 : number_in(stripes->second.front());
+    const auto count = stripes == options.end() ? 40 : number_in<float>(stripes->second.front());
     if (count) return formatted("%.4g", static_cast<double>(*count) / diagonal_);
   }
   return option.standard;
@@ -357,7 +348,7 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
 void OptionPanel::draw_percent(const CatalogOption& option) {
   const std::string text = text_of(option);
   const auto share =
-      text.ends_with('%') ? number_in(text.substr(0, text.size() - 1)) : std::nullopt;
+      text.ends_with('%') ? number_in<float>(text.substr(0, text.size() - 1)) : std::nullopt;
   if (!share && !text.empty()) return draw_text(option, 0, -FLT_MIN);
   const auto lowest = static_cast<float>(option.range.lowest);
   const auto highest = static_cast<float>(option.range.highest);
@@ -467,7 +458,7 @@ namespace {
 std::optional<std::pair<std::string, float>> percent_slice(const std::string& text) {
   const std::vector<std::string> parts = split(text, '=');
   if (parts.size() != 2 || !parts[1].ends_with('%')) return std::nullopt;
-  const auto percent = number_in(parts[1].substr(0, parts[1].size() - 1));
+  const auto percent = number_in<float>(parts[1].substr(0, parts[1].size() - 1));
   if (!percent) return std::nullopt;
   return std::pair(parts[0], *percent);
 }
