@@ -51,14 +51,12 @@ struct WaveSet {
 };
 
 /// Couples waves along all edges of `adjacency`, with the paper's weight w = |<d_i, d_j>|, times
-/// `edge_weights` (one per directed edge, symmetric, not negative) if given. With `normals` (unit,
-/// one per node), coincident neighbours are the two sides of a crease. They are linked weakly,
-/// without a shift, by the product of their directions once the surface is unfolded. Throws Error
-/// if sizes do not match and for waves that are not valid; Cancelled if `progress` cancels.
+/// `edge_weights` (one per directed edge, symmetric, not negative) if given. Throws Error if sizes
+/// do not match and for waves that are not valid; Cancelled if `progress` cancels.
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind = PhaseShiftKind::aligned,
                              std::span<const float> edge_weights = {},
-                             const Progress& progress = {}, std::span<const Vec3> normals = {});
+                             const Progress& progress = {});
 
 /// Sets anchors T_i = lambda deg_i z_i with deg_i = sum_j |A_ij| + |B_ij|, so that `lambda` (0 to
 /// 1e6) is relative to a node's couplings. `z` has one unit number per node, or 0 for no anchor.

@@ -34,8 +34,10 @@ struct Surface {
   /// The number of edges then.
   std::size_t own_edge_count() const { return neighborhood->edge_count() - creases.edges.size(); }
 
-  /// The graph of coupled waves: neighbours, and vertices on the two sides of a crease.
-  const std::shared_ptr<const Adjacency>& coupled() const { return linked ? linked : neighborhood; }
+  /// Neighbours, also on the other side of a crease.
+  const std::shared_ptr<const Adjacency>& neighbors_over_creases() const {
+    return linked ? linked : neighborhood;
+  }
 };
 
 /// Computes neighbourhood and normals. Throws Error, naming the first vertex or triangle, for a
@@ -45,7 +47,7 @@ struct Surface {
 /// Throws Cancelled if `progress` cancels.
 Surface make_surface(Mesh mesh, const Progress& progress = {});
 
-/// As above for a mesh from `split_at_creases`: waves on the two sides of a crease are coupled, and
+/// As above for a mesh from `split_at_creases`: stripes are aligned across creases, and
 /// surface_warnings ignores coincident copies.
 Surface make_surface(Mesh mesh, Creases creases, const Progress& progress = {});
 

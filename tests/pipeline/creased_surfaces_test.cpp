@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -199,6 +200,90 @@ TEST(CreasedShapes, HaveNoBranchesOnFlatFaces) {
           EXPECT_FALSE(is_branch(pattern.corners[t].kind)) << shape << times << axis.y();
         }
       }
+    }
+  }
+}
+
+/// A row of square plates with a hole each, sewn together.
+Mesh plate_with_holes(int holes) {
+  Mesh plate;
+  for (int k = 0; k < holes; ++k) {
+    Mesh cell = extruded_ring(square_round(16, 1), toothed_circle(16, 0.5f), 0.4f);
+    const auto first = static_cast<Index>(plate.vertex_count());
+    for (const Vec3& p : cell.positions) {
+      const Vec3 moved = p + Vec3(2 * static_cast<float>(k), 0, 0);
+      plate.positions.push_back((64 * moved).array().round().matrix() / 64);
+    }
+    const auto is_seam = [&](const Triangle& t) {
+      const auto all_at = [&](float x) {
+        return std::all_of(t.begin(), t.end(),
+                           [&](Index v) { return std::abs(cell.positions[v].x() - x) < 1e-3f; });
+      };
+      return (k > 0 && all_at(-1)) || (k + 1 < holes && all_at(1));
+    };
+    for (const Triangle& t : cell.triangles) {
+      if (!is_seam(t)) plate.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+  }
+  repair_mesh(plate);
+  return plate;
+}
+
+/// Vertices on creases.
+std::vector<bool> on_creases(const Surface& surface) {
+  std::vector<bool> found(surface.mesh.vertex_count());
+  for (const CreaseEdge& edge : surface.creases.edges) {
+    for (const Index v : edge.first) found[v] = true;
+    for (const Index v : edge.second) found[v] = true;
+  }
+  return found;
+}
+
+/// Triangles of faces that are flat as a whole, away from creases.
+std::vector<std::size_t> inside_of_flat_faces(const Surface& surface) {
+  std::vector<Index> face(surface.mesh.vertex_count());
+  std::iota(face.begin(), face.end(), Index{0});
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Triangle& t : surface.mesh.triangles) {
+      const Index first = std::min({face[t[0]], face[t[1]], face[t[2]]});
+      for (const Index v : t) {
+        changed = changed || face[v] != first;
+        face[v] = first;
+      }
+    }
+  }
+  std::vector<bool> is_bent(surface.mesh.vertex_count());
+  for (const Triangle& triangle : surface.mesh.triangles) {
+    if (!is_in_flat_face(surface, triangle)) is_bent[face[triangle[0]]] = true;
+  }
+  const std::vector<bool> on_crease = on_creases(surface);
+  std::vector<std::size_t> found;
+  for (std::size_t t = 0; t < surface.mesh.triangle_count(); ++t) {
+    const Triangle& triangle = surface.mesh.triangles[t];
+    if (is_bent[face[triangle[0]]]) continue;
+    if (std::none_of(triangle.begin(), triangle.end(), [&](Index v) { return on_crease[v]; })) {
+      found.push_back(t);
+    }
+  }
+  return found;
+}
+
+TEST(CreasedShapes, HaveExactStripesInsideOfFlatFaces) {
+  std::vector<Part> tested = parts();
+  tested.push_back({"gear", make_shape("gear")});
+  tested.push_back({"bracket", make_shape("bracket")});
+  tested.push_back({"plate with seven holes", plate_with_holes(7)});
+  for (const Part& part : tested) {
+    const Surface surface = with_creases(subdivide(part.mesh, 3));
+    const std::vector<std::size_t> inside = inside_of_flat_faces(surface);
+    EXPECT_GT(inside.size(), 20u) << part.name;
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(1, 2, 3)}) {
+      const StripePattern pattern = stripes_along(surface, axis, 40);
+      const auto errors = angle_errors_deg(surface.mesh, pattern.waves, pattern.corners);
+      float largest = 0;
+      for (const std::size_t t : inside) largest = std::max(largest, errors[t]);
+      EXPECT_LT(largest, 0.01f) << part.name << axis.y();
     }
   }
 }

@@ -12,7 +12,7 @@ WholeFrames::WholeFrames(const RankSurface& surface, const DistributedOptions& o
     if (!whole_.is_first()) return;
     const Surface& all = whole_.surface();
     if (options.weights == EdgeWeights::cotangent) {
-      options_.edge_weights = cotangent_weights(all.mesh, *all.coupled());
+      options_.edge_weights = cotangent_weights(all.mesh, *all.neighborhood);
     }
     animator_.emplace(all, options_);
   });

@@ -31,7 +31,6 @@ enum Binding : unsigned {
   kLoadedTurnedPhases = 7,
   kCoupledWaves = 5,
   kCoupledLastPhases = 6,
-  kCoupledNormals = 7,
   kFinishedLastPhases = 5,
   kPhasesByNode = 7
 };
@@ -40,7 +39,6 @@ constexpr GLint kLast = 0;                                 // of load_waves
 constexpr int kNoLast = 0, kByLastWaves = 1, kByNode = 2;  // what it is
 constexpr GLint kLambda = 0;                               // of couple
 constexpr GLint kTrapezoid = 1;                            // of couple
-constexpr GLint kLinked = 2;                               // of couple
 
 /// One list of the caller's input, on host and device.
 template <class Item>
@@ -112,7 +110,6 @@ std::vector<Item> read_buffer(GLuint buffer, std::size_t count) {
 struct GpuAnimator::State {
   std::shared_ptr<const GpuKernels> kernels;
   std::shared_ptr<const Adjacency> neighborhood;
-  std::shared_ptr<const Adjacency> coupled;  ///< with links across creases, if any
   AnimatorOptions options;
   double topology_milliseconds = 0;
 
@@ -129,15 +126,16 @@ struct GpuAnimator::State {
   Input input;
   FrameFrequencies yielding;
   RestNormals in_place;
-  bool linked = false;      ///< whether there are links across creases
-  MovingNormals moving;     ///< for links
-  GlBuffer normals;         ///< for links, by node
+  FrameSewing sewing;
   bool has_frame = false;   ///< whether a frame has been completed
   bool is_sibling = false;  ///< whether the topology is shared
   bool has_last = false;
   bool forgets_momenta = false;  ///< before the next frame
 
   bool follows() const { return has_last || !given_z.empty(); }
+  bool starts_afresh() const {
+    return !follows() || (options.solver == FrameSolver::multilevel && options.lambda == 0);
+  }
 
   int frames = 0;
   int measured_frames = 0;
@@ -147,11 +145,11 @@ struct GpuAnimator::State {
   std::size_t dispatches = 0;
 
   void build(const FrameInput& first, const Progress& progress);
-  void upload_normals(const FrameInput& next);
   void allocate();
   void load_waves(const WaveBuffers& buffers);
   void couple();
   void solve(const Progress& progress);
+  void sew(const WaveBuffers& buffers);
   void keep();
   void take_back();
   void take_measure();
@@ -159,28 +157,34 @@ struct GpuAnimator::State {
 
 namespace {
 
+/// A frame's input, read back from the device.
+struct ReadInput {
+  std::vector<Vec3> positions, directions;
+  std::vector<float> frequencies;
+
+  ReadInput(const WaveBuffers& buffers, std::size_t vertices)
+      : positions(read_buffer<Vec3>(buffers.positions, vertices)),
+        directions(read_buffer<Vec3>(buffers.directions, vertices)),
+        frequencies(read_buffer<float>(buffers.frequencies, vertices)) {}
+
+  operator FrameInput() const { return {positions, directions, frequencies}; }
+};
+
 /// The hierarchy of the first frame, used by all later ones, as in StripeAnimator.
 Hierarchy first_hierarchy(std::shared_ptr<const Adjacency> neighborhood, const FrameInput& input,
-                          std::span<const Vec3> normals, PhaseShiftKind kind,
-                          const Progress& progress) {
+                          PhaseShiftKind kind, const Progress& progress) {
   if (kind == PhaseShiftKind::common_source) {
     const WaveSet waves{{input.positions.begin(), input.positions.end()},
                         {input.directions.begin(), input.directions.end()},
                         {input.frequencies.begin(), input.frequencies.end()}};
-    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind, {}, {}, normals),
-                           progress);
+    return build_hierarchy(build_phase_graph(std::move(neighborhood), waves, kind), progress);
   }
   Hierarchy hierarchy = finest_level(*neighborhood);
   Level& finest = hierarchy.levels[0];
   std::vector<SlicedWave> waves;
   brindle::load_waves(finest.layout(), input.positions, input.directions, input.frequencies, waves);
-  std::vector<float> degree(finest.layout().slot_count()), weights;
-  std::vector<LinkedEntry> linked;
-  if (!normals.empty()) {
-    linked = take_linked_entries(finest.layout(), *neighborhood, input.positions, weights);
-  }
-  brindle::couple(finest.layout(), waves, kind, weights, finest.couplings, degree);
-  couple_linked(finest.layout(), linked, waves, normals, finest.couplings, degree);
+  std::vector<float> degree(finest.layout().slot_count());
+  brindle::couple(finest.layout(), waves, kind, {}, finest.couplings, degree);
   coarsen(hierarchy, progress);
   return hierarchy;
 }
@@ -191,20 +195,11 @@ void GpuAnimator::State::build(const FrameInput& first, const Progress& progress
   if (hierarchy) return;
   if (!topology) {
     Stopwatch watch;
-    const std::span<const Vec3> of_links =
-        linked ? normals_of(first, in_place, moving) : std::span<const Vec3>();
-    const Hierarchy built =
-        first_hierarchy(coupled, first, of_links, options.phase_shift, progress);
+    const Hierarchy built = first_hierarchy(neighborhood, first, options.phase_shift, progress);
     topology = topology_of(built, options.sweeps);
     topology_milliseconds = watch.lap();
   }
   allocate();
-}
-
-void GpuAnimator::State::upload_normals(const FrameInput& next) {
-  if (!linked) return;
-  const std::span<const Vec3> of_links = normals_of(next, in_place, moving);
-  normals = make_buffer(of_links.size_bytes(), of_links.data(), "normals");
 }
 
 void GpuAnimator::State::allocate() {
@@ -242,11 +237,9 @@ void GpuAnimator::State::couple() {
   hierarchy->bind();
   bind_storage(kCoupledWaves, next_waves);
   bind_storage(kCoupledLastPhases, turned_z);
-  if (linked) bind_storage(kCoupledNormals, normals);
   const bool paper = options.phase_shift == PhaseShiftKind::common_source;
   const ShaderProgram& kernel = paper ? kernels->couple_common_source : kernels->couple;
   const bool anchored = follows() && options.solver == FrameSolver::multilevel;
-  glProgramUniform1i(kernel.name(), kLinked, linked ? 1 : 0);
   glProgramUniform1f(kernel.name(), kLambda, anchored ? options.lambda : 0);
   if (!paper) {
     const bool trapezoid = options.phase_shift == PhaseShiftKind::trapezoid;
@@ -268,6 +261,20 @@ void GpuAnimator::State::solve(const Progress& progress) {
   const std::size_t colors = topology->colors(0).size();
   for (int i = 0; i < options.iterations; ++i) relaxation->iterate(*hierarchy, colors);
   timer.stage("relaxation");
+}
+
+/// Aligns stripes across creases, on the processor; frames that follow stay aligned.
+void GpuAnimator::State::sew(const WaveBuffers& buffers) {
+  std::vector<Complex> by_slot = hierarchy->read_phases(), by_node(topology->node_count());
+  const std::span<const std::uint32_t> nodes = topology->node_at();
+  for (std::size_t slot = 0; slot < nodes.size(); ++slot) {
+    if (nodes[slot] != kNone) by_node[nodes[slot]] = by_slot[slot];
+  }
+  sewing.sew(ReadInput(buffers, by_node.size()), by_node);
+  for (std::size_t slot = 0; slot < nodes.size(); ++slot) {
+    if (nodes[slot] != kNone) by_slot[slot] = by_node[nodes[slot]];
+  }
+  hierarchy->upload_phases(by_slot);
 }
 
 /// Makes the solved frame the last one.
@@ -317,18 +324,14 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels,
         "animator options: the GPU knows no edge weights; leave them out, or take StripeAnimator");
   }
   state_->kernels = std::move(kernels);
-  state_->neighborhood = state_->coupled = std::move(neighborhood);
+  state_->neighborhood = std::move(neighborhood);
   state_->options = options;
 }
 
 GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surface& surface,
                          const AnimatorOptions& options)
-    : GpuAnimator(std::move(kernels), surface.coupled(), without_slack(options)) {
-  if (surface.linked) {
-    state_->neighborhood = surface.neighborhood;
-    state_->linked = true;
-    state_->moving = MovingNormals(surface);
-  }
+    : GpuAnimator(std::move(kernels), surface.neighborhood, without_slack(options)) {
+  state_->sewing = FrameSewing(surface);
   state_->yielding = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
@@ -357,7 +360,6 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   solve(progress, [&] {
     s.build(yielded, progress);
     s.timer.start();
-    s.upload_normals(input);
     return s.input.upload(yielded);
   });
   s.input.keep(yielded);
@@ -370,15 +372,11 @@ void GpuAnimator::frame(const WaveBuffers& input, const Progress& progress) {
   refuse_slack(s.options);
   solve(progress, [&] {
     if (!s.hierarchy) {
-      const std::size_t vertices = s.neighborhood->node_count();
       glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-      const auto positions = read_buffer<Vec3>(input.positions, vertices);
-      const auto directions = read_buffer<Vec3>(input.directions, vertices);
-      const auto frequencies = read_buffer<float>(input.frequencies, vertices);
+      const ReadInput first(input, s.neighborhood->node_count());
       check_gl("reading the buffers of the first frame");
-      check_values({positions, directions, frequencies}, *s.neighborhood, {});
-      s.build({positions, directions, frequencies}, progress);
-      s.upload_normals({positions, directions, frequencies});
+      check_values(first, *s.neighborhood, {});
+      s.build(first, progress);
     }
     s.timer.start();
     return input;
@@ -399,6 +397,7 @@ void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
     s.couple();
     s.timer.stage("couple");
     s.solve(progress);
+    if (s.sewing.has_creases() && s.starts_afresh()) s.sew(input);
     check_gl("solving a frame on the GPU");
   } catch (...) {
     s.take_back();
@@ -453,9 +452,7 @@ GpuAnimator GpuAnimator::sibling() const {
   auto state = std::make_unique<State>();
   state->kernels = state_->kernels;
   state->neighborhood = state_->neighborhood;
-  state->coupled = state_->coupled;
-  state->linked = state_->linked;
-  state->moving = state_->moving;
+  state->sewing = state_->sewing;
   state->options = state_->options;
   state->topology = state_->topology;
   state->is_sibling = state->topology != nullptr;

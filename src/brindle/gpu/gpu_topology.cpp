@@ -205,6 +205,8 @@ std::vector<GpuTopology::Color> colors_of(const FlatHierarchy& flat, const FlatL
 
 GpuTopology::GpuTopology(const FlatHierarchy& flat)
     : levels_(flat.levels),
+      node_at_(flat.topology.begin() + flat.node_at,
+               flat.topology.begin() + flat.node_at + flat.levels[0].slot_count),
       node_count_(flat.node_count),
       slot_count_(flat.slot_count),
       entry_count_(flat.neighbors.size()),

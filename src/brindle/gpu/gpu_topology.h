@@ -77,6 +77,9 @@ class GpuTopology {
   /// The first level whose gauges and sums one group computes.
   std::size_t first_small_sums() const { return first_small_sums_; }
 
+  /// The nodes at the slots of the finest level; kNone for padding.
+  std::span<const std::uint32_t> node_at() const { return node_at_; }
+
   std::size_t node_count() const { return node_count_; }
   std::size_t slot_count() const { return slot_count_; }    ///< of all levels
   std::size_t entry_count() const { return entry_count_; }  ///< of all levels
@@ -88,6 +91,7 @@ class GpuTopology {
 
   std::vector<FlatLevel> levels_;
   std::vector<std::vector<Color>> colors_;
+  std::vector<std::uint32_t> node_at_;
   std::size_t first_small_, first_small_sums_;
   std::size_t node_count_, slot_count_, entry_count_, finest_entries_;
   GlBuffer level_table_, topology_, neighbors_;

@@ -9,7 +9,6 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/phases/sliced_kernels.h"
-#include "brindle/waves/crease_links.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -99,57 +98,16 @@ void couple(const SlicedLayout& layout, std::span<const SlicedWave> waves, Phase
       kSliceGrain);
 }
 
-std::vector<LinkedEntry> take_linked_entries(const SlicedLayout& layout, const Adjacency& adjacency,
-                                             std::span<const Vec3> positions,
-                                             std::vector<float>& entry_weights) {
-  if (entry_weights.empty()) entry_weights.assign(layout.entry_count(), 1);
-  std::vector<LinkedEntry> linked;
-  for (Index node = 0; node < adjacency.node_count(); ++node) {
-    std::size_t entry = layout.first_entry(layout.slot_of[node]);
-    for (const Index neighbor : adjacency.of(node)) {
-      if (positions[neighbor] == positions[node]) {
-        const float weight = std::exchange(entry_weights[entry], 0.0f);
-        linked.push_back({entry, layout.slot_of[node], layout.slot_of[neighbor], weight});
-      }
-      entry += kLanes;
-    }
-  }
-  ranges::sort(linked.begin(), linked.end(),
-               [](const LinkedEntry& a, const LinkedEntry& b) { return a.entry < b.entry; });
-  return linked;
-}
-
-void couple_linked(const SlicedLayout& layout, std::span<const LinkedEntry> linked,
-                   std::span<const SlicedWave> waves, std::span<const Vec3> normals,
-                   SlicedCouplings& couplings, std::span<float> degree) {
-  const auto direction = [&](Index slot) -> Vec3 { return Vec3::Map(waves[slot].direction); };
-  for (const LinkedEntry& link : linked) {
-    const float coupling =
-        link.weight * coupling_across(direction(link.other), normals[layout.node_at[link.other]],
-                                      direction(link.slot), normals[layout.node_at[link.slot]]);
-    degree[link.slot] += std::abs(coupling);
-    if (coupling < 0) {
-      couplings.set_reflecting(layout, link.slot / kLanes,
-                               {static_cast<Index>(link.entry), coupling});
-    } else {
-      couplings.set_direct(link.entry, coupling);
-    }
-  }
-}
-
 void couple_waves(const SlicedLayout& layout, const Adjacency& adjacency, const WaveSet& waves,
                   PhaseShiftKind kind, std::span<const float> edge_weights,
-                  std::span<const Vec3> normals, SlicedCouplings& couplings) {
+                  SlicedCouplings& couplings) {
   check_coupled_waves(adjacency, waves, edge_weights);
   std::vector<SlicedWave> sliced;
   load_waves(layout, waves.positions, waves.directions, waves.frequencies, sliced);
   std::vector<float> weights;
   if (!edge_weights.empty()) weights = sliced_weights(layout, adjacency, edge_weights);
-  std::vector<LinkedEntry> linked;
-  if (!normals.empty()) linked = take_linked_entries(layout, adjacency, waves.positions, weights);
   std::vector<float> degree(layout.slot_count());
   couple(layout, sliced, kind, weights, couplings, degree);
-  couple_linked(layout, linked, sliced, normals, couplings, degree);
 }
 
 }  // namespace brindle

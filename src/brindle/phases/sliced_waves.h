@@ -35,24 +35,6 @@ void turn_phases(std::span<const SlicedWave> from, std::span<const SlicedWave> t
 std::vector<float> sliced_weights(const SlicedLayout& layout, const Adjacency& adjacency,
                                   std::span<const float> edge_weights);
 
-/// An entry between two nodes at one position, on the two sides of a crease.
-struct LinkedEntry {
-  std::size_t entry;
-  Index slot, other;
-  float weight;
-};
-
-/// Returns all linked entries, ascending. Sets their weight by entry to 0, so that `couple` leaves
-/// them to `couple_linked`. Empty `entry_weights` are first filled with 1.
-std::vector<LinkedEntry> take_linked_entries(const SlicedLayout& layout, const Adjacency& adjacency,
-                                             std::span<const Vec3> positions,
-                                             std::vector<float>& entry_weights);
-
-/// Couples linked entries after `couple`, as `build_phase_graph` does with `normals` (by node).
-void couple_linked(const SlicedLayout& layout, std::span<const LinkedEntry> linked,
-                   std::span<const SlicedWave> waves, std::span<const Vec3> normals,
-                   SlicedCouplings& couplings, std::span<float> degree);
-
 /// Computes the couplings of `build_phase_graph` and `load_couplings`, up to rounding.
 /// `entry_weights` is empty or has one weight per entry. `degree` receives the sum of weights of
 /// each slot's row. `kind` is aligned or trapezoid; throws Error for the paper's common source,
@@ -61,10 +43,10 @@ void couple(const SlicedLayout& layout, std::span<const SlicedWave> waves, Phase
             std::span<const float> entry_weights, SlicedCouplings& couplings,
             std::span<float> degree);
 
-/// The same for waves by node, with `edge_weights` and `normals` as in `build_phase_graph`. Also
+/// The same for waves by node, with `edge_weights` as in `build_phase_graph`. Also
 /// throws Error for inputs that `build_phase_graph` rejects.
 void couple_waves(const SlicedLayout& layout, const Adjacency& adjacency, const WaveSet& waves,
                   PhaseShiftKind kind, std::span<const float> edge_weights,
-                  std::span<const Vec3> normals, SlicedCouplings& couplings);
+                  SlicedCouplings& couplings);
 
 }  // namespace brindle

@@ -11,8 +11,8 @@ namespace brindle {
 
 /// Shifts the phases of every face as a whole, so that stripes align across creases. A face is a
 /// part of the surface bounded by creases. Each step increases the sum over links of Re(conj(z_i)
-/// z_j), weighted by the waves' alignment. Links are too weak for solver sweeps to shift whole
-/// faces. Faces on which the field is not orientable stay. `z` has one phase per vertex.
+/// z_j), weighted by the waves' alignment. Faces share no edge, so the energy stays. Faces on which
+/// the field is not orientable stay. `z` has one phase per vertex.
 void sew_faces(const Surface& surface, const WaveSet& waves, std::span<Complex> z);
 
 }  // namespace brindle

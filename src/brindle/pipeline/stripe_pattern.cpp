@@ -39,12 +39,7 @@ std::vector<float> positive_areas(const Mesh& mesh) {
 std::vector<float> edge_weights(const Surface& surface, EdgeWeights weights,
                                 const Progress& progress) {
   if (weights == EdgeWeights::paper) return {};
-  return cotangent_weights(surface.mesh, *surface.coupled(), progress);
-}
-
-/// Normals for `build_phase_graph`: only needed with links over creases.
-std::span<const Vec3> normals_of_links(const Surface& surface) {
-  return surface.linked ? std::span<const Vec3>(surface.normals) : std::span<const Vec3>();
+  return cotangent_weights(surface.mesh, *surface.neighborhood, progress);
 }
 
 SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
@@ -55,7 +50,7 @@ SolverData data_for(Solver solver, const Surface& surface, const WaveSet& waves,
   constexpr int kLevels = 10;
   return {
       {},
-      averaged_levels(*surface.coupled(), waves, {surface.normals, positive_areas(surface.mesh)},
+      averaged_levels(*surface.neighborhood, waves, {surface.normals, positive_areas(surface.mesh)},
                       kind, kLevels, edge_weights, progress)};
 }
 
@@ -102,8 +97,8 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
   JobStages stages(progress, {{"couple", 1}, {"levels", 1}, {"solve", 8}});
   const Progress coupling = stages.begin("couple");
   Stopwatch watch;
-  PhaseGraph graph = build_phase_graph(surface.coupled(), waves, options.phase_shift, weights,
-                                       coupling, normals_of_links(surface));
+  PhaseGraph graph =
+      build_phase_graph(surface.neighborhood, waves, options.phase_shift, weights, coupling);
   if (is_followed(options)) anchor_phases(graph, options.last_phases, options.lambda);
   if (!options.fixed_phases.empty()) add_fixed_phases(graph, options.fixed_phases);
   result.milliseconds.couple = watch.lap();
@@ -113,11 +108,6 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
   const SolvePhases solve = options.solve ? options.solve : solve_phases;
   result.solution = solve(graph, options.solver, stages.begin("solve"), data);
   set_fixed_phases(graph, options.fixed_phases, result.solution);
-  if (!surface.linked || is_anchored(options)) return;
-  watch.lap();
-  sew_faces(surface, waves, result.solution.z);
-  result.solution.energy = energy(graph, result.solution.z);
-  result.solution.solve_milliseconds += watch.lap();
 }
 
 /// Solves for phases. The multilevel solver couples waves in its own sweep order (couple_waves);
@@ -132,17 +122,17 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
       options.phase_shift != PhaseShiftKind::common_source) {
     const auto couple = [&](Level& finest) {
       watch.lap();
-      couple_waves(finest.layout(), *surface.coupled(), waves, options.phase_shift, weights,
-                   normals_of_links(surface), finest.couplings);
+      couple_waves(finest.layout(), *surface.neighborhood, waves, options.phase_shift, weights,
+                   finest.couplings);
       result.milliseconds.couple = watch.lap();
     };
-    std::function<void(std::span<Complex>)> sew;
-    if (surface.linked) sew = [&](std::span<Complex> z) { sew_faces(surface, waves, z); };
-    result.solution =
-        solve_multilevel(*surface.coupled(), couple, options.solver, {}, progress, sew);
+    result.solution = solve_multilevel(*surface.neighborhood, couple, options.solver, {}, progress);
   } else {
     solve_as_graph(surface, waves, options, weights, progress, result);
   }
+  watch.lap();
+  if (!is_anchored(options)) sew_faces(surface, waves, result.solution.z);
+  result.solution.solve_milliseconds += watch.lap();
   result.milliseconds.couple += weigh_milliseconds;
   result.milliseconds.topology += result.solution.topology_milliseconds;
   result.milliseconds.solve = result.solution.solve_milliseconds;

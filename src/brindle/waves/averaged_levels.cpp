@@ -172,8 +172,7 @@ std::vector<AveragedLevel> averaged_levels(const Adjacency& adjacency, const Wav
     edges = merge_edges(*fine_adjacency, edges.weights, merge, of_level.part(0.5, 1));
     of_level.tick();
     AveragedLevel level;
-    level.graph = build_phase_graph(edges.adjacency, coarse.waves, kind, edges.weights, {},
-                                    coarse.elements.normals);
+    level.graph = build_phase_graph(edges.adjacency, coarse.waves, kind, edges.weights);
     level.parent = std::move(merge.parent);
     set_transfer(level, fine, coarse, kind);
     result.push_back(std::move(level));

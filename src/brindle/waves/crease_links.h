@@ -14,12 +14,4 @@ inline float cosine_across(const Vec3& d_j, const Vec3& n_j, const Vec3& d_i, co
   return d_i.dot(d_j) - d_j.dot(n_i) * d_i.dot(n_j) / unfolded;
 }
 
-/// The coupling of a link: direct if positive, reflecting if negative. The phase shift is zero,
-/// since both waves are at one position. Links are weak: they place the stripes of a face, but do
-/// not bend them where the other face has another frequency along the crease.
-inline float coupling_across(const Vec3& d_j, const Vec3& n_j, const Vec3& d_i, const Vec3& n_i) {
-  constexpr float kWeight = 0.01f;
-  return kWeight * cosine_across(d_j, n_j, d_i, n_i);
-}
-
 }  // namespace brindle

@@ -96,7 +96,7 @@ void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
 }
 
 void orient_alike(const Surface& surface, std::span<Vec3> directions, const Progress& progress) {
-  OrientationWalk walk(*surface.coupled(), directions, progress,
+  OrientationWalk walk(*surface.neighbors_over_creases(), directions, progress,
                        surface.linked ? &surface : nullptr);
   walk_all(walk, directions.size());
 }

@@ -7,19 +7,12 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
-#include "brindle/waves/crease_links.h"
 #include "brindle/waves/energy_sums.h"
 #include "brindle/waves/wave_check.h"
 #include "brindle/waves/weight_check.h"
 
 namespace brindle {
 namespace {
-
-void check_normals(std::span<const Vec3> normals, std::size_t nodes) {
-  if (normals.empty() || normals.size() == nodes) return;
-  throw Error("phase graph: there must be one normal for each of " + std::to_string(nodes) +
-              " nodes, or none");
-}
 
 struct Coupling {
   Complex value;
@@ -35,22 +28,14 @@ Coupling coupled(PhaseShiftKind kind, const Wave& j, const Wave& i, float edge_w
           shift.reflecting};
 }
 
-/// The same on the two sides of a crease.
-Coupling coupled_across(const Wave& j, const Vec3& n_j, const Wave& i, const Vec3& n_i,
-                        float edge_weight) {
-  const float coupling = edge_weight * coupling_across(j.direction, n_j, i.direction, n_i);
-  return {coupling, coupling < 0};
-}
-
 }  // namespace
 
 PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const WaveSet& waves,
                              PhaseShiftKind kind, std::span<const float> edge_weights,
-                             const Progress& progress, std::span<const Vec3> normals) {
+                             const Progress& progress) {
   const std::size_t nodes = adjacency->node_count();
   const std::size_t edges = adjacency->directed_edge_count();
   check_coupled_waves(*adjacency, waves, edge_weights);
-  check_normals(normals, nodes);
   PhaseGraph graph;
   graph.coupling.resize(edges);
   graph.reflecting.resize(edges);
@@ -61,9 +46,7 @@ PhaseGraph build_phase_graph(std::shared_ptr<const Adjacency> adjacency, const W
         const Index j = adjacency->neighbors[edge];
         const Wave w_j = waves.wave(j);
         const float weight = edge_weights.empty() ? 1 : edge_weights[edge];
-        const bool across = !normals.empty() && w_i.position == w_j.position;
-        const Coupling found = across ? coupled_across(w_j, normals[j], w_i, normals[i], weight)
-                                      : coupled(kind, w_j, w_i, weight);
+        const Coupling found = coupled(kind, w_j, w_i, weight);
         graph.coupling[edge] = found.value;
         graph.reflecting[edge] = found.reflecting;
       }

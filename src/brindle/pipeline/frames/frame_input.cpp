@@ -6,6 +6,7 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/pipeline/sewn_faces.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
@@ -48,11 +49,20 @@ std::span<const Vec3> MovingNormals::at(std::span<const Vec3> positions) {
   return normals_;
 }
 
-std::span<const Vec3> normals_of(const FrameInput& input, const RestNormals& in_place,
-                                 MovingNormals& moving) {
-  if (!input.normals.empty()) return input.normals;
-  if (ranges::equal(input.positions, in_place.positions)) return in_place.normals;
-  return moving.at(input.positions);
+FrameSewing::FrameSewing(const Surface& surface) {
+  if (!surface.linked) return;
+  surface_.neighborhood = surface.neighborhood;
+  surface_.linked = surface.linked;
+  moving_ = MovingNormals(surface);
+}
+
+void FrameSewing::sew(const FrameInput& input, std::span<Complex> z) {
+  const std::span<const Vec3> normals = moving_.at(input.positions);
+  surface_.normals.assign(normals.begin(), normals.end());
+  const WaveSet waves{{input.positions.begin(), input.positions.end()},
+                      {input.directions.begin(), input.directions.end()},
+                      {input.frequencies.begin(), input.frequencies.end()}};
+  sew_faces(surface_, waves, z);
 }
 
 void check_values(const FrameInput& input, const Adjacency& neighborhood,

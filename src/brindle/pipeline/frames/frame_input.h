@@ -11,6 +11,7 @@
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/stripe_animator.h"
+#include "brindle/surface.h"
 #include "brindle/waves/yielding_solver.h"
 
 namespace brindle {
@@ -44,9 +45,22 @@ class MovingNormals {
   std::vector<Vec3> normals_;
 };
 
-/// The input's normals, else the rest normals at rest positions, else those from `moving`.
-std::span<const Vec3> normals_of(const FrameInput& input, const RestNormals& in_place,
-                                 MovingNormals& moving);
+/// Sews the faces of frames that do not follow another one.
+class FrameSewing {
+ public:
+  /// For a surface without creases.
+  FrameSewing() = default;
+  explicit FrameSewing(const Surface& surface);
+
+  bool has_creases() const { return surface_.linked != nullptr; }
+
+  /// As `sew_faces`, for phases by vertex; needs creases.
+  void sew(const FrameInput& input, std::span<Complex> z);
+
+ private:
+  Surface surface_;  ///< without a mesh
+  MovingNormals moving_;
+};
 
 /// Throws Error as `check_waves` and `check_fineness` do; also as `check_tangent` does, if the
 /// input has normals or vertices are at their rest positions.

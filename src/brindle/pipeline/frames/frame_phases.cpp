@@ -92,18 +92,12 @@ bool FramePhases::load(const Level& finest, const FrameInput& input) {
   return true;
 }
 
-void FramePhases::load_normals(std::span<const Vec3> normals_by_node) {
-  if (!linked.empty()) next_normals.assign(normals_by_node.begin(), normals_by_node.end());
-}
-
-void FramePhases::couple_to(Level& finest, std::span<const SlicedWave> of,
-                            std::span<const Vec3> normals_of) {
+void FramePhases::couple_to(Level& finest, std::span<const SlicedWave> of) {
   couple(finest.layout(), of, phase_shift, weights, finest.couplings, degree);
-  couple_linked(finest.layout(), linked, of, normals_of, finest.couplings, degree);
 }
 
 void FramePhases::couple_next(Level& finest) {
-  couple_to(finest, next_waves(), next_normals);
+  couple_to(finest, next_waves());
   const bool anchored = has_last && lambda > 0 && solver == FrameSolver::multilevel;
   if (anchored) {
     set_anchors(degree, last_z, lambda, finest.couplings.anchor);
@@ -133,7 +127,6 @@ void FramePhases::keep(const Level& finest) {
   to_nodes(layout, last_z, z_by_node);
   has_given = false;
   if (may_be_taken_back) std::swap(waves, cancellable_waves);
-  std::swap(normals, next_normals);
   has_frame = has_last = true;
 }
 
@@ -142,7 +135,7 @@ void FramePhases::take_back(Level& finest) {
   if (!has_frame) return;
   turn_phases(waves, next_waves(), last_z);
   turn_phases(waves, next_waves(), momentum.m);
-  couple_to(finest, waves, normals);
+  couple_to(finest, waves);
   to_slots(finest.layout(), z_by_node, finest.z);
 }
 

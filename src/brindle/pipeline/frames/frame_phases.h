@@ -49,15 +49,15 @@ struct FramePhases {
   /// new directions and replace the last ones. Returns whether anything has changed.
   bool load(const Level& finest, const FrameInput& input);
 
-  /// Sets the normals of the next waves; only used for links across creases.
-  void load_normals(std::span<const Vec3> normals_by_node);
-
   /// Solves for phases of the finest level from the next waves, by a descent, which builds coarser
   /// levels at first, or by the paper's iterations. `levels` is a RankHierarchy or has its
   /// functions.
   template <class Levels>
   void solve(Levels& levels, const AnimatorOptions& options, FrameClock& clock,
              const Progress& progress);
+
+  /// Whether nothing ties the frame's phases to those of the last one.
+  bool starts_afresh() const { return !has_last || (descends() && lambda == 0); }
 
   /// Phase distances between the solution and the last frame.
   PhaseSteps steps(const Level& finest) const;
@@ -84,8 +84,6 @@ struct FramePhases {
   std::vector<SlicedWave> waves;              ///< of the last frame
   std::vector<SlicedWave> cancellable_waves;  ///< of the next frame, if reversible
   std::vector<float> weights;                 ///< of edges, by entry; empty: 1
-  std::vector<LinkedEntry> linked;            ///< links across creases
-  std::vector<Vec3> normals, next_normals;    ///< by node, for `linked`
   std::vector<float> degree;                  ///< by slot: sum of weights
   std::vector<Complex> last_z;
   std::vector<Complex> given_z;  ///< by node
@@ -104,7 +102,7 @@ struct FramePhases {
   /// The paper's iterations, starting from the last phases, or from the peak where there are none.
   /// `relax(momentum)` is one iteration.
   void iterate(Level& finest, const std::function<void(Momentum&)>& relax);
-  void couple_to(Level& finest, std::span<const SlicedWave> of, std::span<const Vec3> normals_of);
+  void couple_to(Level& finest, std::span<const SlicedWave> of);
   std::vector<SlicedWave>& next_waves() { return may_be_taken_back ? cancellable_waves : waves; }
 };
 

@@ -10,14 +10,12 @@
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/pipeline/frames/frame_phases.h"
-#include "brindle/pipeline/sewn_faces.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
 
 struct StripeAnimator::State {
   std::shared_ptr<const Adjacency> neighborhood;
-  std::shared_ptr<const Adjacency> coupled;  ///< with links across creases, if any
   AnimatorOptions options;
 
   Hierarchy hierarchy = {};  ///< empty before the first frame
@@ -26,7 +24,7 @@ struct StripeAnimator::State {
   bool has_yielded = false;  ///< whether the frame being solved has relaxed frequencies
   FrameFrequencies yielding = {};
   RestNormals in_place = {};
-  MovingNormals moving = {};  ///< with links across creases only
+  FrameSewing sewing = {};
 
   Level& finest() { return hierarchy.levels[0]; }
 };
@@ -95,13 +93,12 @@ void check_options(const std::shared_ptr<const Adjacency>& neighborhood,
 StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
                                const AnimatorOptions& options) {
   check_options(neighborhood, options);
-  state_ = std::make_unique<State>(State{neighborhood, neighborhood, options});
+  state_ = std::make_unique<State>(State{neighborhood, options});
 }
 
 StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& options)
-    : StripeAnimator(surface.coupled(), without_slack(options)) {
-  state_->neighborhood = surface.neighborhood;
-  if (surface.linked) state_->moving = MovingNormals(surface);
+    : StripeAnimator(surface.neighborhood, without_slack(options)) {
+  state_->sewing = FrameSewing(surface);
   state_->yielding = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
@@ -141,12 +138,11 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   start(progress.part(0.3, 0.4));
   clock.lap();
   if (!s.phases.load(s.finest(), yielded)) return unchanged_result();
-  if (s.coupled != s.neighborhood) s.phases.load_normals(normals_of(input, s.in_place, s.moving));
   try {
     WholeLevels levels{s.hierarchy};
     s.phases.solve(levels, s.options, clock, progress.part(0.4, 1));
     if (!s.phases.has_last && s.options.lambda > 0) reserve_anchors(s.hierarchy);
-    if (s.coupled != s.neighborhood && !s.phases.has_last) sew(yielded);
+    if (s.sewing.has_creases() && s.phases.starts_afresh()) sew(yielded);
   } catch (...) {
     take_phases_back();
     throw;
@@ -158,15 +154,11 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   return result;
 }
 
-/// Aligns stripes across creases in the first frame; later frames follow it.
+/// Aligns stripes across creases; frames that follow stay aligned.
 void StripeAnimator::sew(const FrameInput& input) {
   State& s = *state_;
-  const Surface surface{{}, s.neighborhood, s.phases.next_normals, {}, s.coupled};
-  const WaveSet waves{{input.positions.begin(), input.positions.end()},
-                      {input.directions.begin(), input.directions.end()},
-                      {input.frequencies.begin(), input.frequencies.end()}};
   std::vector<Complex> z = to_nodes(s.finest().layout(), s.finest().z);
-  sew_faces(surface, waves, z);
+  s.sewing.sew(input, z);
   to_slots(s.finest().layout(), z, s.finest().z);
 }
 
@@ -194,14 +186,11 @@ void StripeAnimator::start(const Progress& progress) {
   if (!phases.degree.empty()) return;
   Stopwatch watch;
   const bool builds = s.hierarchy.levels.empty();
-  if (builds) s.hierarchy = finest_level(*s.coupled, progress);
+  if (builds) s.hierarchy = finest_level(*s.neighborhood, progress);
   const SlicedLayout& layout = s.finest().layout();
   phases.start(layout);
   if (!s.options.edge_weights.empty()) {
-    phases.weights = sliced_weights(layout, *s.coupled, s.options.edge_weights);
-  }
-  if (s.coupled != s.neighborhood) {
-    phases.linked = take_linked_entries(layout, *s.coupled, s.in_place.positions, phases.weights);
+    phases.weights = sliced_weights(layout, *s.neighborhood, s.options.edge_weights);
   }
   if (builds) phases.topology_milliseconds = watch.lap();
 }
@@ -223,14 +212,13 @@ double StripeAnimator::energy() const {
 }
 
 StripeAnimator StripeAnimator::sibling() const {
-  auto state =
-      std::make_unique<State>(State{state_->neighborhood, state_->coupled, state_->options});
+  auto state = std::make_unique<State>(State{state_->neighborhood, state_->options});
   state->hierarchy = brindle::sibling(state_->hierarchy);
   state->is_sibling = !state->hierarchy.levels.empty();
   state->phases.may_be_taken_back = state_->phases.may_be_taken_back;
   state->yielding = state_->yielding.sibling();
   state->in_place = state_->in_place;
-  state->moving = state_->moving;
+  state->sewing = state_->sewing;
   return StripeAnimator(std::move(state));
 }
 

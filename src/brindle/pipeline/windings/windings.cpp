@@ -293,7 +293,7 @@ std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
   std::vector<Index> queue = {loop.vertices.at(0)};
   reached.at(queue[0]) = true;
   for (std::size_t next = 0; next < queue.size(); ++next) {
-    for (const Index neighbor : surface.coupled()->of(queue[next])) {
+    for (const Index neighbor : surface.neighbors_over_creases()->of(queue[next])) {
       if (!reached[neighbor]) queue.push_back(neighbor);
       reached[neighbor] = true;
     }
