@@ -23,8 +23,6 @@ struct Surface {
   std::vector<Vec3> normals;
   /// Vertices that are copies of others, along creases (`split_at_creases`).
   Creases creases = {};
-  /// The neighbourhood with links over creases; null if there are none.
-  std::shared_ptr<const Adjacency> linked = {};
   /// 1 for triangles whose winding `normals` reverse, as neighbours are wound the other way; empty
   /// if components are wound alike, or cannot be.
   std::vector<std::uint8_t> turned = {};
@@ -33,11 +31,6 @@ struct Surface {
   std::size_t own_vertex_count() const { return mesh.vertex_count() - creases.copied.size(); }
   /// The number of edges then.
   std::size_t own_edge_count() const { return neighborhood->edge_count() - creases.edges.size(); }
-
-  /// Neighbours, also on the other side of a crease.
-  const std::shared_ptr<const Adjacency>& neighbors_over_creases() const {
-    return linked ? linked : neighborhood;
-  }
 };
 
 /// Computes neighbourhood and normals. Throws Error, naming the first vertex or triangle, for a

@@ -54,8 +54,8 @@ auto members(T& all) {
 
 template <Of<Surface> T>
 auto members(T& all) {
-  auto& [mesh, neighborhood, normals, creases, linked, turned] = all;
-  return std::tie(mesh, neighborhood, normals, creases, linked, turned);
+  auto& [mesh, neighborhood, normals, creases, turned] = all;
+  return std::tie(mesh, neighborhood, normals, creases, turned);
 }
 
 template <Of<DataArray> T>

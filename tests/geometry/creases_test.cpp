@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/normals.h"
 #include "brindle/shapes.h"
 #include "brindle/surface.h"
@@ -222,11 +223,11 @@ TEST(CreasesTest, SurfacesLinkBothSidesAndWarnOfNothing) {
   const Surface surface = with_creases(cube_with_creases());
   EXPECT_EQ(surface.own_vertex_count(), 10u);
   // Three pairs at each of eight corners.
-  EXPECT_EQ(surface.neighbors_over_creases()->edge_count() - surface.neighborhood->edge_count(),
+  EXPECT_EQ(neighbors_over_creases(surface)->edge_count() - surface.neighborhood->edge_count(),
             24u);
   EXPECT_TRUE(surface_warnings(surface).empty());
   const Surface smooth = with_creases(make_shape("torus,resolution=64"));
-  EXPECT_EQ(smooth.neighbors_over_creases(), smooth.neighborhood);
+  EXPECT_EQ(neighbors_over_creases(smooth), smooth.neighborhood);
 }
 
 TEST(CreasesTest, LoopsGoOverCreases) {

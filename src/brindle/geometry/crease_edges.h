@@ -1,6 +1,10 @@
 /// Edges of a surface at its creases.
 #pragma once
 
+#include <array>
+#include <memory>
+#include <vector>
+
 #include "brindle/geometry/topology.h"
 #include "brindle/surface.h"
 
@@ -9,6 +13,12 @@ namespace brindle {
 /// The edges of a surface before its vertices were split at creases, with the original numbers. An
 /// edge on a crease has two triangles, whose corners may be copies of its ends.
 MeshEdges joined_edges(const Surface& surface, const Progress& progress = {});
+
+/// Pairs of vertices at the same position on both sides of a crease, in both orders, sorted.
+std::vector<std::array<Index, 2>> links_over_creases(const Creases& creases);
+
+/// The neighbourhood with these links.
+std::shared_ptr<const Adjacency> neighbors_over_creases(const Surface& surface);
 
 /// Whether an edge is sharp enough for a crease or has three or more triangles. If not, no part of
 /// the mesh is split. Throws as `split_at_creases` does.

@@ -47,6 +47,17 @@ std::vector<Vec3> area_vectors(const Mesh& mesh) {
   return vectors;
 }
 
+/// In doubles, as below.
+std::vector<Vec3> unit_or_zero(std::span<const Vec3> vectors) {
+  std::vector<Vec3> units(vectors.size());
+  parallel_for(vectors.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      units[t] = vectors[t].cast<double>().normalized().cast<float>();
+    }
+  });
+  return units;
+}
+
 /// Whether a and b, of any length, enclose less than the angle of this cosine; true for zero
 /// vectors. In doubles: squared areas leave the range of float in very small or large units.
 bool bends_less(const Vec3& a, const Vec3& b, double cosine) {
@@ -93,6 +104,7 @@ class CreaseFinder {
         cosine_(cosine_of(angle_deg)),
         cosine_of_half_(cosine_of(0.49f * angle_deg)),
         areas_(area_vectors(mesh)),
+        normals_(unit_or_zero(areas_)),
         around_(vertex_triangles(mesh, progress.part(0, 0.5))),
         is_crease_(3 * mesh.triangle_count()) {
     find_sharp_edges(progress.part(0.5, 1));
@@ -157,15 +169,14 @@ class CreaseFinder {
   }
 
   /// Quick test that no edge at the vertex is sharp: winding is consistent, and all triangles bend
-  /// from the first by less than half the angle.
+  /// from the first by less than half the angle. Triangles without area fail it.
   bool is_smooth(Index v) const {
     constexpr std::size_t kFew = 12;
     const std::span<const Index> around = around_.of(v);
     if (around.size() > kFew) return false;
     std::array<Index, kFew> next, previous;
     for (std::size_t n = 0; n < around.size(); ++n) {
-      const Vec3& area = areas_[around[n]];
-      if (area.isZero(0) || !bends_less(areas_[around[0]], area, cosine_of_half_)) return false;
+      if (normals_[around[0]].dot(normals_[around[n]]) < cosine_of_half_) return false;
       const Triangle& triangle = mesh_.triangles[around[n]];
       const int corner = corner_of(triangle, v);
       next[n] = triangle[(corner + 1) % 3];
@@ -371,6 +382,7 @@ class CreaseFinder {
   float cosine_;
   float cosine_of_half_;
   std::vector<Vec3> areas_;
+  std::vector<Vec3> normals_;  ///< unit, or zero without area
   VertexTriangles around_;
   std::vector<std::array<Index, 2>> ends_;  ///< of sharp edges, the lower number first
   CompressedRows<Index> half_edges_;        ///< of sharp edges, in ascending order

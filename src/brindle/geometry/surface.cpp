@@ -74,8 +74,23 @@ void check_mesh(const Mesh& mesh) {
 
 namespace {
 
-/// Pairs of vertices at the same position on both sides of a crease, in both orders.
-std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
+/// Normals, and the triangles that they turn.
+void add_normals(Surface& surface, const Mesh& mesh, const VertexTriangles& around,
+                 const Creases& creases, const Progress& progress) {
+  std::vector<TriangleAngles> angles;
+  const auto fill = [&](const Progress& part) {
+    return fill_vertex_normals(mesh, around, surface.turned, angles, surface.normals, part);
+  };
+  const std::vector<CreaseNeighbors> links = triangles_over_creases(mesh, around, creases);
+  const bool against = fill(progress);
+  if (!against && ranges::none_of(links, &CreaseNeighbors::against)) return;
+  surface.turned = triangles_to_turn(mesh, around, links);
+  if (!surface.turned.empty()) fill({});
+}
+
+}  // namespace
+
+std::vector<std::array<Index, 2>> links_over_creases(const Creases& creases) {
   std::vector<std::array<Index, 2>> links;
   for (const CreaseEdge& edge : creases.edges) {
     for (int end = 0; end < 2; ++end) {
@@ -88,42 +103,26 @@ std::vector<std::array<Index, 2>> links_of(const Creases& creases) {
   return links;
 }
 
-/// Normals, and the triangles that they turn.
-void add_normals(Surface& surface, const Mesh& mesh, const VertexTriangles& around,
-                 const Creases& creases, const Progress& progress) {
-  std::vector<TriangleAngles> angles;
-  const auto fill = [&](const Progress& part) {
-    return fill_vertex_normals(mesh, around, surface.turned, angles, surface.normals, part);
-  };
-  const std::vector<CreaseNeighbors> links = neighbors_over_creases(mesh, around, creases);
-  const bool against = fill(progress);
-  if (!against && ranges::none_of(links, &CreaseNeighbors::against)) return;
-  surface.turned = triangles_to_turn(mesh, around, links);
-  if (!surface.turned.empty()) fill({});
-}
-
-/// The neighbourhood with links across creases.
-Adjacency with_links(const Adjacency& neighborhood, const Creases& creases) {
-  const std::vector<std::array<Index, 2>> links = links_of(creases);
-  Adjacency linked;
-  linked.offsets.assign(1, 0);
-  linked.offsets.reserve(neighborhood.offsets.size());
-  linked.neighbors.reserve(neighborhood.neighbors.size() + links.size());
+std::shared_ptr<const Adjacency> neighbors_over_creases(const Surface& surface) {
+  const Adjacency& neighborhood = *surface.neighborhood;
+  const std::vector<std::array<Index, 2>> links = links_over_creases(surface.creases);
+  if (links.empty()) return surface.neighborhood;
+  auto joined = std::make_shared<Adjacency>();
+  joined->offsets.reserve(neighborhood.offsets.size());
+  joined->neighbors.reserve(neighborhood.neighbors.size() + links.size());
   auto next = links.begin();
   for (Index v = 0; v < neighborhood.node_count(); ++v) {
     const std::span<const Index> row = neighborhood.of(v);
-    linked.neighbors.insert(linked.neighbors.end(), row.begin(), row.end());
+    joined->neighbors.insert(joined->neighbors.end(), row.begin(), row.end());
     const auto first = next;
-    for (; next != links.end() && (*next)[0] == v; ++next) linked.neighbors.push_back((*next)[1]);
+    for (; next != links.end() && (*next)[0] == v; ++next) joined->neighbors.push_back((*next)[1]);
     if (next != first) {
-      ranges::sort(linked.neighbors.begin() + linked.offsets.back(), linked.neighbors.end());
+      ranges::sort(joined->neighbors.begin() + joined->offsets.back(), joined->neighbors.end());
     }
-    linked.offsets.push_back(static_cast<Index>(linked.neighbors.size()));
+    joined->offsets.push_back(static_cast<Index>(joined->neighbors.size()));
   }
-  return linked;
+  return joined;
 }
-
-}  // namespace
 
 MeshEdges joined_edges(const Surface& surface, const Progress& progress) {
   if (surface.creases.empty()) return mesh_edges(surface.mesh, *surface.neighborhood, progress);
@@ -146,9 +145,6 @@ Surface make_surface(Mesh mesh, Creases creases, const Progress& progress) {
       vertex_neighborhood(mesh, around, stages.begin("neighborhood")));
   check_edge_lengths(edge_lengths(mesh.positions, *surface.neighborhood));
   add_normals(surface, mesh, around, creases, stages.begin("normals"));
-  if (!creases.empty()) {
-    surface.linked = std::make_shared<const Adjacency>(with_links(*surface.neighborhood, creases));
-  }
   stages.finish();
   surface.mesh = std::move(mesh);
   surface.creases = std::move(creases);

@@ -124,7 +124,7 @@ class WindingWalk {
 
 }  // namespace
 
-std::vector<CreaseNeighbors> neighbors_over_creases(const Mesh& mesh, const VertexTriangles& around,
+std::vector<CreaseNeighbors> triangles_over_creases(const Mesh& mesh, const VertexTriangles& around,
                                                     const Creases& creases) {
   std::vector<CreaseNeighbors> links;
   for (const auto& [first, second] : creases.edges) {

@@ -18,7 +18,7 @@ struct CreaseNeighbors {
   bool against;  ///< of opposite winding
 };
 
-std::vector<CreaseNeighbors> neighbors_over_creases(const Mesh& mesh, const VertexTriangles& around,
+std::vector<CreaseNeighbors> triangles_over_creases(const Mesh& mesh, const VertexTriangles& around,
                                                     const Creases& creases);
 
 /// 1 for triangles to turn so that all of their component are wound alike: outwards if it is

@@ -1,11 +1,15 @@
 #include "brindle/pipeline/sewn_faces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "brindle/base/compressed_rows.h"
+#include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/waves/crease_links.h"
 
 namespace brindle {
@@ -58,12 +62,34 @@ class FaceSewing {
   }
 
  private:
+  /// How the wave of a vertex runs beside those of its neighbours.
+  enum class Runs : std::uint8_t { nowhere, alike, against_some };
+
+  /// Whether the waves of two neighbours run against each other.
+  bool runs_against(Index v, Index w) const {
+    return waves_.directions[v].dot(waves_.directions[w]) < 0;
+  }
+
+  std::vector<Runs> runs_by_vertex() const {
+    std::vector<Runs> runs(z_.size(), Runs::nowhere);
+    parallel_for(runs.size(), [&](std::size_t begin, std::size_t end) {
+      for (auto v = static_cast<Index>(begin); v < end; ++v) {
+        if (waves_.directions[v].isZero(0)) continue;
+        const bool against = ranges::any_of(surface_.neighborhood->of(v),
+                                            [&](Index w) { return runs_against(v, w); });
+        runs[v] = against ? Runs::against_some : Runs::alike;
+      }
+    });
+    return runs;
+  }
+
   /// Finds the faces, and each wave's sign relative to the first vertex of its face.
   void find_faces() {
     const Adjacency& neighborhood = *surface_.neighborhood;
+    const std::vector<Runs> runs = runs_by_vertex();
     std::vector<Index> queue;
     for (Index first = 0; first < z_.size(); ++first) {
-      if (sense_[first] != 0 || waves_.directions[first].isZero(0)) continue;
+      if (sense_[first] != 0 || runs[first] == Runs::nowhere) continue;
       const auto face = static_cast<Index>(oriented_.size());
       bool oriented = true;
       queue.assign(1, first);
@@ -73,10 +99,9 @@ class FaceSewing {
         face_[v] = face;
         for (const Index w : neighborhood.of(v)) {
           // Check each edge once.
-          if (sense_[w] != 0 && w < v) continue;
-          if (waves_.directions[w].isZero(0)) continue;
-          const float cosine = waves_.directions[v].dot(waves_.directions[w]);
-          const auto sense = static_cast<std::int8_t>(cosine < 0 ? -sense_[v] : sense_[v]);
+          if ((sense_[w] != 0 && w < v) || runs[w] == Runs::nowhere) continue;
+          const bool against = runs[v] == Runs::against_some && runs_against(v, w);
+          const auto sense = static_cast<std::int8_t>(against ? -sense_[v] : sense_[v]);
           if (sense_[w] == 0) {
             sense_[w] = sense;
             queue.push_back(w);
@@ -93,17 +118,14 @@ class FaceSewing {
   Complex phase(Index v) const { return sense_[v] < 0 ? -std::conj(z_[v]) : z_[v]; }
 
   void find_links() {
+    const std::vector<std::array<Index, 2>> links = links_over_creases(surface_.creases);
     links_ = compressed_rows<FaceLink>(oriented_.size(), [&](const auto& add) {
-      for (Index i = 0; i < z_.size(); ++i) {
-        for (const Index j : surface_.linked->of(i)) {
-          const bool links = waves_.positions[i] == waves_.positions[j] && sense_[i] != 0 &&
-                             sense_[j] != 0 && face_[i] != face_[j];
-          if (!links) continue;
-          const float cosine = cosine_across(waves_.directions[j], surface_.normals[j],
-                                             waves_.directions[i], surface_.normals[i]);
-          const bool against = (cosine < 0) != (sense_[i] != sense_[j]);
-          add(face_[i], {face_[j], phase(i), phase(j), std::abs(cosine), against});
-        }
+      for (const auto& [i, j] : links) {
+        if (sense_[i] == 0 || sense_[j] == 0 || face_[i] == face_[j]) continue;
+        const float cosine = cosine_across(waves_.directions[j], surface_.normals[j],
+                                           waves_.directions[i], surface_.normals[i]);
+        const bool against = (cosine < 0) != (sense_[i] != sense_[j]);
+        add(face_[i], {face_[j], phase(i), phase(j), std::abs(cosine), against});
       }
     });
   }
@@ -135,7 +157,7 @@ class FaceSewing {
 }  // namespace
 
 void sew_faces(const Surface& surface, const WaveSet& waves, std::span<Complex> z) {
-  if (surface.linked) FaceSewing(surface, waves, z).sew();
+  if (!surface.creases.empty()) FaceSewing(surface, waves, z).sew();
 }
 
 }  // namespace brindle

@@ -108,7 +108,7 @@ void run_alike(const Surface& surface, StripePattern& pattern) {
 
 std::size_t shift_stripes(const Surface& surface, float periods, StripePattern& pattern) {
   check_belongs(surface, pattern);
-  if (surface.linked) run_alike(surface, pattern);
+  if (!surface.creases.empty()) run_alike(surface, pattern);
   return shift_phases(*surface.neighborhood, periods, pattern.waves, pattern.solution.z);
 }
 

@@ -9,6 +9,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/geometry/crease_edges.h"
 
 namespace brindle {
 namespace {
@@ -117,11 +118,12 @@ PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjac
 }
 
 PhaseGraph direction_graph_of(const Surface& surface, int symmetry, const Progress& progress) {
-  if (!surface.linked) {
+  if (surface.creases.empty()) {
     return build_direction_graph(surface.neighborhood, surface.normals, symmetry, progress);
   }
   constexpr float kAcrossCreases = 0.02f;
-  const Adjacency& linked = *surface.linked;
+  const auto linked_to = neighbors_over_creases(surface);
+  const Adjacency& linked = *linked_to;
   std::vector<float> weights(linked.directed_edge_count(), 1);
   for (Index i = 0; i < linked.node_count(); ++i) {
     for (Index edge = linked.offsets[i]; edge < linked.offsets[i + 1]; ++edge) {
@@ -129,8 +131,7 @@ PhaseGraph direction_graph_of(const Surface& surface, int symmetry, const Progre
       if (surface.mesh.positions[i] == surface.mesh.positions[j]) weights[edge] = kAcrossCreases;
     }
   }
-  return build_weighted_direction_graph(surface.linked, surface.normals, symmetry, weights,
-                                        progress);
+  return build_weighted_direction_graph(linked_to, surface.normals, symmetry, weights, progress);
 }
 
 Complex representation(const Vec3& direction, const Vec3& normal, int symmetry) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "brindle/base/parallel.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/waves/crease_links.h"
 
 namespace brindle {
@@ -96,8 +97,9 @@ void orient_alike(const Adjacency& neighborhood, std::span<Vec3> directions,
 }
 
 void orient_alike(const Surface& surface, std::span<Vec3> directions, const Progress& progress) {
-  OrientationWalk walk(*surface.neighbors_over_creases(), directions, progress,
-                       surface.linked ? &surface : nullptr);
+  const auto neighbors = neighbors_over_creases(surface);
+  OrientationWalk walk(*neighbors, directions, progress,
+                       surface.creases.empty() ? nullptr : &surface);
   walk_all(walk, directions.size());
 }
 

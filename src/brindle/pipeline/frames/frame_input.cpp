@@ -50,9 +50,9 @@ std::span<const Vec3> MovingNormals::at(std::span<const Vec3> positions) {
 }
 
 FrameSewing::FrameSewing(const Surface& surface) {
-  if (!surface.linked) return;
+  if (surface.creases.empty()) return;
   surface_.neighborhood = surface.neighborhood;
-  surface_.linked = surface.linked;
+  surface_.creases = surface.creases;
   moving_ = MovingNormals(surface);
 }
 

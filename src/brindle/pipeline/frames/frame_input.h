@@ -52,7 +52,7 @@ class FrameSewing {
   FrameSewing() = default;
   explicit FrameSewing(const Surface& surface);
 
-  bool has_creases() const { return surface_.linked != nullptr; }
+  bool has_creases() const { return !surface_.creases.empty(); }
 
   /// As `sew_faces`, for phases by vertex; needs creases.
   void sew(const FrameInput& input, std::span<Complex> z);

@@ -10,6 +10,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/pipeline/windings/harmonic_change.h"
 #include "brindle/pipeline/yielded_stripes.h"
 
@@ -292,8 +293,9 @@ std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
   std::vector<bool> reached(surface.mesh.vertex_count());
   std::vector<Index> queue = {loop.vertices.at(0)};
   reached.at(queue[0]) = true;
+  const auto neighbors = neighbors_over_creases(surface);
   for (std::size_t next = 0; next < queue.size(); ++next) {
-    for (const Index neighbor : surface.neighbors_over_creases()->of(queue[next])) {
+    for (const Index neighbor : neighbors->of(queue[next])) {
       if (!reached[neighbor]) queue.push_back(neighbor);
       reached[neighbor] = true;
     }
