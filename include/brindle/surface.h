@@ -55,7 +55,8 @@ void check_positions(std::span<const Vec3> positions);
 /// As above, and naming the first triangle, for a corner that is no vertex of the mesh.
 void check_mesh(const Mesh& mesh);
 
-/// A closed path along edges: a boundary, or a loop around a handle.
+/// A closed path along edges: a boundary, or a loop around a handle. Creases are boundaries of the
+/// faces between them.
 struct SurfaceLoop {
   /// "boundary-1", "boundary-2" and so on in the order of their lowest vertex numbers; "loop-1" and
   /// so on for handles, the shortest first.
@@ -70,10 +71,11 @@ struct SurfaceLoop {
   std::size_t component = 0;  ///< the surface's connected component, from 0
 };
 
-/// All boundary loops, then two loops for every handle (one for every cross-cap); together they
-/// generate all closed paths on the surface. Loops of handles are the shortest that a tree of
-/// shortest paths from one vertex of each component allows (Erickson and Whittlesey 2005). A
-/// component with an edge of three or more triangles has none; nor have points without triangles.
+/// All boundary loops, of every face between creases, then two loops for every handle (one for
+/// every cross-cap); together they generate all closed paths on the surface. Loops of handles are
+/// the shortest that a tree of shortest paths from one vertex of each component allows (Erickson
+/// and Whittlesey 2005). A component with an edge of three or more triangles has none; nor have
+/// points without triangles.
 std::vector<SurfaceLoop> surface_loops(const Surface& surface);
 
 }  // namespace brindle

@@ -230,12 +230,18 @@ TEST(CreasesTest, SurfacesLinkBothSidesAndWarnOfNothing) {
   EXPECT_EQ(neighbors_over_creases(smooth), smooth.neighborhood);
 }
 
-TEST(CreasesTest, LoopsGoOverCreases) {
-  EXPECT_TRUE(surface_loops(with_creases(cube_with_creases())).empty());
+// A crease bounds the faces on its two sides. Six flat faces of a cube; of a ring with a square
+// outline, four flat walls, the wall of the hole, top and bottom.
+TEST(CreasesTest, FacesHaveLoopsOfTheirOwn) {
+  const auto boundaries = [](const Surface& surface) {
+    const std::vector<SurfaceLoop> loops = surface_loops(surface);
+    for (const SurfaceLoop& loop : loops) EXPECT_TRUE(loop.boundary) << loop.name;
+    return loops.size();
+  };
+  EXPECT_EQ(boundaries(with_creases(cube_with_creases())), 6u);
   EXPECT_EQ(
-      surface_loops(with_creases(extruded_ring(square_round(16, 3), toothed_circle(16, 1), 0.5f)))
-          .size(),
-      2u);  // those of a ring
+      boundaries(with_creases(extruded_ring(square_round(16, 3), toothed_circle(16, 1), 0.5f))),
+      4u + 2u + 2u + 2u);
 }
 
 }  // namespace

@@ -369,14 +369,31 @@ TEST(CreasedCurves, EndAtCreasesWherePhasesDoNotMeet) {
       std::nullopt);
 }
 
-TEST(CreasedWindings, AreNoneWhereALoopPassesACrease) {
-  const Surface surface =
-      with_creases(extruded_ring(square_round(32, 3), toothed_circle(32, 1), 0.4f));
-  const StripePattern pattern = stripes_along(surface, {1, 0, 0}, 20);
+// Rings on the wall of a closed cylinder become spirals, and its caps stay as they are.
+TEST(CreasedWindings, AreThoseOfFaces) {
+  const Surface surface = with_creases(subdivide(extruded(toothed_circle(32, 1), 3), 2));
+  const auto is_on_wall = [&](Index v) { return std::abs(surface.normals[v].z()) < 0.5f; };
+  DirectionField field = projected_direction_field({1, 0, 0}, surface.normals);
+  for (Index v = 0; v < field.size(); ++v) {
+    if (is_on_wall(v)) field[v] = {0, 0, 1};
+  }
+  const StripePattern rings = stripe_pattern(surface, field, 2.0f);
   const std::vector<SurfaceLoop> loops = surface_loops(surface);
-  ASSERT_EQ(loops.size(), 2u);
-  for (const Winding& winding : windings(surface, loops, pattern)) EXPECT_EQ(winding, std::nullopt);
-  EXPECT_THROW(wind(surface, pattern, {}), Error);
+  ASSERT_EQ(loops.size(), 4u);
+  for (const Winding& winding : windings(surface, loops, rings)) EXPECT_EQ(winding, 0);
+  for (const int periods : {1, -2}) {
+    // The wall alone has a way round, so the loop needs no name.
+    const WoundPattern wound = wind(surface, rings, std::vector{WantedWinding{"", periods}});
+    EXPECT_EQ(wound.pattern.quality.branches, 0u) << periods;
+    const std::vector<Winding> after = windings(surface, loops, wound.pattern);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      EXPECT_EQ(after[i], is_on_wall(loops[i].vertices[0]) ? periods : 0) << loops[i].name;
+    }
+    for (Index v = 0; v < field.size(); ++v) {
+      if (is_on_wall(v)) continue;
+      EXPECT_EQ(wound.pattern.waves.directions[v], rings.waves.directions[v]) << v;
+    }
+  }
 }
 
 }  // namespace

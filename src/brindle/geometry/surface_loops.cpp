@@ -13,7 +13,6 @@ namespace {
 
 constexpr Index kNowhere = std::numeric_limits<Index>::max();
 
-/// Finds the loops of a mesh that is not split at creases.
 class LoopFinder {
  public:
   LoopFinder(const Mesh& mesh, const Adjacency& neighborhood)
@@ -216,10 +215,7 @@ class LoopFinder {
 
 std::vector<SurfaceLoop> surface_loops(const Surface& surface) {
   if (surface.mesh.triangles.empty()) return {};
-  if (surface.creases.empty()) return LoopFinder(surface.mesh, *surface.neighborhood).find();
-  // Loops cross creases.
-  const Mesh joined = joined_mesh(surface.mesh, surface.creases);
-  return LoopFinder(joined, vertex_neighborhood(joined)).find();
+  return LoopFinder(surface.mesh, *surface.neighborhood).find();
 }
 
 }  // namespace brindle

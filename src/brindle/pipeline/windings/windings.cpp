@@ -10,7 +10,6 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/geometry/crease_edges.h"
 #include "brindle/pipeline/windings/harmonic_change.h"
 #include "brindle/pipeline/yielded_stripes.h"
 
@@ -38,29 +37,12 @@ std::vector<LoopWalk> walks_of(const Surface& surface, std::span<const SurfaceLo
   return walks;
 }
 
-/// Whether the loop passes a crease, across which phases may jump.
-bool passes_crease(const SurfaceLoop& loop, const Creases& creases) {
-  const auto is_split = [&](Index v) {
-    return std::find(creases.copied.begin(), creases.copied.end(), v) != creases.copied.end();
-  };
-  return !creases.empty() && std::any_of(loop.vertices.begin(), loop.vertices.end(), is_split);
-}
-
-std::vector<Winding> numbers_of(const Surface& surface, std::span<const SurfaceLoop> loops,
-                                const std::vector<LoopWalk>& walks) {
+std::vector<Winding> numbers_of(const std::vector<LoopWalk>& walks) {
   std::vector<Winding> numbers;
-  for (std::size_t i = 0; i < walks.size(); ++i) {
-    const bool has_one = walks[i].oriented && !passes_crease(loops[i], surface.creases);
-    numbers.push_back(has_one ? Winding(walks[i].winding()) : std::nullopt);
+  for (const LoopWalk& walk : walks) {
+    numbers.push_back(walk.oriented ? Winding(walk.winding()) : std::nullopt);
   }
   return numbers;
-}
-
-void refuse_creases(const Surface& surface) {
-  if (surface.creases.empty()) return;
-  throw Error(
-      "windings: the surface has creases, across which phases need not meet; take one that is not "
-      "split at creases (an angle of 180 degrees)");
 }
 
 std::string names_of(const std::vector<SurfaceLoop>& loops) {
@@ -264,12 +246,11 @@ void measure_turn(const WaveSet& before, WoundPattern& result) {
 
 std::vector<Winding> windings(const Surface& surface, std::span<const SurfaceLoop> loops,
                               const StripePattern& pattern) {
-  return numbers_of(surface, loops, walks_of(surface, loops, pattern));
+  return numbers_of(walks_of(surface, loops, pattern));
 }
 
 std::vector<WindingSum> winding_sums(const Surface& surface, std::span<const SurfaceLoop> loops,
                                      const StripePattern& pattern) {
-  if (!surface.creases.empty()) return {};
   const std::vector<LoopWalk> walks = walks_of(surface, loops, pattern);
   const std::vector<int> senses = senses_of(surface, pattern.waves.directions);
   std::vector<WindingSum> result;
@@ -293,9 +274,8 @@ std::size_t branches_of_piece(const Surface& surface, const SurfaceLoop& loop,
   std::vector<bool> reached(surface.mesh.vertex_count());
   std::vector<Index> queue = {loop.vertices.at(0)};
   reached.at(queue[0]) = true;
-  const auto neighbors = neighbors_over_creases(surface);
   for (std::size_t next = 0; next < queue.size(); ++next) {
-    for (const Index neighbor : neighbors->of(queue[next])) {
+    for (const Index neighbor : surface.neighborhood->of(queue[next])) {
       if (!reached[neighbor]) queue.push_back(neighbor);
       reached[neighbor] = true;
     }
@@ -314,7 +294,6 @@ WaveSet waves_round(const Surface& surface, const DirectionField& reference,
   if (reference.size() != surface.mesh.vertex_count()) {
     throw Error("windings: there must be one direction per vertex");
   }
-  refuse_creases(surface);
   const std::vector<SurfaceLoop> loops = surface_loops(surface);
   const Wanted number = wanted_of(loops, std::span(&wanted, 1)).front();
   const std::size_t count = surface.mesh.vertex_count();
@@ -342,13 +321,12 @@ WoundPattern wind(const Surface& surface, const StripePattern& pattern,
                   const Progress& progress) {
   JobStages stages(progress, {{"loops", 2}, {"windings", 10}});
   stages.begin("loops");
-  refuse_creases(surface);
   const std::vector<SurfaceLoop> loops = surface_loops(surface);
   std::vector<Wanted> numbers = wanted_of(loops, wanted);
   std::vector<LoopWalk> walks = walks_of(surface, loops, pattern);
   WoundPattern result;
   result.pattern = pattern;
-  result.before = numbers_of(surface, loops, walks);
+  result.before = numbers_of(walks);
   keep_others(loops, result.before, numbers);
   result.energy_before = pattern.solution.energy;
   const MeshEdges edges = mesh_edges(surface.mesh, *surface.neighborhood);
@@ -372,7 +350,7 @@ WoundPattern wind(const Surface& surface, const StripePattern& pattern,
         resolve_with_frequencies(surface, std::move(turned), pattern, options, of_round);
     walks = walks_of(surface, loops, result.pattern);
   }
-  result.after = numbers_of(surface, loops, walks);
+  result.after = numbers_of(walks);
   measure_turn(pattern.waves, result);
   stages.finish();
   return result;
