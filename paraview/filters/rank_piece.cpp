@@ -50,13 +50,12 @@ std::vector<Eigen::Vector3d> sides_of(std::span<const double> tensors) {
 
 }  // namespace
 
-RankPiece::RankPiece(const Ranks& ranks, const Mesh& mesh, std::vector<std::uint64_t> numbers,
-                     std::vector<std::uint8_t> ghost_triangles)
+RankPiece::RankPiece(const Ranks& ranks, const SurfacePiece& piece)
     : ranks_(ranks),
-      ghosts_(std::move(ghost_triangles)),
-      surface_({mesh, numbers, ghosts_}, ranks.communicator()),
-      owners_(ranks, numbers, surface_.is_own()) {
-  for (Index v = 0; v < mesh.vertex_count(); ++v) sources_.push_back({ranks.rank(), v});
+      ghosts_(piece.ghost_triangles),
+      surface_(piece, ranks.communicator()),
+      owners_(ranks, piece.vertex_ids, surface_.is_own()) {
+  for (Index v = 0; v < piece.mesh.vertex_count(); ++v) sources_.push_back({ranks.rank(), v});
   owners_.from_owners(std::span(sources_));
 }
 

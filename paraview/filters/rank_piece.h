@@ -21,8 +21,7 @@ namespace brindle::paraview {
 /// The constructor is collective, and functions that say so.
 class RankPiece {
  public:
-  RankPiece(const Ranks& ranks, const Mesh& mesh, std::vector<std::uint64_t> numbers,
-            std::vector<std::uint8_t> ghost_triangles);
+  RankPiece(const Ranks& ranks, const SurfacePiece& piece);
 
   const Ranks& ranks() const { return ranks_; }
   const DistributedSurface& surface() const { return surface_; }

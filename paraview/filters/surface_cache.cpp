@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Core>
@@ -192,9 +193,25 @@ std::vector<std::uint8_t> ghosts_among(const InputSurface& made, const RawMesh& 
   return ghosts;
 }
 
+/// Collective. Splits a partition at creases of the whole.
+void split_over_ranks(const Ranks& ranks, float crease_angle, SurfacePiece& piece,
+                      InputSurface& made) {
+  std::optional<std::vector<Index>> copied;
+  {
+    const DistributedSurface whole(piece, ranks.communicator());
+    copied = split_at_creases(whole, piece, crease_angle);
+  }
+  if (!copied) return;
+  ranks.throw_on_all([&] {
+    Creases creases{std::move(*copied), {}};
+    add_copied_points(piece.mesh, creases, made);
+    made.surface = std::make_shared<const Surface>(make_surface(piece.mesh, std::move(creases)));
+  });
+}
+
 /// Collective. Makes one surface of all ranks' parts.
 void join_ranks(InputSurface& made, const RawMesh& raw, const PointNumbers& numbers,
-                const Ranks& ranks) {
+                const Ranks& ranks, float crease_angle) {
   const std::vector<std::uint64_t> of_vertices =
       vertex_numbers(ranks, numbers.of_points, made.vertex_of_point);
   const std::vector<std::uint8_t> repeated = repeated_triangles(
@@ -204,9 +221,10 @@ void join_ranks(InputSurface& made, const RawMesh& raw, const PointNumbers& numb
   if (!ranks.any(std::ranges::count(ghosts, 0) > 0)) {
     throw Error("the input's surface has no triangle with an area");
   }
+  SurfacePiece piece{made.surface->mesh, of_vertices, std::move(ghosts)};
+  split_over_ranks(ranks, crease_angle, piece, made);
+  made.piece = std::make_shared<const RankPiece>(ranks, piece);
   Surface surface = *made.surface;
-  made.piece =
-      std::make_shared<const RankPiece>(ranks, surface.mesh, of_vertices, std::move(ghosts));
   const std::span<const Vec3> normals = made.piece->surface().normals();
   surface.normals.assign(normals.begin(), normals.end());
   made.surface = std::make_shared<const Surface>(std::move(surface));
@@ -355,17 +373,11 @@ void SurfaceCache::derive(vtkPolyData& triangles, const Ranks& ranks, float crea
     Creases creases;
     if (ranks.alone()) creases = creases_.split(mesh, crease_angle);
     add_copied_points(mesh, creases, made);
-    keep_ids(numbers, made);
     made.surface =
         std::make_shared<const Surface>(make_surface(std::move(mesh), std::move(creases)));
   });
-  if (!ranks.alone()) {
-    join_ranks(made, raw_, numbers, ranks);
-    Mesh mesh = made.surface->mesh;
-    bool sharp = false;
-    ranks.throw_on_all([&] { sharp = !creases_.split(mesh, crease_angle).empty(); });
-    made.creases_missed = ranks.any(sharp);
-  }
+  if (!ranks.alone()) join_ranks(made, raw_, numbers, ranks, crease_angle);
+  keep_ids(numbers, made);
   current_ = std::move(made);
   crease_angle_ = crease_angle;
   ++surfaces_made_;

@@ -40,9 +40,8 @@ struct InputSurface {
   std::vector<Triangle> points_of_triangle;  ///< the points at its corners
   std::vector<Index> copied_points;          ///< sources of the points added by creases, in order
   bool joined = false;                       ///< whether any point was joined to another
-  bool creases_missed = false;  ///< whether several ranks have creases, which are not split
-  bool ids_refused = false;     ///< whether ids were rejected as global numbers
-  std::shared_ptr<const RankPiece> piece;  ///< null for a single process
+  bool ids_refused = false;                  ///< whether ids were rejected as global numbers
+  std::shared_ptr<const RankPiece> piece;    ///< null for a single process
 
   /// Ids of vertices, if points have valid ids; else null.
   std::shared_ptr<const std::vector<std::uint64_t>> ids;
@@ -88,9 +87,9 @@ class SurfaceCache {
   /// Collective. The surface of polygons, of a grid's outer cells, or of all blocks in one, with
   /// the arrays that all blocks have. Null without points. Valid until the next call. Throws Error
   /// if no triangle has an area, and for coordinates that are not finite. VTK's filters use the
-  /// abort flag of `owner`. All ranks together have one surface; some may be empty. A single rank
-  /// splits it at creases, edges that bend by more than `crease_angle` degrees, in the same places
-  /// while it only moves.
+  /// abort flag of `owner`. All ranks together have one surface; some may be empty. It is split
+  /// at creases, edges that bend by more than `crease_angle` degrees; on a single rank in the same
+  /// places while it only moves.
   const InputSurface* surface_of(vtkDataObject* input, vtkAlgorithm* owner, const Ranks& ranks,
                                  float crease_angle);
 

@@ -303,10 +303,6 @@ void vtkBrindleFilter::WarnOf(const Run& run) {
                        "missing, below zero, or of several places. Points at exactly the same "
                        "place are one vertex; apply Generate Global Ids, or leave the array out");
   }
-  if (run.input->creases_missed && this->Internals->warned_surface != surfaces) {
-    vtkWarningMacro(<< "vertices on creases have one wave over several ranks, and stripes bend "
-                       "there; a single rank gives each side of a crease its own");
-  }
   this->Internals->warned_surface = surfaces;
   for (const std::string& sentence : bp::warnings_of(run.figures, run.surface()))
     vtkWarningMacro(<< sentence);

@@ -1,6 +1,7 @@
 // Creases of a distributed surface, found by rank 0.
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "brindle/distributed/surface/gathered_surface.h"
@@ -20,11 +21,11 @@ struct MovedCorner {
 
 /// The number of the first copy.
 std::uint64_t first_copy(std::uint64_t last_number) {
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
+  constexpr std::uint64_t kMost = ~std::uint64_t{std::numeric_limits<Index>::max()};
   if (last_number < kMost) return last_number + 1;
   throw Error("a vertex has the number " + std::to_string(last_number) +
-              "; to split a surface at creases its numbers must be below 2^62 (an angle of 180 "
-              "degrees leaves creases out)");
+              "; to split a surface at creases its numbers must be below 2^64 - 2^32 (an angle of "
+              "180 degrees leaves creases out)");
 }
 
 /// On rank 0, for all ranks: the corners that differ in the split mesh, sorted by copies.
