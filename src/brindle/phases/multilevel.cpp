@@ -81,7 +81,8 @@ std::vector<JobStage> multilevel_stages() {
 PhaseSolution solve_multilevel(const Adjacency& adjacency,
                                const std::function<void(Level& finest)>& couple,
                                const SolverOptions& options, std::span<const Complex> start,
-                               const Progress& progress) {
+                               const Progress& progress,
+                               const std::function<void(std::span<Complex> z)>& finish) {
   check_solver_options(options);
   JobStages stages(progress, multilevel_stages());
   Hierarchy hierarchy = finest_level(adjacency, stages.begin("couple"));
@@ -100,6 +101,10 @@ PhaseSolution solve_multilevel(const Adjacency& adjacency,
   run_cycles(hierarchy, plan, options.cycles, stages.begin("cycles"));
   PhaseSolution solution;
   solution.z = to_nodes(finest.layout(), finest.z);
+  if (finish) {
+    finish(solution.z);
+    to_slots(finest.layout(), solution.z, finest.z);
+  }
   solution.solve_milliseconds = hierarchy.numeric_milliseconds + watch.lap();
   solution.topology_milliseconds = hierarchy.topology_milliseconds;
   solution.iterations = plan.on_level(slots).count * (options.cycles + (start.empty() ? 1 : 0));

@@ -72,11 +72,13 @@ void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress
 std::vector<JobStage> multilevel_stages();
 
 /// The whole solver without a phase graph: `couple` sets the couplings of the finest level. A
-/// nonempty `start`, one unit number per node, replaces the descent before the cycles.
-/// `solve_milliseconds` exclude `couple`. Throws Error for options out of range.
+/// nonempty `start`, one unit number per node, replaces the descent before the cycles. `finish`
+/// changes the phases (by node) before their energy is measured. `solve_milliseconds` exclude
+/// `couple`. Throws Error for options out of range.
 PhaseSolution solve_multilevel(const Adjacency& adjacency,
                                const std::function<void(Level& finest)>& couple,
                                const SolverOptions& options, std::span<const Complex> start = {},
-                               const Progress& progress = {});
+                               const Progress& progress = {},
+                               const std::function<void(std::span<Complex> z)>& finish = {});
 
 }  // namespace brindle

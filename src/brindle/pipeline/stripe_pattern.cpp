@@ -108,6 +108,9 @@ void solve_as_graph(const Surface& surface, const WaveSet& waves, const StripeOp
   const SolvePhases solve = options.solve ? options.solve : solve_phases;
   result.solution = solve(graph, options.solver, stages.begin("solve"), data);
   set_fixed_phases(graph, options.fixed_phases, result.solution);
+  watch.lap();
+  if (!is_anchored(options)) sew_faces(surface, waves, result.solution.z);
+  result.solution.solve_milliseconds += watch.lap();
 }
 
 /// Solves for phases. The multilevel solver couples waves in its own sweep order (couple_waves);
@@ -126,13 +129,13 @@ void solve(const Surface& surface, const WaveSet& waves, const StripeOptions& op
                    finest.couplings);
       result.milliseconds.couple = watch.lap();
     };
-    result.solution = solve_multilevel(*surface.neighborhood, couple, options.solver, {}, progress);
+    std::function<void(std::span<Complex>)> sew;
+    if (!surface.creases.empty()) sew = [&](std::span<Complex> z) { sew_faces(surface, waves, z); };
+    result.solution =
+        solve_multilevel(*surface.neighborhood, couple, options.solver, {}, progress, sew);
   } else {
     solve_as_graph(surface, waves, options, weights, progress, result);
   }
-  watch.lap();
-  if (!is_anchored(options)) sew_faces(surface, waves, result.solution.z);
-  result.solution.solve_milliseconds += watch.lap();
   result.milliseconds.couple += weigh_milliseconds;
   result.milliseconds.topology += result.solution.topology_milliseconds;
   result.milliseconds.solve = result.solution.solve_milliseconds;
