@@ -1,7 +1,6 @@
 /// Views of other programs' arrays in memory: vertex buffers, numpy, VTK, CAD kernels.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>

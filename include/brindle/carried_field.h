@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "brindle/carried_phases.h"
 #include "brindle/direction_field.h"

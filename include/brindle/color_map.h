@@ -1,8 +1,6 @@
 /// Colour maps for values.
 #pragma once
 
-#include <string_view>
-
 #include "brindle/export.h"
 #include "brindle/image.h"
 

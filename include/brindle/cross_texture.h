@@ -1,9 +1,7 @@
 /// Stripes and textures in both directions of a cross field (paper, 3.6).
 #pragma once
 
-#include <memory>
 #include <span>
-#include <vector>
 
 #include "brindle/cross_cover.h"
 #include "brindle/export.h"

@@ -1,7 +1,6 @@
 /// Direction fields: one tangent vector per vertex, along which its wave runs.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -1,9 +1,7 @@
 /// The phase shift from one wave to a neighbouring one (paper, 3.1).
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "brindle/export.h"

@@ -1,7 +1,6 @@
 /// Quality of a pattern along its field: branches, angle and spacing errors (paper, Fig. 8).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "brindle/broken_tiles.h"
 #include "brindle/export.h"

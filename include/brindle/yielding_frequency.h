@@ -2,7 +2,6 @@
 /// (docs/fewer_branches.md).
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>

@@ -1,7 +1,5 @@
 #include "brindle/base/axis_mean.h"
 
-#include <cmath>
-
 #include <Eigen/Eigenvalues>
 
 #include "brindle/base/standard.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "brindle/base/stopwatch.h"
@@ -17,7 +16,6 @@
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/pipeline/frames/frame_phases.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/solver.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
 

@@ -1,10 +1,8 @@
 // Fields that rank 0 computes on the whole surface, as one process does.
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "brindle/distributed/surface/gathered_surface.h"

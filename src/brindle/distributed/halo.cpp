@@ -1,7 +1,5 @@
 #include "brindle/distributed/halo.h"
 
-#include <algorithm>
-
 namespace brindle {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "brindle/distributed/rank_yielding.h"
 
 #include <algorithm>
-#include <string>
 
 #include "brindle/error.h"
 #include "brindle/waves/slack_check.h"

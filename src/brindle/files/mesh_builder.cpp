@@ -1,7 +1,6 @@
 #include "brindle/files/mesh_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "brindle/local_positions.h"

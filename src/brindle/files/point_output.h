@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "brindle/base/output_file.h"
 #include "brindle/data_arrays.h"

@@ -1,7 +1,6 @@
 #include "brindle/files/read_arrays.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <map>
 #include <set>

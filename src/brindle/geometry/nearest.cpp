@@ -1,6 +1,5 @@
 #include "brindle/nearest.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

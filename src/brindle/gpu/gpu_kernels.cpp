@@ -1,7 +1,5 @@
 #include "brindle/gpu/gpu_kernels.h"
 
-#include <vector>
-
 #include <epoxy/gl.h>
 
 namespace brindle {

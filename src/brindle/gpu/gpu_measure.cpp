@@ -1,6 +1,5 @@
 #include "brindle/gpu/gpu_measure.h"
 
-#include <algorithm>
 #include <array>
 
 #include "brindle/error.h"

@@ -1,7 +1,6 @@
 #include "brindle/corner_phases.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "brindle/base/parallel.h"

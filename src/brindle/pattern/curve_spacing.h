@@ -1,11 +1,8 @@
 /// Distances between neighbouring curves.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "brindle/curve_measures.h"
 #include "brindle/pattern/stripe_curves.h"

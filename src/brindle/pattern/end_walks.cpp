@@ -1,7 +1,6 @@
 #include "brindle/pattern/end_walks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <Eigen/Geometry>

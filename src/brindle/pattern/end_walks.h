@@ -1,7 +1,6 @@
 /// Paths over the surface from the end of a curve to the curve beside it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>

@@ -1,7 +1,6 @@
 #include "brindle/quality.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include <Eigen/Geometry>

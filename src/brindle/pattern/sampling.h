@@ -1,7 +1,6 @@
 /// Surface samples where the peaks of two wave patterns cross (paper, 5.1).
 #pragma once
 
-#include <array>
 #include <functional>
 #include <span>
 #include <vector>

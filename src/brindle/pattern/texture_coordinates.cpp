@@ -1,6 +1,5 @@
 #include "brindle/texture_coordinates.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "brindle/texture_waves.h"
 
-#include <cmath>
 #include <numbers>
 #include <string>
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 
 #include "brindle/base/standard.h"
 #include "brindle/phase_shift.h"

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/phases/sliced_waves.h"

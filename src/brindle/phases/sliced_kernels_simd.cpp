@@ -1,4 +1,3 @@
-#include <limits>
 
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/phases/sliced_waves.h"

@@ -1,6 +1,5 @@
 #include "brindle/carried_phases.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>

@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/cross_texture.h"

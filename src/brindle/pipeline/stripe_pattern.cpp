@@ -1,7 +1,6 @@
 #include "brindle/stripe_pattern.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -11,7 +10,6 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
-#include "brindle/pattern/point_quality.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/measured_pattern.h"

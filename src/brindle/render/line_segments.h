@@ -3,7 +3,6 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "brindle/mesh.h"
 #include "brindle/polylines.h"

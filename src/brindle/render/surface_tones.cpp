@@ -1,7 +1,6 @@
 #include "brindle/surface_tones.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>

@@ -5,7 +5,6 @@
 /// names. Each consists of strips, and can be made as a whole (`mesh_of`) or in parts.
 #pragma once
 
-#include "brindle/mesh.h"
 #include "brindle/shapes/strip_shape.h"
 
 namespace brindle {

@@ -1,7 +1,6 @@
 /// Shapes that can be made in parts: blocks of vertices, and strips of triangles between them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

@@ -1,8 +1,6 @@
 #include "brindle/direction_field.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>

@@ -1,7 +1,6 @@
 #include "brindle/distributed/surface/gathered_surface.h"
 
 #include <algorithm>
-#include <memory>
 #include <numeric>
 #include <utility>
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numeric>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "brindle/base/array_numbers.h"

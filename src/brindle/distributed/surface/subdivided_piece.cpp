@@ -1,7 +1,6 @@
 #include "brindle/distributed/surface/subdivided_piece.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "brindle/error.h"

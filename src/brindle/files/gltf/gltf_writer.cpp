@@ -3,9 +3,7 @@
 
 #ifdef BRINDLE_HAS_JSON
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <string>

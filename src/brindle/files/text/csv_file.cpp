@@ -1,7 +1,6 @@
 #include "brindle/files/text/csv_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <iterator>
 #include <set>

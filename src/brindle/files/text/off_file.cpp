@@ -12,7 +12,6 @@
 #include "brindle/files/binary_numbers.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/mesh_formats.h"
-#include "brindle/mesh.h"
 
 namespace brindle {
 namespace {

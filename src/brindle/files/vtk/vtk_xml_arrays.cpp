@@ -6,11 +6,9 @@
 #include <array>
 #include <atomic>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
-#include <utility>
 
 #include <zlib.h>
 

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>

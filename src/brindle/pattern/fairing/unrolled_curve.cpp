@@ -1,7 +1,6 @@
 #include "brindle/pattern/fairing/unrolled_curve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "brindle/carried_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -1,12 +1,8 @@
 #include "brindle/pipeline/windings/harmonic_change.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>

@@ -1,8 +1,5 @@
 #include "brindle/render/surfaces/shading.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "brindle/render/surfaces/gl_camera.h"
 #include "brindle/render/surfaces/tiled_picture.h"
 
