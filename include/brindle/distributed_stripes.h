@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "brindle/corner_phases.h"
-#include "brindle/crease_slip.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
 #include "brindle/progress.h"

@@ -35,7 +35,7 @@ struct SmoothFieldOptions {
                              ///< that smaller detail makes no singularities; 0: off
   /// Such as `stroke_anchors`; signs count only for odd symmetry.
   std::vector<FieldAnchor> anchors = {};
-  /// The previous field on this surface, from `carried_field.h`. The new one starts there, is
+  /// The previous field on this surface, from `carried_phases.h`. The new one starts there, is
   /// attracted to it, and keeps its signs and, for crosses, its choice of direction. It thus turns
   /// only as much as the surface requires; an independent field may turn as a whole.
   KnownDirections last = {};

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include <brindle/carried_field.h>
+#include <brindle/carried_phases.h>
 #include <brindle/error.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <random>
 
-#include <brindle/carried_field.h>
+#include <brindle/carried_phases.h>
 #include <brindle/direction_field.h>
 #include <brindle/measured_field.h>
 #include <brindle/smooth_field.h>

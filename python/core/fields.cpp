@@ -8,7 +8,7 @@
 #include "arrays.h"
 #include "brindle/array_field.h"
 #include "brindle/base/array_numbers.h"
-#include "brindle/carried_field.h"
+#include "brindle/carried_phases.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"

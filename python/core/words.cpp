@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "brindle/base/option_words.h"
+#include "brindle/base/text.h"
 
 namespace brindle::python {
 namespace {

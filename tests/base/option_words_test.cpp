@@ -1,6 +1,6 @@
-#include "brindle/base/option_words.h"
-
 #include <gtest/gtest.h>
+
+#include "brindle/base/text.h"
 
 namespace brindle {
 namespace {

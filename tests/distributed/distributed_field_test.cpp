@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "brindle/carried_field.h"
+#include "brindle/carried_phases.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"

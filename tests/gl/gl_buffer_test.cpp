@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
-#include "brindle/gl_device.h"
 #include "brindle/headless_context.h"
 
 namespace brindle {

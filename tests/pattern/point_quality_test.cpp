@@ -1,10 +1,9 @@
-#include "brindle/pattern/point_quality.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "brindle/pattern/quality_sums.h"
 #include "phase_graphs.h"
 
 namespace brindle {

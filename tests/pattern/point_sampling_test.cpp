@@ -1,11 +1,10 @@
-#include "brindle/pattern/point_sampling.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "brindle/base/elementary.h"
+#include "brindle/pattern/sampling.h"
 #include "phase_graphs.h"
 
 #ifdef BRINDLE_HAS_NANOFLANN

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/phases/jenkins_hash.h"
+#include "brindle/base/random.h"
 #include "phase_graphs.h"
 
 namespace brindle {

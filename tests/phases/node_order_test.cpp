@@ -1,10 +1,9 @@
-#include "brindle/phases/node_order.h"
-
 #include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "brindle/phases/coloring.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/base/random.h"
 #include "brindle/phases/hierarchy.h"
-#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/relaxation.h"
 #include "brindle/phases/sliced_kernels.h"

@@ -1,5 +1,3 @@
-#include "brindle/carried_field.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
+#include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 

@@ -10,10 +10,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "brindle/crease_slip.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/field_index.h"
 #include "brindle/frequency_field.h"
 #include "brindle/normals.h"
 #include "brindle/pattern_warnings.h"

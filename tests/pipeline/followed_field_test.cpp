@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/carried_field.h"
 #include "brindle/carried_phases.h"
 #include "brindle/error.h"
 #include "brindle/frequency_field.h"

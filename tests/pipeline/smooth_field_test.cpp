@@ -7,10 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/parallel.h"
-#include "brindle/carried_field.h"
+#include "brindle/carried_phases.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/field_index.h"
 #include "brindle/mesh.h"
 #include "brindle/normals.h"
 #include "brindle/shapes.h"

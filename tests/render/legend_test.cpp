@@ -9,7 +9,6 @@
 #include "brindle/error.h"
 #include "brindle/ink.h"
 #include "brindle/render/stroke_font.h"
-#include "brindle/render/ticks.h"
 
 namespace brindle {
 namespace {

@@ -1,11 +1,10 @@
-#include "brindle/render/outer_side.h"
-
 #include <cstdlib>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "brindle/mesh.h"
+#include "brindle/render/surface_light.h"
 #include "brindle/shapes.h"
 #include "render/test_drawings.h"
 

@@ -7,7 +7,7 @@
 #include "brindle/feature_lines.h"
 #include "brindle/line_drawing.h"
 #include "brindle/render/parsed_words.h"
-#include "brindle/render/surfaces/ground_shadow.h"
+#include "brindle/render/surfaces/shading.h"
 #include "brindle/shapes.h"
 #include "brindle/splats.h"
 #include "brindle/stripe_outlines.h"

@@ -1,4 +1,3 @@
-#include "brindle/field_index.h"
 
 #include <array>
 #include <cmath>

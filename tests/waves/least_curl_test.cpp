@@ -1,5 +1,3 @@
-#include "brindle/waves/least_curl.h"
-
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +6,7 @@
 
 #include "brindle/shapes.h"
 #include "brindle/surface.h"
+#include "brindle/waves/circulation.h"
 
 namespace brindle {
 namespace {

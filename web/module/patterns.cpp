@@ -1,8 +1,8 @@
 #include <emscripten/bind.h>
 
 #include "brindle/corner_phases.h"
-#include "brindle/crease_slip.h"
 #include "brindle/pattern_warnings.h"
+#include "brindle/quality.h"
 #include "objects.h"
 
 namespace brindle::web {

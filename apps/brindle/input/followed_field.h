@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/carried_field.h"
+#include "brindle/carried_phases.h"
 #include "input/carried_pattern.h"
 #include "input/preparation.h"
 #include "input/wave_options.h"

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "brindle/gl_device.h"
 #include "brindle/gpu_animator.h"
 #include "brindle/gpu_solver.h"
 #include "brindle/headless_context.h"

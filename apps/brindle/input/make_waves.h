@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/carried_field.h"
+#include "brindle/carried_phases.h"
 #include "brindle/data_arrays.h"
 #include "brindle/frequency_field.h"
 #include "brindle/phase_graph.h"

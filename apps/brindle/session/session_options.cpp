@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "brindle/base/file_names.h"
-#include "brindle/base/option_words.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/image.h"

@@ -16,7 +16,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/text.h"
-#include "brindle/field_index.h"
+#include "brindle/direction_field.h"
 
 namespace brindle::tool {
 namespace {

@@ -4,13 +4,44 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "brindle/arrays.h"
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
 #include "brindle/base/axis_mean.h"
 #include "brindle/base/parallel.h"
+#include "brindle/error.h"
 
 namespace brindle {
+
+std::size_t ArrayView::whole_rows(std::size_t count, std::size_t columns) {
+  if (columns > 0 && count % columns == 0) return count / columns;
+  throw Error("an array of " + std::to_string(count) + " numbers has no rows of " +
+              std::to_string(columns) + " each");
+}
+
+std::vector<Vec3> vectors_of(const ArrayView& array, std::string_view what) {
+  check_columns(array, 3, what);
+  std::vector<Vec3> vectors(array.rows());
+  for_each_number(array, [&](std::size_t row, std::size_t column, auto number) {
+    vectors[row][static_cast<int>(column)] = static_cast<float>(number);
+  });
+  return vectors;
+}
+
+std::vector<float> numbers_of(const ArrayView& array, std::string_view what) {
+  check_columns(array, 1, what);
+  std::vector<float> numbers(array.rows());
+  for_each_number(array, [&](std::size_t row, std::size_t, auto number) {
+    numbers[row] = static_cast<float>(number);
+  });
+  return numbers;
+}
+
 namespace {
 
 void check_row(const DataArray& array, Index row, std::size_t rows) {
@@ -240,6 +271,39 @@ std::string_view name_of(NumberType type) {
       return "uint64";
   }
   return "";
+}
+
+namespace {
+
+void check_row_count(const DataArray& array, std::size_t rows, const std::string& one,
+                     const std::string& many) {
+  if (array.rows() == rows) return;
+  throw Error("array '" + array.name + "' has " + std::to_string(array.rows()) + " rows for " +
+              std::to_string(rows) + " " + many + "; give one row per " + one);
+}
+
+}  // namespace
+
+void check_rows_per_vertex(const DataArray& array, std::size_t vertices) {
+  check_row_count(array, vertices, "vertex", "vertices");
+}
+
+void check_rows_per_triangle(const DataArray& array, std::size_t triangles) {
+  check_row_count(array, triangles, "triangle", "triangles");
+}
+
+void copy_from_partners(std::span<DataArray> arrays, std::span<const Index> partner) {
+  std::vector<Index> rows;
+  for (DataArray& array : arrays) {
+    rows.resize(array.rows());
+    std::iota(rows.begin(), rows.end(), Index{0});
+    std::copy(partner.begin(), partner.end(), rows.begin());
+    array = rows_of(array, rows);
+  }
+}
+
+void set_axes(DataArray& array, std::vector<std::byte> axes) {
+  if (axes != array.bytes) array.axis_bytes = std::move(axes);
 }
 
 }  // namespace brindle

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,5 +51,12 @@ std::string in_quotes(std::string_view text);
 /// neighbours: at most one per three of its letters, and at most three. Ignores case; ties go to
 /// the first. Empty if none is near.
 std::string nearest(std::string_view word, std::span<const std::string> known);
+
+// Options of the tool in messages of programs that call them something else.
+
+/// `text` with `name_of("field-smoothing")` in the place of "--field-smoothing", and so on for
+/// every option that it names.
+std::string with_option_names(std::string_view text,
+                              const std::function<std::string(const std::string&)>& name_of);
 
 }  // namespace brindle

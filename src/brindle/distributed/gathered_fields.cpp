@@ -11,7 +11,6 @@
 #include "brindle/normals.h"
 #include "brindle/orientation.h"
 #include "brindle/pipeline/fields/field_anchors.h"
-#include "brindle/pipeline/fields/followed_field.h"
 
 namespace brindle {
 namespace {

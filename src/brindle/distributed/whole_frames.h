@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "brindle/crease_slip.h"
 #include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed_stripes.h"
+#include "brindle/quality.h"
 
 namespace brindle {
 

@@ -11,7 +11,6 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/geometry/winding.h"
 
 namespace brindle {
 namespace {

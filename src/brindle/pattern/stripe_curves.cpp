@@ -16,9 +16,8 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/orientation.h"
-#include "brindle/pattern/curve_places.h"
-#include "brindle/pattern/end_walks.h"
 #include "brindle/pattern/fairing/faired_curves.h"
+#include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/trimmed_ends.h"
 
 namespace brindle {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/random.h"
 #include "brindle/base/standard.h"
-#include "brindle/phases/jenkins_hash.h"
 
 namespace brindle {
 
@@ -65,6 +65,31 @@ Coloring greedy_coloring(const Adjacency& adjacency) {
   GreedyColorer colorer(adjacency);
   for (Index node = 0; node < adjacency.node_count(); ++node) colorer.color(node);
   return colorer.take();
+}
+
+BreadthFirstWalk::BreadthFirstWalk(const Adjacency& adjacency)
+    : adjacency_(adjacency), seen_(adjacency.node_count()) {
+  order_.reserve(adjacency.node_count());
+}
+
+void BreadthFirstWalk::visit(Index node) {
+  if (seen_[node]) return;
+  seen_[node] = 1;
+  order_.push_back(node);
+}
+
+void BreadthFirstWalk::step() {
+  while (next_ == order_.size()) visit(start_++);
+  for (const Index neighbor : adjacency_.of(order_[next_++])) visit(neighbor);
+}
+
+std::vector<Index> breadth_first_order(const Adjacency& adjacency, const Progress& progress) {
+  BreadthFirstWalk walk(adjacency);
+  for (std::size_t n = 0; n < adjacency.node_count(); ++n) {
+    if (n % kReportSlice == 0) progress.tick();
+    walk.step();
+  }
+  return walk.take();
 }
 
 }  // namespace brindle

@@ -22,8 +22,8 @@ PhaseSolution solve_global(const PhaseGraph&, std::span<const float>, const Solv
 #include <Eigen/SparseCore>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/random.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/serial_blas.h"
 
 namespace brindle {

@@ -8,7 +8,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/base/stopwatch.h"
-#include "brindle/phases/node_order.h"
+#include "brindle/phases/coloring.h"
 #include "brindle/phases/sliced_kernels.h"
 
 namespace brindle {

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "brindle/base/random.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
 #include "brindle/phases/coloring.h"
-#include "brindle/phases/jenkins_hash.h"
-#include "brindle/phases/node_order.h"
 
 namespace brindle {
 namespace {

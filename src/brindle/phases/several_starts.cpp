@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/random.h"
 #include "brindle/base/standard.h"
-#include "brindle/phases/jenkins_hash.h"
 #include "brindle/phases/multilevel.h"
-#include "brindle/waves/least_curl.h"
+#include "brindle/waves/circulation.h"
 
 namespace brindle {
 namespace {

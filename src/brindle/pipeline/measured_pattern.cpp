@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/pattern/point_quality.h"
+#include "brindle/pattern/quality_sums.h"
 #include "brindle/pattern/texture_quality.h"
 
 namespace brindle {

@@ -8,7 +8,6 @@
 #include "brindle/orientation.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/lifted_waves.h"
-#include "brindle/pattern/point_sampling.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
 #include "brindle/points.h"

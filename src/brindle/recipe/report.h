@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/crease_slip.h"
 #include "brindle/pattern_of.h"
+#include "brindle/quality.h"
 #include "brindle/recipe/wave_report.h"
 #include "brindle/samples.h"
 #include "brindle/yielding_frequency.h"

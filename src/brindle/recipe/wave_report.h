@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brindle/broken_tiles.h"
-#include "brindle/carried_field.h"
+#include "brindle/carried_phases.h"
 #include "brindle/measured_field.h"
 #include "brindle/quality.h"
 #include "brindle/wave_figures.h"

@@ -1,6 +1,7 @@
 #include "brindle/render/stroke_font.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "brindle/base/standard.h"
@@ -196,6 +197,26 @@ std::vector<Stroke> text_strokes(std::string_view text, const Eigen::Vector2f& s
 
 float text_width(std::string_view text, float height) {
   return height / kCapitals * lay_out(text, [](const Points& /*points*/, float /*x*/) {});
+}
+
+std::vector<double> tick_values(double lowest, double highest, int most) {
+  if (!(highest > lowest)) return {lowest};
+  const double rough = (highest - lowest) / std::max(most - 1, 1);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * (1 - 1e-9)) {
+      step = factor * power;
+      break;
+    }
+  }
+  std::vector<double> values;
+  const double slack = 1e-6 * step;
+  for (double k = std::ceil((lowest - slack) / step); k * step <= highest + slack; ++k) {
+    values.push_back(k * step);
+  }
+  if (values.size() < 2) return {lowest, highest};
+  return values;
 }
 
 }  // namespace brindle

@@ -15,4 +15,10 @@ std::vector<Stroke> text_strokes(std::string_view text, const Eigen::Vector2f& s
 /// Width of the text, in pixels.
 float text_width(std::string_view text, float height);
 
+// Tick values of an axis.
+
+/// At least two and at most `most` multiples of 1, 2 or 5 times a power of ten between the ends.
+/// The ends themselves if there are none.
+std::vector<double> tick_values(double lowest, double highest, int most);
+
 }  // namespace brindle

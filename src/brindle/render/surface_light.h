@@ -2,6 +2,7 @@
 #pragma once
 
 #include "brindle/camera.h"
+#include "brindle/mesh.h"
 
 namespace brindle {
 
@@ -18,5 +19,14 @@ Lights lights_of(const Camera& camera, const PictureLight& light);
 /// Twin of tone.glsl: the lightness of a white surface at a point, 0 to 1. `view_normal` (unit, of
 /// the visible side) and `sight` (from the viewer, any length) are in camera coordinates.
 float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights);
+
+// Surfaces with one visible side.
+
+enum class HiddenSide { none, back, front };
+
+/// The side of all triangles that is invisible from outside. It exists if the mesh is closed and
+/// consistently wound, and the volumes of its connected components have the same sign. (Surfaces
+/// that intersect themselves inside out are not detected.)
+HiddenSide hidden_side(const Mesh& mesh);
 
 }  // namespace brindle

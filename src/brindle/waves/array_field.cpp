@@ -8,10 +8,10 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/base/axis_mean.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
-#include "brindle/waves/float_vector.h"
 #include "brindle/waves/frequency_parts.h"
 
 namespace brindle {

@@ -11,7 +11,6 @@
 #include "brindle/mesh.h"
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
-#include "brindle/waves/multigrid_peers.h"
 #include "brindle/waves/row_levels.h"
 
 namespace brindle {

@@ -14,7 +14,6 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/nearest.h"
 #include "brindle/waves/direction_graph.h"
-#include "brindle/waves/stroke_parts.h"
 
 namespace brindle {
 namespace {
@@ -226,30 +225,18 @@ void check_near(const FieldStroke& stroke, const std::string& name, const NearSu
   }
 }
 
+double allowed_distance(const FieldStroke& stroke, double diagonal) {
+  return std::max(stroke.radius, kNearEnough * diagonal);
+}
+
 }  // namespace
 
 void check_strokes(std::span<const FieldStroke> strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i) check_stroke(strokes[i], name_of(i));
 }
 
-std::vector<Eigen::Vector3d> places_of(const FieldStroke& stroke) {
-  std::vector<Eigen::Vector3d> places = stroke.points;
-  for (const StrokeStep& step : steps_along(stroke)) places.push_back(step.position);
-  return places;
-}
-
-double allowed_distance(const FieldStroke& stroke, double diagonal) {
-  return std::max(stroke.radius, kNearEnough * diagonal);
-}
-
 std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
                                         std::span<const FieldStroke> strokes,
-                                        const Progress& progress) {
-  return stroke_anchors(surface, strokes, bounding_box(surface.mesh).diagonal(), progress);
-}
-
-std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
-                                        std::span<const FieldStroke> strokes, double diagonal,
                                         const Progress& progress) {
   check_strokes(strokes);
   std::vector<FieldAnchor> anchors;
@@ -258,6 +245,7 @@ std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
   const NearSurface near(surface, stages.begin("nearest places"));
   const Progress reaching = stages.begin("strokes");
   StrokeReach reach(surface);
+  const double diagonal = bounding_box(surface.mesh).diagonal();
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const FieldStroke& stroke = strokes[i];
     const double allowed = allowed_distance(stroke, diagonal);
@@ -346,20 +334,7 @@ class EdgeChains {
   std::vector<bool> used_;
 };
 
-}  // namespace
-
-std::vector<FieldStroke> feature_strokes(const Surface& surface, float angle_deg, double radius,
-                                         double strength, const Progress& progress) {
-  const Mesh& mesh = surface.mesh;
-  JobStages stages(progress, {{"edges", 3}, {"features", 1}, {"strokes", 2}});
-  const MeshEdges all = mesh_edges(mesh, *surface.neighborhood, stages.begin("edges"));
-  const auto edges = feature_edges(mesh, all, angle_deg, stages.begin("features"));
-  std::vector<FieldStroke> strokes =
-      strokes_along(mesh, edges, radius, strength, stages.begin("strokes"));
-  stages.finish();
-  return strokes;
-}
-
+/// Chains as strokes.
 std::vector<FieldStroke> strokes_along(const Mesh& mesh,
                                        const std::vector<std::array<Index, 2>>& edges,
                                        double radius, double strength, const Progress& progress) {
@@ -372,6 +347,20 @@ std::vector<FieldStroke> strokes_along(const Mesh& mesh,
     }
     if (length_of(stroke) > 0) strokes.push_back(std::move(stroke));
   }
+  return strokes;
+}
+
+}  // namespace
+
+std::vector<FieldStroke> feature_strokes(const Surface& surface, float angle_deg, double radius,
+                                         double strength, const Progress& progress) {
+  const Mesh& mesh = surface.mesh;
+  JobStages stages(progress, {{"edges", 3}, {"features", 1}, {"strokes", 2}});
+  const MeshEdges all = mesh_edges(mesh, *surface.neighborhood, stages.begin("edges"));
+  const auto edges = feature_edges(mesh, all, angle_deg, stages.begin("features"));
+  std::vector<FieldStroke> strokes =
+      strokes_along(mesh, edges, radius, strength, stages.begin("strokes"));
+  stages.finish();
   return strokes;
 }
 

@@ -10,7 +10,6 @@
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/frequency_rows.h"
-#include "brindle/waves/multigrid_peers.h"
 #include "brindle/yielding_frequency.h"
 
 namespace brindle {

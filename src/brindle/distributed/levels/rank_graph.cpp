@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "brindle/phases/jenkins_hash.h"
+#include "brindle/base/random.h"
 
 namespace brindle {
 namespace {

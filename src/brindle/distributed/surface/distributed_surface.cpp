@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "brindle/distributed/surface/gathered_surface.h"
-#include "brindle/distributed/surface/piece_check.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/error.h"

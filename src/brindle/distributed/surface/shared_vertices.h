@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brindle/communicator.h"
+#include "brindle/distributed_surface.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -33,5 +34,11 @@ struct TornVertex {
 std::optional<TornVertex> find_torn_vertex(Communicator& ranks, std::span<const std::uint64_t> ids,
                                            std::span<const Vec3> positions,
                                            std::span<const std::uint32_t> labels, float distance);
+
+// Validates partitions.
+
+/// Throws Error for inconsistent lists, as `make_surface` does for meshes, and for repeated vertex
+/// numbers. Checks one rank only.
+void check_piece(const SurfacePiece& piece);
 
 }  // namespace brindle

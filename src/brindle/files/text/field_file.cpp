@@ -15,7 +15,6 @@
 #include "brindle/files.h"
 #include "brindle/files/text/csv_file.h"
 #include "brindle/files/text/text_words.h"
-#include "brindle/waves/float_vector.h"
 
 namespace brindle {
 namespace {

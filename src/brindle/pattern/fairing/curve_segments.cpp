@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "brindle/pattern/curve_places.h"
+#include "brindle/pattern/lifted_waves.h"
 
 namespace brindle {
 namespace {

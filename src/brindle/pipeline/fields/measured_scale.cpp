@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "brindle/base/standard.h"
-#include "brindle/field_index.h"
+#include "brindle/direction_field.h"
 #include "brindle/geometry/topology.h"
 
 namespace brindle {

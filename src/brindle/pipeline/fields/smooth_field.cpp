@@ -17,10 +17,9 @@
 #include "brindle/phases/several_starts.h"
 #include "brindle/pipeline/fields/averaged_normals.h"
 #include "brindle/pipeline/fields/field_anchors.h"
-#include "brindle/pipeline/fields/followed_field.h"
 #include "brindle/solver.h"
+#include "brindle/waves/circulation.h"
 #include "brindle/waves/direction_graph.h"
-#include "brindle/waves/least_curl.h"
 #include "brindle/waves/weight_check.h"
 
 namespace brindle {

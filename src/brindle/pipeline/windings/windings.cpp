@@ -10,7 +10,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/pipeline/windings/harmonic_change.h"
+#include "brindle/pipeline/windings/twisted_forms.h"
 #include "brindle/pipeline/yielded_stripes.h"
 
 namespace brindle {

@@ -13,7 +13,6 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/feature_lines.h"
-#include "brindle/render/drawing/drawing_size.h"
 #include "brindle/render/drawing/pen_order.h"
 
 namespace brindle {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "brindle/line_drawing.h"
 #include "brindle/progress.h"
 
 namespace brindle {
@@ -63,5 +65,13 @@ class RegionTracer {
   const CodeAt& code_at_;
   std::vector<std::uint16_t> codes_;
 };
+
+// Smooth curves through points.
+
+/// A closed path of cubic Béziers within `tolerance` pixels of all points (Schneider 1990, Graphics
+/// Gems): the first point, then two control points and the end of each segment; the last end is the
+/// first point. Turns of more than 35 degrees within two thirds of a pixel stay corners. Empty for
+/// fewer than three points.
+Stroke smooth_closed_path(std::span<const Eigen::Vector2d> points, double tolerance);
 
 }  // namespace brindle

@@ -7,10 +7,9 @@
 #include <utility>
 
 #include "brindle/error.h"
-#include "brindle/render/drawing/drawing_size.h"
+#include "brindle/render/drawing/pen_order.h"
 #include "brindle/render/drawing/region_tracer.h"
 #include "brindle/render/drawing/seen_surfaces.h"
-#include "brindle/render/drawing/smooth_path.h"
 
 namespace brindle {
 namespace {

@@ -10,7 +10,7 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/render/surfaces/gl_camera.h"
+#include "brindle/render/surfaces/gl_target.h"
 
 namespace brindle {
 namespace {

@@ -11,7 +11,7 @@
 #include "brindle/camera.h"
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/render/outer_side.h"
+#include "brindle/render/surface_light.h"
 #include "brindle/render/surfaces/gl_texture_tile.h"
 #include "brindle/renderer.h"
 

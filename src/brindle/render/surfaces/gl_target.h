@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "brindle/camera.h"
 #include "brindle/gl/gl_name.h"
 #include "brindle/gl/shader_program.h"
 
@@ -31,5 +32,23 @@ void fit_target(Target& target, std::initializer_list<GLenum> colors, bool depth
 /// Runs a program with full_screen.vert for each pixel of the viewport. `no_attributes` comes from
 /// `no_vertex_attributes`.
 void fill_viewport(const ShaderProgram& program, GLuint no_attributes);
+
+// The camera as shader uniforms.
+
+/// Sets the uniforms `origin`, `view_from_world`, `clip_from_view`, `slice` and `tile`. `tile` is
+/// the part of the picture that fills the target (`tile_transform`).
+void set_camera(const ShaderProgram& program, const Camera& camera, const Eigen::Vector4f& tile);
+
+/// RAII: enables the camera's slice for programs whose vertex shaders set `gl_ClipDistance[0]`.
+class SlicedDrawing {
+ public:
+  explicit SlicedDrawing(const Camera& camera);
+  ~SlicedDrawing();
+  SlicedDrawing(const SlicedDrawing&) = delete;
+  SlicedDrawing& operator=(const SlicedDrawing&) = delete;
+
+ private:
+  bool sliced_;
+};
 
 }  // namespace brindle

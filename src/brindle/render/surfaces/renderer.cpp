@@ -4,7 +4,7 @@
 
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/surfaces/gl_camera.h"
+#include "brindle/render/surfaces/gl_target.h"
 #include "brindle/render/surfaces/surface_picture.h"
 
 namespace brindle {

@@ -13,7 +13,7 @@
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/shader_program.h"
 #include "brindle/headless_context.h"
-#include "brindle/render/surfaces/gl_camera.h"
+#include "brindle/render/surfaces/gl_target.h"
 #include "brindle/render/surfaces/tiled_picture.h"
 
 namespace brindle {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "brindle/render/surfaces/gl_camera.h"
+#include "brindle/render/surfaces/gl_target.h"
 
 namespace brindle {
 namespace {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "brindle/render/surfaces/ground_shadow.h"
 #include "brindle/render/surfaces/shading.h"
 #include "brindle/render/surfaces/tiled_picture.h"
 #include "brindle/render/surfaces/visible_triangles.h"
