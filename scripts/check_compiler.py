@@ -3,7 +3,7 @@
 
 usage: check_compiler.py BUILD [PREFIX ...]
 
-BUILD has a compile_commands.json. With PREFIXes of its folders, such as src or apps/brindle_mpi, only what
+BUILD has a compile_commands.json. With PREFIXes of its folders, such as src or apps/gallery, only what
 is compiled there.
 """
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,11 @@
 #include "cli/blas_threads.h"
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/launcher.h"
 #include "cli/progress_display.h"
+#ifdef BRINDLE_HAS_MPI
+#include "ranks/over_ranks.h"
+#endif
 
 namespace brindle::tool {
 namespace {
@@ -142,6 +147,21 @@ int parse_and_run(int argc, char** argv) {
   return run(commands);
 }
 
+/// MPI takes time to start and stop, and is left alone without a launcher.
+int parse_and_run_anywhere(int argc, char** argv) {
+  const std::optional<int> processes = launched_processes();
+#ifdef BRINDLE_HAS_MPI
+  if (processes) return run_over_ranks(argc, argv, parse_and_run);
+#else
+  if (processes.value_or(1) != 1) {
+    throw Error(
+        "this build has no MPI, and so each process would do the same; configure with "
+        "-DBRINDLE_MPI=ON ('./dev mpi'), or start 'brindle' without mpirun");
+  }
+#endif
+  return parse_and_run(argc, argv);
+}
+
 }  // namespace
 }  // namespace brindle::tool
 
@@ -149,7 +169,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   brindle::tool::leave_out_blas_threads(argv);
   try {
-    return brindle::tool::parse_and_run(argc, argv);
+    return brindle::tool::parse_and_run_anywhere(argc, argv);
   } catch (const std::exception& error) {
     return brindle::tool::fail(brindle::tool::kFailed, error.what());
   }

@@ -260,7 +260,7 @@ TEST_F(MpiTool, TakesOlderPiecesAway) {
 }
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
-  expect_failure(on(2, {"shape:torus", "--texture", "dots"}), 2, "'brindle stripe' has it");
+  expect_failure(on(2, {"shape:torus", "--texture", "dots"}), 2, "without mpirun");
   expect_failure(on(2, {"shape:torus", "--subdivide", "1", "--rounded"}), 2, "--rounded");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
@@ -281,7 +281,7 @@ TEST_F(MpiTool, EndsAllRanksWhereOneCannotWrite) {
 
 /// Until the tool catches Ctrl-C, as it does while it works. So does the shell that becomes it.
 constexpr const char* kWhenItWorks =
-    "(until grep -qx brindle-mpi /proc/$$/comm && "
+    "(until grep -qx brindle /proc/$$/comm && "
     "grep -q 'SigCgt:.*[2367abef]$' /proc/$$/status; do sleep 0.1; done; kill ";
 
 TEST_F(MpiTool, EndsAllRanksWhereOneIsCancelled) {

@@ -38,8 +38,8 @@ struct MpiToolPvtp : MpiTool {
     const auto result = on(2, {"in.pvtp", "--output", "out.pvtp", "--report", "out.json"});
     EXPECT_EQ(result.exit_code, 1) << result.err;
     EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
-    const std::size_t first = result.err.find("brindle-mpi: ");
-    EXPECT_EQ(result.err.find("brindle-mpi: ", first + 1), std::string::npos) << result.err;
+    const std::size_t first = result.err.find("brindle: ");
+    EXPECT_EQ(result.err.find("brindle: ", first + 1), std::string::npos) << result.err;
     for (const auto& name : listing()) EXPECT_FALSE(name.starts_with("out")) << name;
   }
 };

@@ -83,7 +83,7 @@ TEST_F(MpiTool, RefusesRanksThatSeeDifferentFiles) {
   const ToolResult other = run_tool(
       [&] {
         Words words = mpirun();
-        words.insert(words.end(), {"-n", "4", "-wdir", "b", BRINDLE_MPI_TOOL, "stripe", mesh,
+        words.insert(words.end(), {"-n", "4", "-wdir", "b", BRINDLE_TOOL_ALONE, "stripe", mesh,
                                    "--stripes", "41", "--output", "in.pvtp", "--quiet"});
         return words;
       }(),

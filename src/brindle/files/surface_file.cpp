@@ -80,7 +80,7 @@ RawMesh read_raw_mesh(const fs::path& path, const Progress& progress) {
   const InputFile readable(path);
   if (kind == ".pvtp") {
     readable.fail_whole(
-        "names the pieces of a surface, which 'mpirun -n 1 brindle-mpi' reads; or save it in "
+        "names the pieces of a surface, which 'mpirun -n 1 brindle' reads; or save it in "
         "ParaView as .vtp");
   }
   readable.fail_whole("brindle cannot tell the format by the extension '" +

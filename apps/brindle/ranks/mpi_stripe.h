@@ -1,0 +1,12 @@
+/// `brindle stripe`.
+#pragma once
+
+#include "brindle/communicator.h"
+#include "cli/commands.h"
+
+namespace brindle::tool {
+
+/// `ranks` must outlive the command's run, which is collective.
+Command add_mpi_stripe_command(CLI::App& app, Communicator& ranks);
+
+}  // namespace brindle::tool
