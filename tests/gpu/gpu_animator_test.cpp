@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bad_waves.h"
-#include "brindle/crease_slip.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/frequency_field.h"
