@@ -283,10 +283,10 @@ def check_citations():
 
 
 def check_public_names():
-    """docs/headers.md says what the public headers declare."""
+    """docs/headers.md lists the declarations of the public headers."""
     if (ROOT / "docs/headers.md").read_text() == public_names.page():
         return []
-    return ["docs/headers.md does not say what the public headers declare; scripts/public_names.py writes it anew"]
+    return ["docs/headers.md does not list the declarations of the public headers; run scripts/public_names.py"]
 
 
 def check_examples(page):

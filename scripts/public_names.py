@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""What public headers declare at the level of the namespace: functions and types.
+"""Lists the functions and types that public headers declare at namespace level.
 
 usage: public_names.py
 
-Writes docs/headers.md anew: all public headers, module by module in the order of docs/architecture.md.
+Writes docs/headers.md: all public headers, module by module in the order of docs/architecture.md.
 """
 import pathlib
 import re
@@ -14,9 +14,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TITLES = {"gl": "OpenGL", "gpu": "GPU"}
 INTRODUCTION = """# The headers
 
-All public headers of [the library](library.md), module by module, and what each declares. What functions take, give and
-throw stands in the headers themselves; `./dev docs` makes a reference of them that can be searched
-(`build/docs/html/index.html`). `brindle/brindle.h` includes those for surfaces, fields, patterns and files.
+This page lists the declarations of all public headers of [the library](library.md), module by module. Comments in the
+headers describe parameters, results and errors; `./dev docs` makes a searchable reference of them
+(`build/docs/html/index.html`). `brindle/brindle.h` includes the headers for surfaces, fields, patterns and files.
 """
 
 TYPE = re.compile(r"\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum class|enum)\s+(?:BRINDLE_EXPORT\s+)?(\w+)")
@@ -75,7 +75,7 @@ def page():
         if columns["public"]:
             rows = "\n".join(row(name) for name in sorted(columns["public"]))
             parts.append(f"## {TITLES.get(room, room.capitalize())}\n\n"
-                         "| header | what it is for | functions | types |\n|---|---|---|---|\n" + rows + "\n")
+                         "| header | purpose | functions | types |\n|---|---|---|---|\n" + rows + "\n")
     return "\n".join(parts)
 
 
