@@ -205,10 +205,11 @@ void write_samples(const std::filesystem::path& path, std::span<const Sample> sa
 /// The columns of a CSV file whose first row names them, as arrays of float64. Commas, semicolons,
 /// tabs or spaces separate columns, and cells may be quoted. Empty cells are NaN; columns of words
 /// are left out. Columns NAME:0 to NAME:k-1 (as ParaView writes them), NAME_0 to NAME_k-1, or NAME
-/// with :x, :y, :z or _x, _y, _z, in any order, become one array NAME; so do xx, yy, zz, xy, yz,
-/// xz, and xx, xy, xz, yx and so on to zz. Throws Error naming the file, the line, the column and
-/// the remedy if the file cannot be read or does not name its columns, a column of numbers contains
-/// a word, or a row has more or fewer cells than there are names.
+/// with :x, :y, :z, or _x, _y, _z, or x, y, z (vx, vy, vz), in any order, become one array NAME; so
+/// do xx, yy, zz, xy, yz, xz, and xx, xy, xz, yx and so on to zz, behind a colon or underscore.
+/// Throws Error naming the file, the line, the column and the remedy if the file cannot be read or
+/// does not name its columns, a column of numbers contains a word, or a row has more or fewer cells
+/// than there are names.
 std::vector<DataArray> read_csv_arrays(const std::filesystem::path& path);
 
 /// As above from the first row alone: every array has one row, with the numbers of its columns,

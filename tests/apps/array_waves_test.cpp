@@ -185,6 +185,7 @@ TEST_F(ArrayWaves, AreThoseOfNamedColumns) {
   std::string one = "speed,velocity:2,velocity:1,velocity:0,Points:0,Points:1,Points:2\n";
   std::string turned = "velocity_2,velocity_1,velocity_0,frequency\n";
   std::string two = "a:x,a:y,a:z,velocity:x,velocity:y,velocity:z\n";
+  std::string beside = "x,y,z,nx,ny,nz,vx,vy,vz\n";  // positions and normals are no field
   std::string stress = "stress:xx,stress:yy,stress:zz,stress:xy,stress:yz,stress:xz\n";
   const auto text = [](double number) { return std::to_string(number); };
   for (const auto& [x, y, z] : mesh.positions) {
@@ -192,15 +193,19 @@ TEST_F(ArrayWaves, AreThoseOfNamedColumns) {
     one += "1," + text(v[2]) + ',' + text(v[1]) + ',' + text(v[0]) + ",1,2,3\n";
     turned += text(v[2]) + ',' + text(v[1]) + ',' + text(v[0]) + ",0.25\n";
     two += "0,1,0," + text(v[0]) + ',' + text(v[1]) + ',' + text(v[2]) + '\n';
+    beside += text(x) + ',' + text(y) + ',' + text(z) + ",0,0,1," + text(v[0]) + ',' + text(v[1]) +
+              ',' + text(v[2]) + '\n';
     stress += "3,1,2,0,0,0\n";
   }
   write_text(folder / "one.csv", one);
   write_text(folder / "turned.csv", turned);
   write_text(folder / "two.csv", two);
+  write_text(folder / "beside.csv", beside);
   write_text(folder / "stress.csv", stress);
   const std::string expected = lines({"hill.vtp", "--field", "array:v"});
   EXPECT_EQ(lines({"hill.vtp", "--field", "one.csv"}), expected);
   EXPECT_EQ(lines({"hill.vtp", "--field", "two.csv:velocity"}), expected);
+  EXPECT_EQ(lines({"hill.vtp", "--field", "beside.csv"}), expected);
   EXPECT_EQ(lines({"hill.vtp", "--field", "turned.csv"}),
             lines({"hill.vtp", "--field", "array:v", "--frequency", "0.25"}));
   expect_refusal(1, "two.csv has several vectors: a (3), velocity (3); choose one: two.csv:a",

@@ -147,6 +147,14 @@ TEST_F(CsvArrays, TensorsHaveTheOrderOfVtk) {
             (std::vector<DataArray>{doubles("t", 9, {1, 2, 3, 4, 5, 6, 7, 8, 9})}));
 }
 
+TEST_F(CsvArrays, VectorsNeedNoSeparator) {
+  EXPECT_EQ(arrays("x,y,z,Vz,Vx,Vy,sxx,sxy,sxz,wx,wy\n1,2,3,6,4,5,7,8,9,10,11\n"),
+            (std::vector<DataArray>{
+                doubles("x", 1, {1}), doubles("y", 1, {2}), doubles("z", 1, {3}),
+                doubles("V", 3, {4, 5, 6}), doubles("sxx", 1, {7}), doubles("sxy", 1, {8}),
+                doubles("sxz", 1, {9}), doubles("wx", 1, {10}), doubles("wy", 1, {11})}));
+}
+
 TEST_F(CsvArrays, WhatIsNoWholeArrayStaysApart) {
   EXPECT_EQ(arrays("v:0,v:2,w_x,w_y,u:0,x,y,z\n1,2,3,4,5,6,7,8\n"),
             (std::vector<DataArray>{doubles("v:0", 1, {1}), doubles("v:2", 1, {2}),

@@ -15,9 +15,10 @@
 namespace brindle::tool {
 namespace {
 
-/// ParaView adds positions and normals to all its CSV files.
+/// Files of points have normals, in columns nx, ny and nz, and ParaView's positions, too.
 bool is_data_vector(const DataArray& array) {
-  return array.components == 3 && array.name != "Points" && array.name != "Normals";
+  return array.components == 3 && array.name != "Points" && array.name != "Normals" &&
+         array.name != "n";
 }
 
 /// Whether only frequencies follow the vector, as in files without names.

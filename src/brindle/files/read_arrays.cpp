@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,8 +19,25 @@ namespace {
 
 using Columns = std::vector<std::size_t>;
 
-/// Columns whose names share everything up to the last ':' or '_', by their ending in lower case.
+/// Columns whose names share everything up to their ending, by the ending in lower case.
 using Family = std::map<std::string, std::size_t>;
+
+/// A name's family and ending: what stands before and after the last ':' or '_', or its last letter
+/// in vx, vy and vz. The ends of a tensor's components, as in sxx, are none.
+std::optional<std::pair<std::string, std::string>> family_of(const std::string& name) {
+  const std::size_t separator = name.find_last_of(":_");
+  if (separator != std::string::npos) {
+    if (separator == 0) return std::nullopt;
+    return std::pair(name.substr(0, separator + 1), small_letters(name.substr(separator + 1)));
+  }
+  constexpr std::string_view kAxes = "xyzXYZ";
+  const bool has_axis = name.size() > 1 && kAxes.find(name.back()) != std::string_view::npos &&
+                        kAxes.find(name[name.size() - 2]) == std::string_view::npos;
+  if (!has_axis) return std::nullopt;
+  // A separator that no name has.
+  return std::pair(name.substr(0, name.size() - 1) + '\0',
+                   small_letters(name.substr(name.size() - 1)));
+}
 
 /// Endings that make up one array, in the order of its components.
 std::vector<std::vector<std::string>> sets_of_endings(const Family& family) {
@@ -74,11 +92,9 @@ DataArray joined(std::string name, std::span<const DataArray> columns, const Col
 std::vector<DataArray> grouped_columns(std::vector<DataArray> columns) {
   std::map<std::string, Family> families;  // by the name up to and including the separator
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    const std::string& name = columns[c].name;
-    const std::size_t separator = name.find_last_of(":_");
-    if (separator == std::string::npos || separator == 0) continue;
-    families[name.substr(0, separator + 1)].try_emplace(small_letters(name.substr(separator + 1)),
-                                                        c);
+    if (const auto found = family_of(columns[c].name)) {
+      families[found->first].try_emplace(found->second, c);
+    }
   }
   std::vector<std::pair<std::size_t, DataArray>> arrays;  // with the index of their first columns
   std::vector<char> taken(columns.size(), 0);

@@ -10,9 +10,10 @@ namespace brindle {
 
 /// Joins columns (arrays of one component and equal length) of one type whose names mark them as
 /// components of one array: "velocity:0", "velocity:1" ... or "velocity_0" ..., without a gap;
-/// "velocity:x", "velocity:y" and "velocity:z", or "velocity_x" ..., in either case; "stress:xx",
-/// yy, zz, xy, yz, xz, in VTK's order of symmetric tensors; "stress:xx", xy, xz, yx, yy, yz, zx,
-/// zy, zz. Other columns stay. Arrays are in the order of their first columns.
+/// "velocity:x", "velocity:y" and "velocity:z", or "velocity_x" ..., or "vx", "vy" and "vz", in
+/// either case; "stress:xx", yy, zz, xy, yz, xz, in VTK's order of symmetric tensors; "stress:xx",
+/// xy, xz, yx, yy, yz, zx, zy, zz. Other columns stay. Arrays are in the order of their first
+/// columns.
 std::vector<DataArray> grouped_columns(std::vector<DataArray> columns);
 
 /// The arrays of a file that stores them in pieces.

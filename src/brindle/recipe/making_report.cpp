@@ -49,7 +49,7 @@ void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json) {
                                    {"length", figures.loops[i].length},
                                    {"center", {center.x(), center.y(), center.z()}},
                                    {"winding", number(figures.windings[i])},
-                                   {"branches_of_its_piece", figures.branches[i]}};
+                                   {"branches_of_component", figures.branches[i]}};
     if (!figures.windings_before.empty()) {
       loop["winding_before"] = number(figures.windings_before[i]);
     }
