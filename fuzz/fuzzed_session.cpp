@@ -146,7 +146,7 @@ SessionCommand fuzzed_command(Bytes& bytes, Shown shown) {
     case 13:
       return commands::Redo{};
     case 14:
-      return commands::SolveAnew{};
+      return commands::SolveAgain{};
     case 15:
       return commands::PreviousView{};
     case 16:

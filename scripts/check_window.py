@@ -618,7 +618,7 @@ def check_undo_leaves_the_camera(start, folder):
     window.quit()
 
 
-def check_solve_anew(start, folder):
+def check_solve_again(start, folder):
     window = start("shape:torus,resolution=60")
     window.settled()
     since = window.now()
@@ -629,7 +629,7 @@ def check_solve_anew(start, folder):
     since = window.now()
     window.key("n")
     anew = window.settled(since)
-    expect(not anew["followed"] and anew["energy"] != followed["energy"], "it is not solved anew")
+    expect(not anew["followed"] and anew["energy"] != followed["energy"], "it is not solved again")
     session = json.loads(save_session(window, folder / "anew.json"))
     expect("phases" not in session, "phases that were let go are saved")
     expect(save_picture(window, folder / "anew.png") != picture, "the picture is the same")
@@ -638,7 +638,7 @@ def check_solve_anew(start, folder):
     window.settled(since)
     expect(save_picture(window, folder / "back.png") == picture, "undo does not bring what followed back")
     since = window.now()
-    window.click("solve anew")
+    window.click("solve again")
     expect(not window.settled(since)["followed"], "the button does nothing")
     window.quit()
 

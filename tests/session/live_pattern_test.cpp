@@ -448,7 +448,7 @@ TEST(LivePattern, PhasesThatNoLongerFitAreSolvedAnew) {
   EXPECT_EQ(pattern.state()->phases, nullptr) << "it is made of the document alone";
   EXPECT_FALSE(pattern.state()->figures.followed);
   ASSERT_EQ(pattern.state()->notes.size(), 1);
-  EXPECT_TRUE(pattern.state()->notes.front().starts_with("solved anew: "));
+  EXPECT_TRUE(pattern.state()->notes.front().starts_with("solved again: "));
   EXPECT_TRUE(stages(pattern).contains("solve"));
   // As long as nothing changes, nothing is done again, whether something moves or not.
   SessionDocument turned = misfitting();

@@ -129,7 +129,7 @@ std::vector<SessionCommand> all_commands() {
           commands::PreviousView{},
           commands::NextView{},
           commands::KeepPhases{full_document().phases},
-          commands::SolveAnew{},
+          commands::SolveAgain{},
           commands::SetSteering{{stroke}}};
 }
 

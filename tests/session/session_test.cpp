@@ -65,7 +65,7 @@ class AnyCommand {
       case 17:
         return commands::SetOption{"glyph", {"arrow"}};  // of samples alone
       case 18:
-        return commands::SolveAnew{};
+        return commands::SolveAgain{};
       case 19:
         return commands::PreviousView{};
       case 20:
@@ -383,11 +383,11 @@ TEST(Session, SolvesAnewInOneStep) {
   session.keep_phases(session.revision(), phases);
   EXPECT_TRUE(session.follows());
   const std::uint64_t before = session.revision();
-  EXPECT_TRUE(session.apply(commands::SolveAnew{}));
+  EXPECT_TRUE(session.apply(commands::SolveAgain{}));
   EXPECT_EQ(session.document().phases, nullptr);
   EXPECT_FALSE(session.follows()) << "whatever is shown";
   EXPECT_GT(session.revision(), before);
-  EXPECT_EQ(session.undo_name(), "solving anew");
+  EXPECT_EQ(session.undo_name(), "solving again");
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(session.document().phases, phases);
   EXPECT_TRUE(session.redo());
@@ -396,11 +396,11 @@ TEST(Session, SolvesAnewInOneStep) {
   session.apply(commands::SetOption{"stripes", {"31"}});
   const std::string last = session.undo_name();
   EXPECT_TRUE(session.follows());
-  EXPECT_TRUE(session.apply(commands::SolveAnew{}));
+  EXPECT_TRUE(session.apply(commands::SolveAgain{}));
   EXPECT_FALSE(session.follows());
   EXPECT_EQ(session.undo_name(), last) << "the document is the same";
-  EXPECT_EQ(command_from_json(nlohmann::json(command_to_json(commands::SolveAnew{}))),
-            SessionCommand(commands::SolveAnew{}));
+  EXPECT_EQ(command_from_json(nlohmann::json(command_to_json(commands::SolveAgain{}))),
+            SessionCommand(commands::SolveAgain{}));
 }
 
 TEST(Session, PhasesThatWereOutdoneGo) {

@@ -96,7 +96,7 @@ bool is_worse(const Score& followed, const Score& anew) {
 
 std::string outdone_note(const Score& followed, const Score& anew) {
   return formatted(
-      "solved anew: phases that had followed fell behind, with energy %.3g instead of %.3g and a "
+      "solved again: phases that had followed fell behind, with energy %.3g instead of %.3g and a "
       "mean spacing error of %.1f instead of %.1f %%",
       followed.energy, anew.energy, 100 * followed.spacing_error, 100 * anew.spacing_error);
 }

@@ -132,7 +132,7 @@ struct StepWords {
   }
   std::string operator()(const commands::SetFrequencyByZoom&) const { return "stripes by zoom"; }
   std::string operator()(const commands::Load&) const { return "opening a session"; }
-  std::string operator()(const commands::SolveAnew&) const { return "solving anew"; }
+  std::string operator()(const commands::SolveAgain&) const { return "solving again"; }
   /// Commands that are no steps.
   template <class Other>
   std::string operator()(const Other&) const {
@@ -195,7 +195,7 @@ bool Session::apply(const SessionCommand& command) {
   if (std::holds_alternative<commands::Redo>(command)) return redo();
   if (std::holds_alternative<commands::PreviousView>(command)) return previous_view();
   if (std::holds_alternative<commands::NextView>(command)) return next_view();
-  if (std::holds_alternative<commands::SolveAnew>(command)) return solve_anew(), true;
+  if (std::holds_alternative<commands::SolveAgain>(command)) return solve_again(), true;
   if (const auto* keep = std::get_if<commands::KeepPhases>(&command)) {
     return keep_phases(revision_, keep->phases);
   }
@@ -295,10 +295,10 @@ std::string Session::undo_name() const { return past_.empty() ? "" : past_.back(
 std::string Session::redo_name() const { return future_.empty() ? "" : future_.back().name; }
 
 // Without kept phases there is no step, but the shown pattern may have continued others.
-void Session::solve_anew() {
+void Session::solve_again() {
   SessionDocument anew = document_;
   anew.phases.reset();
-  change(std::move(anew), StepWords{document_.shown}(commands::SolveAnew{}));
+  change(std::move(anew), StepWords{document_.shown}(commands::SolveAgain{}));
   go(document_, false);
 }
 

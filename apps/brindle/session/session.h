@@ -63,7 +63,7 @@ class Session {
 
   /// Makes the next pattern depend on the document alone. A step if the document has phases, which
   /// are removed.
-  void solve_anew();
+  void solve_again();
 
   /// Stores the phases of the shown pattern of a revision in the document, to be restored by saving
   /// or undo. Null phases mean that it depends on the document alone, and remove stored ones. This

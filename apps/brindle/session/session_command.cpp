@@ -32,7 +32,7 @@ constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCom
     "load",          "begin_drag",
     "end_drag",      "undo",
     "redo",          "keep_phases",
-    "solve_anew",    "previous_view",
+    "solve_again",   "previous_view",
     "next_view",     "set_steering"};
 
 /// Adds a command's fields to its object.
@@ -83,7 +83,7 @@ struct CommandWriter {
   void operator()(const commands::EndDrag&) const {}
   void operator()(const commands::Undo&) const {}
   void operator()(const commands::Redo&) const {}
-  void operator()(const commands::SolveAnew&) const {}
+  void operator()(const commands::SolveAgain&) const {}
   void operator()(const commands::PreviousView&) const {}
   void operator()(const commands::NextView&) const {}
 };
@@ -186,7 +186,7 @@ constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders 
     [](const JsonReader& r) -> SessionCommand { return bare<commands::Undo>(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::Redo>(r); },
     [](const JsonReader& r) -> SessionCommand { return keep_phases_from(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::SolveAnew>(r); },
+    [](const JsonReader& r) -> SessionCommand { return bare<commands::SolveAgain>(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::PreviousView>(r); },
     [](const JsonReader& r) -> SessionCommand { return bare<commands::NextView>(r); },
     [](const JsonReader& r) -> SessionCommand {

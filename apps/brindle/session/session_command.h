@@ -148,9 +148,9 @@ struct KeepPhases {
   bool operator==(const KeepPhases& other) const;
 };
 
-/// Makes the pattern from the document alone (`Session::solve_anew`).
-struct SolveAnew {
-  bool operator==(const SolveAnew&) const = default;
+/// Makes the pattern from the document alone (`Session::solve_again`).
+struct SolveAgain {
+  bool operator==(const SolveAgain&) const = default;
 };
 
 /// Restores the camera before its last motion or recall, and back. Edits stay; undo and redo are
@@ -172,7 +172,7 @@ using SessionCommand =
                  commands::SetStrokes, commands::SetCamera, commands::SetSize, commands::StoreView,
                  commands::RecallView, commands::SetFrequencyByZoom, commands::Load,
                  commands::BeginDrag, commands::EndDrag, commands::Undo, commands::Redo,
-                 commands::KeepPhases, commands::SolveAnew, commands::PreviousView,
+                 commands::KeepPhases, commands::SolveAgain, commands::PreviousView,
                  commands::NextView, commands::SetSteering>;
 
 /// The name of a command in files, such as "set_option".

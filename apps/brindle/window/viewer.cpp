@@ -245,7 +245,7 @@ void Viewer::draw_figures(float height) {
   ImGui::SetNextWindowSize({width, height});
   ImGui::Begin("figures", nullptr, kPanel | ImGuiWindowFlags_NoResize);
   figure_panel_.draw(window_milliseconds_, window_.dark());
-  if (figure_panel_.asks_to_solve_anew()) solve_anew();
+  if (figure_panel_.asks_to_solve_again()) solve_again();
   ImGui::End();
 }
 

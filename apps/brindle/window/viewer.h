@@ -123,7 +123,7 @@ class Viewer {
   void toggle_recording();
   void stop_recording();
   void set_camera(const CameraView& view);
-  void solve_anew();
+  void solve_again();
   void paste_view();
   void show_view(const std::string& name);
   void cycle_view();

@@ -41,7 +41,7 @@ constexpr std::array<std::pair<const char*, const char*>, 32> kKeys = {{
     {"F", "the place of distances follows the mouse, or not"},
     {"Enter", "end the spline"},
     {"Delete", "erase the chosen stroke"},
-    {"N", "solve anew, whatever stripes have followed"},
+    {"N", "solve again, whatever stripes have followed"},
     {"Ctrl + Z", "undo"},
     {"Ctrl + Shift + Z, Ctrl + Y", "redo"},
     {"Ctrl + O", "open a mesh or a session"},
@@ -171,7 +171,7 @@ void Viewer::draw_edit_menu() {
   if (ImGui::MenuItem(redo.c_str(), "Ctrl+Shift+Z", false, session.can_redo())) live_.redo();
   log_.note_widget("item Redo");
   ImGui::Separator();
-  if (item("Solve anew", "N")) solve_anew();
+  if (item("Solve again", "N")) solve_again();
   ImGui::Separator();
   if (item("Copy view", "Ctrl+C")) window_.set_clipboard(view_text(live_.document().camera));
   if (item("Paste view", "Ctrl+V")) paste_view();
@@ -369,7 +369,7 @@ void Viewer::follow_letter(int key) {
     case GLFW_KEY_F:
       return places_.set_follows(!places_.follows());
     case GLFW_KEY_N:
-      return solve_anew();
+      return solve_again();
     case GLFW_KEY_R:
       return toggle_recording();
     case GLFW_KEY_L:
@@ -381,12 +381,12 @@ void Viewer::follow_letter(int key) {
 
 void Viewer::set_camera(const CameraView& view) { live_.apply(commands::SetCamera{view}); }
 
-void Viewer::solve_anew() {
+void Viewer::solve_again() {
   if (live_.at_rest() && !live_.frame()->state->figures.followed) {
     return live_.add_message(MessageKind::note, "the pattern has followed no other one");
   }
   live_.end_drag();
-  live_.apply(commands::SolveAnew{});
+  live_.apply(commands::SolveAgain{});
 }
 
 void Viewer::paste_view() {

@@ -89,9 +89,10 @@ std::vector<std::string> noise_warnings(std::size_t field_singularities, std::si
   const auto singular = static_cast<double>(field_singularities);
   const auto all = static_cast<double>(triangles);
   if (singular <= kMostSingular * all) return {};
-  return {formatted("the field turns round %zu of %zu triangles (%.1f %%), as noise does; ",
-                    field_singularities, triangles, 100 * singular / all) +
-          words.detail + " sees it at the scale of its stripes"};
+  return {
+      formatted("the field is singular in %zu of %zu triangles (%.1f %%), which suggests noise; ",
+                field_singularities, triangles, 100 * singular / all) +
+      words.detail + " smooths it"};
 }
 
 std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t triangles,

@@ -67,7 +67,7 @@ double FigurePanel::frames_per_second() const {
 
 void FigurePanel::draw(double window_milliseconds, bool dark) {
   dark_ = dark;
-  asks_to_solve_anew_ = false;
+  asks_to_solve_again_ = false;
   note_frame();
   const auto& frame = live_.frame();
   if (!frame) {
@@ -105,8 +105,8 @@ void FigurePanel::draw_counts(const SessionFrame& frame) {
 
 void FigurePanel::draw_followed(const LiveFigures& figures) {
   figure_row("phases moved", formatted("%.3f rad", figures.phase_step));
-  asks_to_solve_anew_ = ImGui::Button("solve anew (N)", {-FLT_MIN, 0});
-  log_.note_widget("solve anew");
+  asks_to_solve_again_ = ImGui::Button("solve again (N)", {-FLT_MIN, 0});
+  log_.note_widget("solve again");
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("stripes have followed those before; make them of the options alone");
   }

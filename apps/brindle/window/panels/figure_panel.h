@@ -19,7 +19,7 @@ class FigurePanel {
   void draw(double window_milliseconds, bool dark);
 
   /// Whether the user requested that in the last `draw`.
-  bool asks_to_solve_anew() const { return asks_to_solve_anew_; }
+  bool asks_to_solve_again() const { return asks_to_solve_again_; }
 
   /// Frames of the session in the last second of work.
   double frames_per_second() const;
@@ -41,7 +41,7 @@ class FigurePanel {
   const LiveSession& live_;
   WindowLog& log_;
   bool dark_ = true;
-  bool asks_to_solve_anew_ = false;
+  bool asks_to_solve_again_ = false;
   std::uint64_t noted_ = 0;
   std::deque<double> arrivals_;  // in seconds of Dear ImGui
   std::vector<History> histories_ = {{"branches", {}},
