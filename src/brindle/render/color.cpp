@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <span>
@@ -12,6 +13,7 @@
 #include "brindle/image.h"
 #include "brindle/render/color_names.h"
 #include "brindle/render/parsed_words.h"
+#include "brindle/render/surface_light.h"
 #include "brindle/renderer.h"
 
 namespace brindle {
@@ -126,6 +128,16 @@ std::optional<Color> parse_color(std::string_view text) {
 
 Vec3 linear_light(const Color& color) {
   return {linear_of(color.red), linear_of(color.green), linear_of(color.blue)};
+}
+
+Pixel pixel_of(const Eigen::Vector4f& light) {
+  const float alpha = light.w();
+  if (!(alpha > 0)) return {0, 0, 0, 0};
+  const auto byte_of = [](float level) {
+    return static_cast<std::uint8_t>(std::lround(255 * level));
+  };
+  return {byte_of(srgb_of(light.x() / alpha)), byte_of(srgb_of(light.y() / alpha)),
+          byte_of(srgb_of(light.z() / alpha)), byte_of(std::min(alpha, 1.0f))};
 }
 
 Color error_color(float value) {

@@ -4,26 +4,18 @@
 #include <cmath>
 #include <vector>
 
-#include "brindle/base/elementary.h"
+#include "brindle/render/surface_light.h"
 #include "brindle/renderer.h"
 
 namespace brindle {
 namespace {
-
-std::uint8_t encoded(float light) {
-  const float l = std::clamp(light, 0.0f, 1.0f);
-  const float level = l <= 0.0031308f ? 12.92f * l : 1.055f * elementary::pow(l, 1 / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255 * level));
-}
 
 /// Blends light over a pixel of which it covers `share`.
 void cover(Pixel& pixel, const Vec3& light, float share) {
   if (!(share > 0)) return;
   const Eigen::Vector4f below = premultiplied_light(pixel);
   const Vec3 sum = share * light + (1 - share) * below.head<3>();
-  const float alpha = share + (1 - share) * below.w();
-  pixel = {encoded(sum.x() / alpha), encoded(sum.y() / alpha), encoded(sum.z() / alpha),
-           static_cast<std::uint8_t>(std::lround(255 * alpha))};
+  pixel = pixel_of({sum.x(), sum.y(), sum.z(), share + (1 - share) * below.w()});
 }
 
 float distance_to(const Eigen::Vector2f& point, const Eigen::Vector2f& a,

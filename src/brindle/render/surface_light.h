@@ -1,7 +1,8 @@
-/// Lightness of surface points.
+/// Light of surface points and of pixels.
 #pragma once
 
 #include "brindle/camera.h"
+#include "brindle/image.h"
 #include "brindle/mesh.h"
 
 namespace brindle {
@@ -19,6 +20,9 @@ Lights lights_of(const Camera& camera, const PictureLight& light);
 /// Twin of tone.glsl: the lightness of a white surface at a point, 0 to 1. `view_normal` (unit, of
 /// the visible side) and `sight` (from the viewer, any length) are in camera coordinates.
 float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights);
+
+/// The pixel of linear light, premultiplied by alpha; the inverse of `premultiplied_light`.
+Pixel pixel_of(const Eigen::Vector4f& light);
 
 // Surfaces with one visible side.
 

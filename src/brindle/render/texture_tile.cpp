@@ -7,6 +7,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/pattern/figure_middle.h"
 #include "brindle/render/parsed_words.h"
+#include "brindle/render/surface_light.h"
 #include "brindle/renderer.h"
 
 namespace brindle {
@@ -192,19 +193,6 @@ TileFigures figures_of(BuiltInTile tile) {
       return single_figure(TileFigures::whole_tile(), kAsItIs | kHalfTurn);
   }
   return {};
-}
-
-std::uint8_t srgb_byte(float light) {
-  const float level =
-      light <= 0.0031308f ? 12.92f * light : 1.055f * elementary::pow(light, 1 / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(level, 0.0f, 1.0f)));
-}
-
-Pixel pixel_of(const Eigen::Vector4f& light) {
-  const float alpha = light.w();
-  if (!(alpha > 0)) return {0, 0, 0, 0};
-  return {srgb_byte(light.x() / alpha), srgb_byte(light.y() / alpha), srgb_byte(light.z() / alpha),
-          static_cast<std::uint8_t>(std::lround(255 * std::min(alpha, 1.0f)))};
 }
 
 Pixel opaque_pixel(const Vec3& light) { return pixel_of({light.x(), light.y(), light.z(), 1}); }

@@ -20,20 +20,14 @@ constexpr int kHalvings = 11;       // of half a pixel: leaves a quarter of a th
 constexpr int kDeepest = 6;         // subdivisions of an outline segment
 constexpr int kRowsAtOnce = 64;     // between two progress reports
 
-/// Calls `body(i)` for all of [0, count) in parallel, with progress reports in between.
+/// Calls `body(i)` for all of [0, count) in parallel.
 template <class Body>
 void for_parts(std::size_t count, std::size_t part, std::size_t grain, const Progress& progress,
                const Body& body) {
-  for (std::size_t first = 0; first < count; first += part) {
-    progress.report(static_cast<double>(first) / static_cast<double>(count));
-    const std::size_t length = std::min(part, count - first);
-    parallel_for(
-        length,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) body(first + i);
-        },
-        grain);
-  }
+  const auto of_range = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  };
+  parallel_for(count, progress, of_range, grain, part);
 }
 
 }  // namespace
