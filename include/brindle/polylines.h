@@ -35,6 +35,27 @@ struct Polylines {
   /// segments do not run within triangles.
   std::vector<std::array<double, 3>> arrivals = {};
 
+  /// Appends a point to the line that `end_line` will end.
+  void add(const Vec3& point, const Vec3& normal) {
+    points.push_back(point);
+    normals.push_back(normal);
+  }
+  void add(const Vec3& point, const Vec3& normal, const TrianglePoint& place,
+           const std::array<double, 3>& arrival) {
+    add(point, normal);
+    places.push_back(place);
+    arrivals.push_back(arrival);
+  }
+  /// Appends points `first` to `end` - 1 of other lines, with their places.
+  void add(const Polylines& lines, std::size_t first, std::size_t end);
+  void end_line(bool is_closed) {
+    offsets.push_back(static_cast<Index>(points.size()));
+    closed.push_back(is_closed);
+  }
+
+  /// The place at a share, from 0 to 1, of the segment that starts at a point. Needs arrivals.
+  TrianglePoint place_on(std::size_t point, double share) const;
+
   std::size_t count() const { return closed.size(); }
   std::span<const Vec3> points_of(std::size_t line) const {
     return std::span(points).subspan(offsets[line], offsets[line + 1] - offsets[line]);

@@ -20,16 +20,6 @@ std::string shortest_text(float number) {
   return {text, write_number(text, text + sizeof text, number).ptr};
 }
 
-void append(Polylines& lines, const Vec3& point, const Vec3& normal) {
-  lines.points.push_back(point);
-  lines.normals.push_back(normal);
-}
-
-void end_line(Polylines& lines, bool closed) {
-  lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-  lines.closed.push_back(closed);
-}
-
 /// Marks the points to keep between `first` and `last` (Douglas-Peucker). `last` may be the number
 /// of points, for the first point of a closed line.
 void keep_farthest(std::span<const Vec3> points, std::size_t first, std::size_t last,
@@ -57,15 +47,6 @@ std::size_t farthest_from_first(std::span<const Vec3> points) {
   };
   return static_cast<std::size_t>(std::max_element(points.begin(), points.end(), farther) -
                                   points.begin());
-}
-
-/// The point at parameter `t` of the segment that starts at `point`.
-TrianglePoint place_on(const Polylines& lines, std::size_t point, double t) {
-  TrianglePoint place = lines.places[point];
-  for (std::size_t m = 0; m < 3; ++m) {
-    place.barycentric[m] += t * (lines.arrivals[point][m] - place.barycentric[m]);
-  }
-  return place;
 }
 
 /// Number of steps along a line: at least one, on closed lines three.
@@ -116,6 +97,25 @@ std::vector<double> checked_lengths(const Polylines& lines, float spacing) {
 
 }  // namespace
 
+void Polylines::add(const Polylines& lines, std::size_t first, std::size_t end) {
+  const auto append = [&](const auto& from, auto& to) {
+    const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
+    if (!from.empty()) to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(end - first));
+  };
+  append(lines.points, points);
+  append(lines.normals, normals);
+  append(lines.places, places);
+  append(lines.arrivals, arrivals);
+}
+
+TrianglePoint Polylines::place_on(std::size_t point, double share) const {
+  TrianglePoint place = places[point];
+  for (std::size_t m = 0; m < 3; ++m) {
+    place.barycentric[m] += share * (arrivals[point][m] - place.barycentric[m]);
+  }
+  return place;
+}
+
 float distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
   const float square = along.squaredNorm();
@@ -153,10 +153,10 @@ Polylines simplified(const Polylines& lines, float tolerance, const Progress& pr
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!keep[i]) continue;
-      append(result, points[i], lines.normals_of(line)[i]);
+      result.add(points[i], lines.normals_of(line)[i]);
       if (!lines.places.empty()) result.places.push_back(lines.places[lines.offsets[line] + i]);
     }
-    end_line(result, lines.closed[line]);
+    result.end_line(lines.closed[line]);
   }
   stages.finish();
   return result;
@@ -190,15 +190,15 @@ Polylines resampled(const Polylines& lines, float spacing, const Progress& progr
       }
       const float t = size > 0 ? static_cast<float>(std::min((goal - passed) / size, 1.0)) : 0.0f;
       const Vec3 normal = (1 - t) * normals[segment] + t * normals[end()];
-      append(result, points[segment] + t * (points[end()] - points[segment]),
-             normal.stableNormalized());
-      if (placed) result.places.push_back(place_on(lines, lines.offsets[line] + segment, t));
+      result.add(points[segment] + t * (points[end()] - points[segment]),
+                 normal.stableNormalized());
+      if (placed) result.places.push_back(lines.place_on(lines.offsets[line] + segment, t));
     }
     if (!closed) {
-      append(result, points.back(), normals.back());
+      result.add(points.back(), normals.back());
       if (placed) result.places.push_back(lines.places[lines.offsets[line + 1] - 1]);
     }
-    end_line(result, closed);
+    result.end_line(closed);
   }
   stages.finish();
   return result;

@@ -485,13 +485,9 @@ class Tracer {
   void add_curve(const std::array<CurveEnd, 2>& ends) {
     Polylines& lines = curves_.lines;
     const bool closed = ends[0] == CurveEnd::closed;
-    for (const CurvePoint& point : curve_) {
-      lines.points.push_back(point.position);
-      lines.normals.push_back(point.normal);
-    }
+    for (const CurvePoint& point : curve_) lines.add(point.position, point.normal);
     add_places(pattern_.mesh, curve_, closed, lines);
-    lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-    lines.closed.push_back(closed);
+    lines.end_line(closed);
     curves_.ends.push_back(ends);
   }
 
@@ -570,22 +566,6 @@ void check_curve_options(const CurveOptions& options) {
   }
 }
 
-namespace {
-
-void append_places(const Polylines& from, std::size_t line, Polylines& to) {
-  const auto begin = static_cast<std::ptrdiff_t>(from.offsets[line]);
-  const auto end = static_cast<std::ptrdiff_t>(from.offsets[line + 1]);
-  if (!from.places.empty()) {
-    to.places.insert(to.places.end(), from.places.begin() + begin, from.places.begin() + end);
-  }
-  if (!from.arrivals.empty()) {
-    to.arrivals.insert(to.arrivals.end(), from.arrivals.begin() + begin,
-                       from.arrivals.begin() + end);
-  }
-}
-
-}  // namespace
-
 StripeCurves longer_than(const StripeCurves& curves, double length) {
   StripeCurves longer;
   longer.joined_ends = curves.joined_ends;
@@ -598,13 +578,8 @@ StripeCurves longer_than(const StripeCurves& curves, double length) {
   lines.origin = curves.lines.origin;
   for (std::size_t line = 0; line < curves.lines.count(); ++line) {
     if (length_of(curves.lines, line) < length) continue;
-    const auto points = curves.lines.points_of(line);
-    const auto normals = curves.lines.normals_of(line);
-    lines.points.insert(lines.points.end(), points.begin(), points.end());
-    lines.normals.insert(lines.normals.end(), normals.begin(), normals.end());
-    append_places(curves.lines, line, lines);
-    lines.offsets.push_back(static_cast<Index>(lines.points.size()));
-    lines.closed.push_back(curves.lines.closed[line]);
+    lines.add(curves.lines, curves.lines.offsets[line], curves.lines.offsets[line + 1]);
+    lines.end_line(curves.lines.closed[line]);
     longer.ends.push_back(curves.ends[line]);
   }
   return longer;

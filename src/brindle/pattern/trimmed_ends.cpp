@@ -233,52 +233,32 @@ class LineCutter {
     const bool cut_behind = cuts[1] > 0;
     const LinePlace behind = trimmer_.place_at(line, trimmer_.length(line) - cuts[1]);
     if (cut_behind) last = behind.segment_from;
-    for (Index i = first; i <= last; ++i) {
-      add_point(lines.points[i], lines.normals[i]);
-      if (!lines.places.empty()) to_.lines.places.push_back(lines.places[i]);
-      if (!lines.arrivals.empty()) to_.lines.arrivals.push_back(lines.arrivals[i]);
-    }
+    to_.lines.add(lines, first, last + 1);
     if (cut_behind) add_last(behind);
-    to_.lines.offsets.push_back(static_cast<Index>(to_.lines.points.size()));
-    to_.lines.closed.push_back(lines.closed[line]);
+    to_.lines.end_line(lines.closed[line]);
     to_.ends.push_back(from_.ends[line]);
   }
 
  private:
-  void add_point(const Vec3& position, const Vec3& normal) {
-    to_.lines.points.push_back(position);
-    to_.lines.normals.push_back(normal);
-  }
-
-  std::optional<TrianglePoint> triangle_point(const LinePlace& place) const {
-    const Polylines& lines = from_.lines;
-    if (lines.arrivals.empty()) return std::nullopt;
-    TrianglePoint point = lines.places[place.segment_from];
-    for (std::size_t m = 0; m < 3; ++m) {
-      point.barycentric[m] += static_cast<double>(place.share) *
-                              (lines.arrivals[place.segment_from][m] - point.barycentric[m]);
-    }
-    return point;
-  }
-
   LinePlace add_cut(Index line, double length) {
     const LinePlace place = trimmer_.place_at(line, length);
-    add_point(place.position, place.normal);
-    if (const auto point = triangle_point(place)) {
-      to_.lines.places.push_back(*point);
-      to_.lines.arrivals.push_back(from_.lines.arrivals[place.segment_from]);
+    const Polylines& lines = from_.lines;
+    to_.lines.add(place.position, place.normal);
+    if (!lines.arrivals.empty()) {
+      to_.lines.places.push_back(lines.place_on(place.segment_from, place.share));
+      to_.lines.arrivals.push_back(lines.arrivals[place.segment_from]);
     }
     return place;
   }
 
   /// Adds the last point of a cut line and ends the segment before it there.
   void add_last(const LinePlace& place) {
-    add_point(place.position, place.normal);
-    const auto point = triangle_point(place);
-    if (!point) return;
-    to_.lines.arrivals.back() = point->barycentric;
-    to_.lines.places.push_back(*point);
-    to_.lines.arrivals.push_back(point->barycentric);
+    to_.lines.add(place.position, place.normal);
+    if (from_.lines.arrivals.empty()) return;
+    const TrianglePoint point = from_.lines.place_on(place.segment_from, place.share);
+    to_.lines.arrivals.back() = point.barycentric;
+    to_.lines.places.push_back(point);
+    to_.lines.arrivals.push_back(point.barycentric);
   }
 
   const StripeCurves& from_;

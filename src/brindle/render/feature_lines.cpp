@@ -35,18 +35,14 @@ struct Dash {
 
 /// A dash that reaches the end of a closed line continues at its first point.
 void add_dash(const Polylines& lines, std::size_t line, const Dash& dash, Polylines& dashes) {
-  for (std::size_t i = dash.first; i <= dash.last; ++i) {
-    dashes.points.push_back(lines.points[i]);
-    dashes.normals.push_back(lines.normals[i]);
-  }
+  for (std::size_t i = dash.first; i <= dash.last; ++i)
+    dashes.add(lines.points[i], lines.normals[i]);
   const bool to_end = lines.closed[line] != 0 && dash.last + 1 == lines.offsets[line + 1];
   const bool whole = to_end && dash.first == lines.offsets[line];
   if (to_end && !whole) {
-    dashes.points.push_back(lines.points[lines.offsets[line]]);
-    dashes.normals.push_back(lines.normals[lines.offsets[line]]);
+    dashes.add(lines.points[lines.offsets[line]], lines.normals[lines.offsets[line]]);
   }
-  dashes.offsets.push_back(static_cast<Index>(dashes.points.size()));
-  dashes.closed.push_back(whole ? 1 : 0);
+  dashes.end_line(whole);
 }
 
 /// Whether a stroke of the pattern covers the point; true without a wave.

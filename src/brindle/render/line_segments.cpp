@@ -65,17 +65,14 @@ class SegmentJoiner {
       }
       const bool closed = node == start;
       if (!closed) add_point(segments_[last].triangle, arrival, arrival);
-      lines_.offsets.push_back(static_cast<Index>(lines_.points.size()));
-      lines_.closed.push_back(closed ? 1 : 0);
+      lines_.end_line(closed);
     }
   }
 
   void add_point(Index triangle, const CornerWeights& place, const CornerWeights& arrival) {
     const Triangle& t = mesh_.triangles[triangle];
-    lines_.points.push_back(point_in(mesh_, t, place));
-    lines_.normals.push_back(normal_in(normals_, t, place));
-    lines_.places.push_back({triangle, place});
-    lines_.arrivals.push_back(arrival);
+    lines_.add(point_in(mesh_, t, place), normal_in(normals_, t, place), {triangle, place},
+               arrival);
   }
 
   const Mesh& mesh_;

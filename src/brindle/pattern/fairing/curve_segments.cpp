@@ -21,10 +21,7 @@ std::vector<CurveSegment> segments_of_all(const Polylines& lines) {
 void add_point_at(const WavePattern& pattern, const TrianglePoint& place,
                   const std::array<double, 3>& arrival, Polylines& to) {
   const CurvePoint point = point_in_triangle(pattern, place);
-  to.points.push_back(point.position);
-  to.normals.push_back(point.normal);
-  to.places.push_back(place);
-  to.arrivals.push_back(arrival);
+  to.add(point.position, point.normal, place, arrival);
 }
 
 }  // namespace

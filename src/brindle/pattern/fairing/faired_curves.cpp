@@ -237,8 +237,7 @@ class Fairer {
   Polylines line_of(const std::vector<SurfaceWays::Piece>& pieces, bool closed) const {
     Polylines line;
     add_points_of(pattern_, pieces, closed, line);
-    line.offsets.push_back(static_cast<Index>(line.points.size()));
-    line.closed.push_back(closed);
+    line.end_line(closed);
     return line;
   }
 

@@ -101,15 +101,6 @@ std::optional<double> share_of(const Polylines& lines, Index segment, const Tria
   return share;
 }
 
-TrianglePoint place_on(const Polylines& lines, const CurveSegment& segment, double share) {
-  const Index point = lines.offsets[segment.line] + segment.number;
-  TrianglePoint place = lines.places[point];
-  for (int m = 0; m < 3; ++m) {
-    place.barycentric[m] += share * (lines.arrivals[point][m] - place.barycentric[m]);
-  }
-  return place;
-}
-
 /// An end of an open line, by its triangle.
 struct EndInTriangle {
   Index triangle;
@@ -355,9 +346,10 @@ std::optional<JunctionSmoother::Meeting> JunctionSmoother::meeting(const Touchin
     const UnrolledCurve& other = unrolled(segment.line);
     const double periods = other.periods_at(segment.number, found->share);
     if (segment.line == touch.line && std::abs(periods - own) < kElsewhere) return;
-    first = Meeting{{touch.line, touch.end, segment.line, segment.number, periods},
-                    place_on(curves_.lines, segment, found->share),
-                    found->along};
+    first = Meeting{
+        {touch.line, touch.end, segment.line, segment.number, periods},
+        curves_.lines.place_on(curves_.lines.offsets[segment.line] + segment.number, found->share),
+        found->along};
   };
   segments_.visit(
       from, [&] { return reach; }, look_at);

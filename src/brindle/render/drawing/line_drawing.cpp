@@ -39,12 +39,8 @@ float length_of(const Stroke& stroke) {
 /// As `simplified`, for lines in the picture.
 Stroke simplified_stroke(const Stroke& stroke, float tolerance) {
   Polylines line;
-  for (const auto& p : stroke) {
-    line.points.emplace_back(p.x(), p.y(), 0.0f);
-    line.normals.emplace_back(0.0f, 0.0f, 1.0f);
-  }
-  line.offsets.push_back(static_cast<Index>(stroke.size()));
-  line.closed.push_back(0);
+  for (const auto& p : stroke) line.add({p.x(), p.y(), 0.0f}, Vec3::UnitZ());
+  line.end_line(false);
   Stroke result;
   for (const Vec3& p : simplified(line, tolerance).points) result.emplace_back(p.x(), p.y());
   return result;
