@@ -8,9 +8,9 @@
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
+#include "brindle/phases/multilevel.h"
 #include "brindle/phases/parsed_words.h"
 #include "brindle/phases/relaxation.h"
-#include "brindle/phases/solver_options.h"
 #include "brindle/waves/averaged_levels.h"
 #include "phase_graphs.h"
 

@@ -11,8 +11,8 @@
 #include "brindle/gpu/gpu_kernels.h"
 #include "brindle/gpu/gpu_measure.h"
 #include "brindle/gpu/gpu_relaxation.h"
+#include "brindle/phases/multilevel.h"
 #include "brindle/phases/relaxation.h"
-#include "brindle/phases/solver_options.h"
 
 namespace brindle {
 namespace {

@@ -6,7 +6,6 @@
 #include "brindle/base/standard.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/sliced_kernels.h"
-#include "brindle/phases/solver_options.h"
 
 namespace brindle {
 

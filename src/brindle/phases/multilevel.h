@@ -81,4 +81,9 @@ PhaseSolution solve_multilevel(const Adjacency& adjacency,
                                const Progress& progress = {},
                                const std::function<void(std::span<Complex> z)>& finish = {});
 
+// Valid ranges of solver options.
+
+/// Throws Error for options out of range.
+void check_solver_options(const SolverOptions& options);
+
 }  // namespace brindle

@@ -10,7 +10,6 @@
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/parsed_words.h"
 #include "brindle/phases/relaxation.h"
-#include "brindle/phases/solver_options.h"
 
 namespace brindle {
 namespace {

@@ -1,6 +1,8 @@
 /// Light of surface points and of pixels.
 #pragma once
 
+#include <algorithm>
+
 #include "brindle/camera.h"
 #include "brindle/image.h"
 #include "brindle/mesh.h"
@@ -23,6 +25,12 @@ float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights);
 
 /// The pixel of linear light, premultiplied by alpha; the inverse of `premultiplied_light`.
 Pixel pixel_of(const Eigen::Vector4f& light);
+
+/// 0 up to `from`, 1 from `to` on, and smooth in between.
+inline float smooth_step(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
 
 // Surfaces with one visible side.
 

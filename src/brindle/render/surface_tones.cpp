@@ -19,11 +19,6 @@
 namespace brindle {
 namespace {
 
-float smoothstep(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
 /// The default direction; any length.
 const Vec3 kUsualKey(-0.45f, 0.70f, 0.75f);
 
@@ -54,7 +49,7 @@ Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Lights& ligh
   const Vec3 ground_light(0.17f, 0.165f, 0.16f), sky_light(0.30f, 0.31f, 0.33f);
   Vec3 light = key * Vec3(0.66f, 0.64f, 0.61f) + fill * Vec3(0.12f, 0.13f, 0.15f) + ground_light +
                sky * (sky_light - ground_light);
-  light *= 0.62f + (1 - 0.62f) * smoothstep(0, 0.55f, facing);
+  light *= 0.62f + (1 - 0.62f) * smooth_step(0, 0.55f, facing);
   const float gloss =
       elementary::pow(std::clamp(n.dot((lights.key + v).normalized()), 0.0f, 1.0f), 40.0f);
   light += Vec3::Constant(0.035f * gloss);

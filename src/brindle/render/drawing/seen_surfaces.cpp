@@ -47,11 +47,6 @@ bool pulse_covers(float turns, float width) {
   return width > 0 && std::abs(turns - std::floor(turns + 0.5f)) <= 0.5f * width;
 }
 
-float smooth_rise(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
 /// Whether strokes cover the phase `turns` from a peak, including those that grow between others.
 bool levels_cover(const Strokes& strokes, float turns, float width, float footprint) {
   const bool in_pixels = strokes.unit == WidthUnit::pixels;
@@ -60,7 +55,7 @@ bool levels_cover(const Strokes& strokes, float turns, float width, float footpr
   }
   const float octaves = std::max(-std::log2(std::max(footprint * strokes.spacing, 1e-9f)), 0.0f);
   const float level = std::min(std::floor(octaves), 8.0f);
-  const float grown = smooth_rise(0.3f, 1.0f, octaves - level > 1 ? 1.0f : octaves - level);
+  const float grown = smooth_step(0.3f, 1.0f, octaves - level > 1 ? 1.0f : octaves - level);
   const float finer = std::exp2(level);
   const float own = in_pixels ? width * footprint * finer : width * (1 - 0.5f * grown);
   const float between = in_pixels ? own * grown : 0.5f * width * grown;

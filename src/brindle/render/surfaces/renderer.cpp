@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/headless_context.h"
 #include "brindle/render/surfaces/gl_target.h"
 #include "brindle/render/surfaces/surface_picture.h"
 
@@ -108,12 +107,7 @@ Image Renderer::draw(const RenderOptions& options, const Progress& progress) con
 Image render_picture(const SurfaceDrawing& drawing, const RenderOptions& options,
                      const Progress& progress) {
   check_options(options);
-  const HeadlessContext context;
-  Renderer renderer;
-  renderer.upload(drawing);
-  Image image = renderer.draw(options, progress);
-  context.check_errors("drawing the picture");
-  return image;
+  return drawn_alone<Renderer>(drawing, options, "drawing the picture", progress);
 }
 
 }  // namespace brindle

@@ -12,7 +12,6 @@
 #include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
 #include "brindle/gl/shader_program.h"
-#include "brindle/headless_context.h"
 #include "brindle/render/surfaces/gl_target.h"
 #include "brindle/render/surfaces/tiled_picture.h"
 
@@ -189,12 +188,7 @@ Image SplatRenderer::draw(const RenderOptions& options, const Progress& progress
 Image render_splats(const SplatDrawing& drawing, const RenderOptions& options,
                     const Progress& progress) {
   check_options(options);
-  const HeadlessContext context;
-  SplatRenderer renderer;
-  renderer.upload(drawing);
-  Image image = renderer.draw(options, progress);
-  context.check_errors("drawing the points");
-  return image;
+  return drawn_alone<SplatRenderer>(drawing, options, "drawing the points", progress);
 }
 
 }  // namespace brindle

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "brindle/error.h"
-#include "brindle/headless_context.h"
 #include "brindle/mesh.h"
 #include "brindle/render/surfaces/surface_picture.h"
 
@@ -249,12 +248,7 @@ Image StyledRenderer::draw(const StyledOptions& options, const Progress& progres
 Image render_styled(std::span<const StyledSurface> surfaces, const StyledOptions& options,
                     const Progress& progress) {
   check_styled_options(options);
-  const HeadlessContext context;
-  StyledRenderer renderer;
-  renderer.upload(surfaces);
-  Image image = renderer.draw(options, progress);
-  context.check_errors("drawing the picture");
-  return image;
+  return drawn_alone<StyledRenderer>(surfaces, options, "drawing the picture", progress);
 }
 
 }  // namespace brindle

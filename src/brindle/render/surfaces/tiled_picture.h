@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "brindle/gl/shader_program.h"
+#include "brindle/headless_context.h"
 #include "brindle/progress.h"
 #include "brindle/render/surfaces/gl_target.h"
 #include "brindle/renderer.h"
@@ -37,6 +38,18 @@ void flip_rows(std::vector<Item>& items, int width, int height) {
                      items.begin() + static_cast<std::ptrdiff_t>(y + 1) * width,
                      items.begin() + static_cast<std::ptrdiff_t>(height - 1 - y) * width);
   }
+}
+
+/// A picture that `Drawer` draws in a context of its own. OpenGL errors begin with `job`.
+template <class Drawer, class Drawing, class Options>
+Image drawn_alone(const Drawing& drawing, const Options& options, const char* job,
+                  const Progress& progress) {
+  const HeadlessContext context;
+  Drawer drawer;
+  drawer.upload(drawing);
+  Image image = drawer.draw(options, progress);
+  context.check_errors(job);
+  return image;
 }
 
 /// Evaluations along each side of a pixel at the picture's quality.
