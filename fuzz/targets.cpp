@@ -6,7 +6,6 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/files/vtk/pvtp_file.h"
-#include "brindle/time_series.h"
 #include "fuzzed_pattern.h"
 #include "promises.h"
 #include "scratch.h"

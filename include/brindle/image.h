@@ -79,4 +79,15 @@ void write_png(const std::filesystem::path& path, const Image& image, const Prog
 /// reason, if it cannot be read, is no PNG file, is cut off or is beyond the limits above.
 Image read_png(const std::filesystem::path& path);
 
+// Colour maps for values.
+
+/// Perceptually uniform maps, also for colour-blind readers. The first three grow lighter from the
+/// lowest value to the highest (van der Walt and Smith 2015; Nuñez et al. 2018); coolwarm is
+/// lightest in the middle (Moreland 2009).
+enum class ColorMap { viridis, magma, cividis, coolwarm };
+
+/// The colour at `place`, 0 (lowest) to 1 (highest). Other places are clamped; NaN gives the lowest
+/// colour.
+Color map_color(ColorMap map, float place);
+
 }  // namespace brindle

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "brindle/color_map.h"
 #include "brindle/export.h"
+#include "brindle/image.h"
 #include "brindle/progress.h"
 #include "brindle/renderer.h"
 

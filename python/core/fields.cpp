@@ -14,7 +14,6 @@
 #include "brindle/files.h"
 #include "brindle/frequency_field.h"
 #include "brindle/normals.h"
-#include "brindle/orientation.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/smooth_field.h"

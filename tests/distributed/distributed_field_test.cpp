@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "brindle/carried_phases.h"
+#include "brindle/direction_field.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
-#include "brindle/orientation.h"
 #include "brindle/smooth_field.h"
 #include "brindle/surface.h"
 #include "ranks.h"

@@ -1,5 +1,3 @@
-#include "brindle/time_series.h"
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/error.h"
+#include "brindle/files.h"
 #include "test_folder.h"
 
 namespace brindle {

@@ -1,9 +1,8 @@
-#include "brindle/color_map.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "brindle/image.h"
 #include "brindle/render/parsed_words.h"
 
 namespace brindle {

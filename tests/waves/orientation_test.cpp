@@ -1,7 +1,6 @@
-#include "brindle/orientation.h"
-
 #include <gtest/gtest.h>
 
+#include "brindle/direction_field.h"
 #include "phase_graphs.h"
 
 namespace brindle {

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "brindle/array_field.h"
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"
-#include "brindle/orientation.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"

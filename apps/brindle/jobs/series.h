@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/time_series.h"
+#include "brindle/files.h"
 #include "cli/progress_display.h"
 #include "input/followed_field.h"
 #include "input/preparation.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "brindle/time_series.h"
+#include "brindle/files.h"
 
 namespace brindle::tool {
 

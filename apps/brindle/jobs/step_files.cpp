@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "brindle/time_series.h"
+#include "brindle/files.h"
 #include "outputs/mesh_output.h"
 
 namespace brindle::tool {

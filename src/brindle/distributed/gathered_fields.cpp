@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "brindle/direction_field.h"
 #include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
-#include "brindle/orientation.h"
 #include "brindle/pipeline/fields/field_anchors.h"
 
 namespace brindle {

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/orientation.h"
 #include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/lifted_waves.h"
 #include "brindle/pattern/sampling.h"

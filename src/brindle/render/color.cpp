@@ -9,7 +9,6 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/standard.h"
-#include "brindle/color_map.h"
 #include "brindle/image.h"
 #include "brindle/render/color_names.h"
 #include "brindle/render/parsed_words.h"

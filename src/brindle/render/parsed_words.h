@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "brindle/camera.h"
-#include "brindle/color_map.h"
 #include "brindle/glyphs.h"
 #include "brindle/image.h"
 #include "brindle/renderer.h"

@@ -11,8 +11,8 @@
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
 #include "brindle/base/parallel.h"
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/orientation.h"
 #include "brindle/waves/direction_graph.h"
 
 namespace brindle {

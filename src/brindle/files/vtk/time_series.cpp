@@ -1,9 +1,9 @@
-#include "brindle/time_series.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "brindle/files.h"
 
 #ifdef BRINDLE_HAS_JSON
 #include <nlohmann/json.hpp>

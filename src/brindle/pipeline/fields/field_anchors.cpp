@@ -15,7 +15,6 @@
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/orientation.h"
 #include "brindle/phases/screened.h"
 #include "brindle/waves/direction_graph.h"
 

@@ -18,7 +18,6 @@
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/orientation.h"
 #include "brindle/phases/screened.h"
 #include "brindle/pipeline/fields/measured_scale.h"
 #include "brindle/pipeline/fields/surface_elements.h"

@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/standard.h"
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
-#include "brindle/orientation.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/several_starts.h"

@@ -3,8 +3,8 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
+#include "brindle/direction_field.h"
 #include "brindle/error.h"
-#include "brindle/orientation.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/several_starts.h"
