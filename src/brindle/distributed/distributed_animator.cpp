@@ -122,27 +122,16 @@ void DistributedStripeAnimator::State::take_own(const FrameInput& frame) {
 
 /// The frame's normals of own vertices.
 std::vector<Vec3> DistributedStripeAnimator::State::own_normals(const FrameInput& frame) const {
-  std::vector<Vec3> normals;
-  if (!ranks().any(!frame.normals.empty())) return normals;
-  normals.resize(surface->graph.own, Vec3::Zero());
-  for (std::size_t p = 0; p < frame.normals.size(); ++p) {
-    const Index v = surface->vertex_of_piece[p];
-    if (v < normals.size()) normals[v] = frame.normals[p];
-  }
+  if (!ranks().any(!frame.normals.empty())) return {};
+  std::vector<Vec3> normals(surface->graph.own, Vec3::Zero());
+  surface->copy_to_own(frame.normals, std::span(normals));
   return normals;
 }
 
 /// Receives ghosts' waves, and fills the arrays.
 void DistributedStripeAnimator::State::take_ghosts() {
   exchange(ranks(), surface->graph.halo, std::span(sent_waves));
-  input.positions.resize(sent_waves.size());
-  input.directions.resize(sent_waves.size());
-  input.frequencies.resize(sent_waves.size());
-  for (std::size_t v = 0; v < sent_waves.size(); ++v) {
-    input.positions[v] = sent_waves[v].position;
-    input.directions[v] = sent_waves[v].direction;
-    input.frequencies[v] = sent_waves[v].frequency;
-  }
+  list_waves(sent_waves, input);
 }
 
 /// Applies the checks of `check_values` in frame_input.h to the owners' values.
@@ -339,13 +328,9 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
   s.share(std::span(s.last_waves).first(s.whole ? surface.graph.own : surface.graph.node_count()),
           of_vertices);
   WaveSet waves;
-  std::vector<float> wanted;
-  for (const SentWave& wave : of_vertices) {
-    waves.positions.push_back(wave.position);
-    waves.directions.push_back(wave.direction);
-    wanted.push_back(wave.frequency);
-  }
-  waves.frequencies = s.yields ? s.chosen : wanted;
+  list_waves(of_vertices, waves);
+  const std::vector<float> wanted = waves.frequencies;
+  if (s.yields) waves.frequencies = s.chosen;
   DistributedMeasures measures;
   const std::vector<CornerPhases> corners =
       corner_phases(surface.mesh.triangles, waves, s.z_by_vertex, s.options.phase_shift);
@@ -379,11 +364,8 @@ DistributedMeasures DistributedStripeAnimator::measure() const {
 void DistributedStripeAnimator::set_last_phases(std::span<const Complex> z) {
   State& s = *state_;
   s.ranks().throw_on_all([&] { check_last_phases(z, s.surface->vertex_of_piece.size()); });
-  std::vector<Complex> given(s.surface->graph.node_count(), Complex(0));
-  for (std::size_t p = 0; p < z.size(); ++p) {
-    const Index v = s.surface->vertex_of_piece[p];
-    if (v < s.surface->graph.own) given[v] = z[p];
-  }
+  std::vector<Complex> given(s.surface->graph.node_count());
+  s.surface->copy_to_own(z, std::span(given));
   if (s.whole) return s.whole->set_last_phases(std::span(given).first(s.surface->graph.own));
   exchange(s.ranks(), s.surface->graph.halo, std::span(given));
   s.phases.give(given);

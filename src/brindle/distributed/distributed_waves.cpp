@@ -33,12 +33,8 @@ WaveTally tally_own(const RankSurface& surface, const WaveSet& of_piece) {
   WaveSet waves;
   waves.directions.resize(surface.graph.own, Vec3::Zero());
   waves.frequencies.resize(surface.graph.own, 1);
-  for (std::size_t p = 0; p < of_piece.directions.size(); ++p) {
-    const Index v = surface.vertex_of_piece[p];
-    if (v >= surface.graph.own) continue;
-    waves.directions[v] = of_piece.directions[p];
-    waves.frequencies[v] = of_piece.frequencies[p];
-  }
+  surface.copy_to_own<Vec3>(of_piece.directions, waves.directions);
+  surface.copy_to_own<float>(of_piece.frequencies, waves.frequencies);
   return tally_waves({surface.mesh, surface.graph.adjacency, surface.normals}, waves);
 }
 

@@ -68,13 +68,9 @@ KnownDirections last_of_whole(const GatheredSurface& whole, const KnownDirection
 template <class Make>
 auto of_curvatures(const RankSurface& surface, const Make& make) {
   const GatheredSurface whole(surface);
-  decltype(make(whole.surface(), std::span<const PrincipalCurvature>())) made;
-  surface.ranks->throw_on_all([&] {
-    if (!whole.is_first()) return;
-    const Surface& all = whole.surface();
-    made = make(all, principal_curvatures(all.mesh.positions, all.normals, *all.neighborhood));
-  });
-  return whole.to_piece(made);
+  return whole.to_piece(whole.on_first([&](const Surface& all) {
+    return make(all, principal_curvatures(all.mesh.positions, all.normals, *all.neighborhood));
+  }));
 }
 
 /// Rank 0's strokes on all ranks; they share one radius and strength.
@@ -139,11 +135,8 @@ DirectionField smooth_direction_field(const DistributedSurface& distributed,
   SmoothFieldOptions of_whole = options;
   of_whole.anchors = anchors_of_whole(whole, options.anchors);
   of_whole.last = last_of_whole(whole, options.last);
-  DirectionField field;
-  surface.ranks->throw_on_all([&] {
-    if (whole.is_first()) field = smooth_direction_field(whole.surface(), of_whole);
-  });
-  return whole.to_piece(field);
+  return whole.to_piece(
+      whole.on_first([&](const Surface& all) { return smooth_direction_field(all, of_whole); }));
 }
 
 DirectionField curvature_direction_field(const DistributedSurface& distributed,
@@ -173,10 +166,8 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& distributed, 
                                          double radius, double strength) {
   const RankSurface& surface = distributed.rank_surface();
   const GatheredSurface whole(surface);
-  std::vector<FieldStroke> strokes;
-  surface.ranks->throw_on_all([&] {
-    if (whole.is_first()) strokes = feature_strokes(whole.surface(), angle_deg, radius, strength);
-  });
+  const std::vector<FieldStroke> strokes = whole.on_first(
+      [&](const Surface& all) { return feature_strokes(all, angle_deg, radius, strength); });
   return of_first_rank(*surface.ranks, strokes, radius, strength);
 }
 
@@ -188,12 +179,12 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
   };
   const RankSurface& surface = distributed.rank_surface();
   const GatheredSurface whole(surface);
-  std::vector<AnchorOfWhole> found;
-  surface.ranks->throw_on_all([&] {
-    if (!whole.is_first()) return;
-    for (const FieldAnchor& anchor : stroke_anchors(whole.surface(), strokes)) {
-      found.push_back({whole.ids()[anchor.vertex], anchor});
+  const auto found = whole.on_first([&](const Surface& all) {
+    std::vector<AnchorOfWhole> anchors;
+    for (const FieldAnchor& anchor : stroke_anchors(all, strokes)) {
+      anchors.push_back({whole.ids()[anchor.vertex], anchor});
     }
+    return anchors;
   });
   std::unordered_map<std::uint64_t, Index> vertex_of;
   for (Index p = 0; p < surface.piece_ids.size(); ++p) vertex_of[surface.piece_ids[p]] = p;

@@ -174,10 +174,7 @@ class CurveCutter {
 PieceCurves received(const std::vector<SentLine>& lines, const std::vector<SentPoint>& points) {
   PieceCurves result;
   for (const SentPoint& point : points) {
-    result.lines.points.push_back(point.position);
-    result.lines.normals.push_back(point.normal);
-    result.lines.places.push_back(point.place);
-    result.lines.arrivals.push_back(point.arrival);
+    result.lines.add(point.position, point.normal, point.place, point.arrival);
   }
   for (const SentLine& line : lines) {
     result.lines.offsets.push_back(result.lines.offsets.back() + static_cast<Index>(line.points));
@@ -268,10 +265,8 @@ std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& w
   StripePattern all;
   all.waves.directions = whole.of_vertices(waves.directions);
   all.solution.z = whole.of_vertices(std::span<const Complex>(z));
-  std::size_t jogs = 0;
-  ranks.throw_on_all([&] {
-    if (whole.is_first()) jogs = shift_stripes(whole.surface(), periods, all);
-  });
+  const std::size_t jogs =
+      whole.on_first([&](const Surface& surface) { return shift_stripes(surface, periods, all); });
   waves.directions = whole.to_piece(all.waves.directions);
   std::ranges::copy(whole.to_piece(all.solution.z), z.begin());
   return ranks.greatest(jogs);
@@ -284,11 +279,9 @@ std::optional<CurveSpacing> measure_spacing(const GatheredSurface& whole,
   if (whole.piece().ranks->any(!wanted.empty())) {
     gathered.frequencies_wanted = whole.of_vertices(wanted);
   }
-  std::optional<CurveSpacing> spacing;
-  whole.piece().ranks->throw_on_all([&] {
-    if (whole.is_first()) spacing = StripeTracer(whole.surface()).spacing(gathered, curves);
+  return whole.on_first([&](const Surface& surface) -> std::optional<CurveSpacing> {
+    return StripeTracer(surface).spacing(gathered, curves);
   });
-  return spacing;
 }
 
 std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v) {

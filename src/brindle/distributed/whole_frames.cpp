@@ -5,6 +5,17 @@
 
 namespace brindle {
 
+void list_waves(std::span<const SentWave> sent, WaveSet& waves) {
+  waves.positions.resize(sent.size());
+  waves.directions.resize(sent.size());
+  waves.frequencies.resize(sent.size());
+  for (std::size_t v = 0; v < sent.size(); ++v) {
+    waves.positions[v] = sent[v].position;
+    waves.directions[v] = sent[v].direction;
+    waves.frequencies[v] = sent[v].frequency;
+  }
+}
+
 WholeFrames::WholeFrames(const RankSurface& surface, const DistributedOptions& options)
     : ranks_(*surface.ranks), whole_(surface), options_(options) {
   options_.slack = slack_of_whole(options.slack);
@@ -29,18 +40,11 @@ Slack WholeFrames::slack_of_whole(const Slack& of_piece) const {
 }
 
 FrameInput WholeFrames::gather(std::span<const SentWave> own, std::span<const Vec3> normals) {
-  whole_.of_own(own, waves_);
-  positions_.resize(waves_.size());
-  directions_.resize(waves_.size());
-  wanted_.resize(waves_.size());
-  for (std::size_t v = 0; v < waves_.size(); ++v) {
-    positions_[v] = waves_[v].position;
-    directions_[v] = waves_[v].direction;
-    wanted_[v] = waves_[v].frequency;
-  }
+  whole_.of_own(own, sent_);
+  list_waves(sent_, waves_);
   normals_.clear();
   if (ranks_.any(!normals.empty())) whole_.of_own(normals, normals_);
-  return {positions_, directions_, wanted_, normals_};
+  return {waves_.positions, waves_.directions, waves_.frequencies, normals_};
 }
 
 FrameResult WholeFrames::frame(std::span<const SentWave> own, std::span<const Vec3> normals,
@@ -76,12 +80,10 @@ std::optional<CreaseSlip> WholeFrames::slip(std::span<const SentWave> own,
   std::vector<Complex> all_z;
   whole_.of_own(own, sent);
   whole_.of_own(z, all_z);
-  for (const SentWave& wave : sent) waves.directions.push_back(wave.direction);
-  std::optional<CreaseSlip> slip;
-  ranks_.throw_on_all([&] {
-    if (whole_.is_first()) slip = crease_slip(whole_.surface(), waves, all_z);
-  });
-  return ranks_.all(slip)[0];
+  list_waves(sent, waves);
+  return ranks_.all(whole_.on_first([&](const Surface& all) -> std::optional<CreaseSlip> {
+    return crease_slip(all, waves, all_z);
+  }))[0];
 }
 
 double WholeFrames::energy() const { return ranks_.all(animator_ ? animator_->energy() : 0)[0]; }

@@ -18,6 +18,9 @@ struct SentWave {
   float frequency = 1;
 };
 
+/// The waves as lists, which replace those of `waves`.
+void list_waves(std::span<const SentWave> sent, WaveSet& waves);
+
 /// A StripeAnimator for the whole surface on rank 0, with the bits of one process if triangles are
 /// numbered. All functions are collective.
 class WholeFrames {
@@ -66,9 +69,9 @@ class WholeFrames {
   std::vector<float> frequencies_;
   // On rank 0 only.
   std::optional<StripeAnimator> animator_;
-  std::vector<SentWave> waves_;
-  std::vector<Vec3> positions_, directions_, normals_;
-  std::vector<float> wanted_;
+  std::vector<SentWave> sent_;
+  WaveSet waves_;
+  std::vector<Vec3> normals_;
 };
 
 }  // namespace brindle

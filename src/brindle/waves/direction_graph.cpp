@@ -41,6 +41,26 @@ void check_normals(const Adjacency& adjacency, std::span<const Vec3> normals) {
               " is not finite; give a unit vector, or zero for no direction");
 }
 
+/// `couple(i, j, edge)` gives the coupling of directions at neighbours and whether it reflects.
+template <class Couple>
+PhaseGraph coupled_directions(std::shared_ptr<const Adjacency> adjacency, const Progress& progress,
+                              const Couple& couple) {
+  PhaseGraph graph;
+  graph.coupling.resize(adjacency->directed_edge_count());
+  graph.reflecting.resize(adjacency->directed_edge_count());
+  parallel_for(adjacency->node_count(), progress, [&](std::size_t begin, std::size_t end) {
+    for (Index i = static_cast<Index>(begin); i < end; ++i) {
+      for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
+        const auto [coupling, reflecting] = couple(i, adjacency->neighbors[edge], edge);
+        graph.coupling[edge] = coupling;
+        graph.reflecting[edge] = reflecting;
+      }
+    }
+  });
+  graph.adjacency = std::move(adjacency);
+  return graph;
+}
+
 }  // namespace
 
 TangentBasis tangent_basis(const Vec3& normal) {
@@ -70,20 +90,11 @@ PhaseGraph build_direction_graph(std::shared_ptr<const Adjacency> adjacency,
                                  std::span<const Vec3> normals, int symmetry,
                                  const Progress& progress) {
   check_normals(*adjacency, normals);
-  PhaseGraph graph;
-  graph.coupling.resize(adjacency->directed_edge_count());
-  graph.reflecting.resize(adjacency->directed_edge_count());
-  parallel_for(adjacency->node_count(), progress, [&](std::size_t begin, std::size_t end) {
-    for (Index i = static_cast<Index>(begin); i < end; ++i) {
-      for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
-        const Transport t = transport(normals[adjacency->neighbors[edge]], normals[i]);
-        graph.coupling[edge] = elementary::polar(1.0f, static_cast<float>(symmetry) * t.radians);
-        graph.reflecting[edge] = t.reflecting;
-      }
-    }
+  return coupled_directions(std::move(adjacency), progress, [&](Index i, Index j, Index) {
+    const Transport t = transport(normals[j], normals[i]);
+    return std::pair(elementary::polar(1.0f, static_cast<float>(symmetry) * t.radians),
+                     t.reflecting);
   });
-  graph.adjacency = std::move(adjacency);
-  return graph;
 }
 
 PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjacency,
@@ -91,30 +102,18 @@ PhaseGraph build_weighted_direction_graph(std::shared_ptr<const Adjacency> adjac
                                           std::span<const float> weights,
                                           const Progress& progress) {
   check_normals(*adjacency, normals);
-  PhaseGraph graph;
-  graph.coupling.resize(adjacency->directed_edge_count());
-  graph.reflecting.resize(adjacency->directed_edge_count());
   std::vector<TangentBasis> bases(normals.size());
   parallel_for(normals.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) bases[i] = tangent_basis(normals[i]);
   });
-  parallel_for(adjacency->node_count(), progress, [&](std::size_t begin, std::size_t end) {
-    for (Index i = static_cast<Index>(begin); i < end; ++i) {
-      for (Index edge = adjacency->offsets[i]; edge < adjacency->offsets[i + 1]; ++edge) {
-        const Index j = adjacency->neighbors[edge];
-        const bool reflecting = normals[j].dot(normals[i]) < kOppositeSides;
-        const Vec3 x =
-            transported(bases[j].x, normals[j], reflecting ? Vec3(-normals[i]) : normals[i]);
-        const Complex turn(x.dot(bases[i].x), x.dot(bases[i].y));
-        Complex power = turn;
-        for (int n = 1; n < symmetry; ++n) power *= turn;
-        graph.coupling[edge] = weights[edge] * power;
-        graph.reflecting[edge] = reflecting;
-      }
-    }
+  return coupled_directions(std::move(adjacency), progress, [&](Index i, Index j, Index edge) {
+    const bool reflecting = normals[j].dot(normals[i]) < kOppositeSides;
+    const Vec3 x = transported(bases[j].x, normals[j], reflecting ? Vec3(-normals[i]) : normals[i]);
+    const Complex turn(x.dot(bases[i].x), x.dot(bases[i].y));
+    Complex power = turn;
+    for (int n = 1; n < symmetry; ++n) power *= turn;
+    return std::pair(weights[edge] * power, reflecting);
   });
-  graph.adjacency = std::move(adjacency);
-  return graph;
 }
 
 PhaseGraph direction_graph_of(const Surface& surface, int symmetry, const Progress& progress) {

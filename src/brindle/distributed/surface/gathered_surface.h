@@ -29,6 +29,16 @@ class GatheredSurface {
   const RankSurface& piece() const { return piece_; }
   bool is_first() const { return piece_.ranks->rank() == 0; }
 
+  /// What `make` returns for the whole on rank 0, a default elsewhere. Throws on all ranks.
+  template <class Make>
+  auto on_first(const Make& make) const {
+    decltype(make(surface_)) made{};
+    piece_.ranks->throw_on_all([&] {
+      if (is_first()) made = make(surface_);
+    });
+    return made;
+  }
+
   /// On rank 0; empty elsewhere.
   const Surface& surface() const { return surface_; }
   /// The global numbers of its vertices, ascending.
@@ -39,12 +49,8 @@ class GatheredSurface {
   /// On rank 0, the owners' rows of vertices of partitions; empty elsewhere.
   template <class T>
   std::vector<T> of_vertices(std::span<const T> of_piece) const {
-    std::vector<T> own(piece_.graph.own);
-    for (std::size_t p = 0; p < of_piece.size(); ++p) {
-      const Index v = piece_.vertex_of_piece[p];
-      if (v < own.size()) own[v] = of_piece[p];
-    }
-    std::vector<T> whole;
+    std::vector<T> own(piece_.graph.own), whole;
+    piece_.copy_to_own(of_piece, std::span(own));
     of_own(std::span<const T>(own), whole);
     return whole;
   }

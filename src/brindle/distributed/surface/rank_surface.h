@@ -44,6 +44,15 @@ struct RankSurface {
     exchange(*ranks, rest, by_vertex);
   }
 
+  /// Copies values in the order of the partition, if there are any, to own vertices.
+  template <class T>
+  void copy_to_own(std::span<const T> of_piece, std::span<T> own) const {
+    for (std::size_t p = 0; p < of_piece.size(); ++p) {
+      const Index v = vertex_of_piece[p];
+      if (v < graph.own) own[v] = of_piece[p];
+    }
+  }
+
   /// Values in the order of the partition.
   template <class T>
   std::vector<T> to_piece(std::span<const T> by_vertex) const {
