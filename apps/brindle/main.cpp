@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -17,6 +18,7 @@
 #include "cli/help.h"
 #include "cli/launcher.h"
 #include "cli/progress_display.h"
+#include "jobs/rank_jobs.h"
 #ifdef BRINDLE_HAS_MPI
 #include "ranks/over_ranks.h"
 #endif
@@ -39,7 +41,8 @@ constexpr const char* kToolExamples = R"(Examples:
 All end with 0 if the job is done, 1 if it failed, 2 if the command line is wrong and 130 if Ctrl-C
 ended it (143 for SIGTERM, 129 for SIGHUP).)";
 
-int fail(int code, const std::string& message) {
+int fail(int code, const std::string& message, RankJobs* ranks = nullptr) {
+  if (ranks != nullptr) return ranks->fail(code, message);
   std::cerr << "brindle: " << shown_lines(message) << '\n';
   return code;
 }
@@ -97,25 +100,24 @@ void finish_output() {
   if (!std::cout) throw Error("cannot write to standard output");
 }
 
-int run(const std::vector<Command>& commands) {
+int run(const Command& command, RankJobs* ranks) {
   try {
-    for (const Command& command : commands) {
-      if (command.app->parsed()) command.run();
-    }
+    if (ranks != nullptr && !command.over_ranks) ranks->check_for_one(*command.app);
+    command.run();
     finish_output();
     return kDone;
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, error.what());
+    return fail(kWrongUsage, error.what(), ranks);
   } catch (const Cancelled&) {
-    return fail(cancelled_exit_code(), "cancelled");
+    return fail(cancelled_exit_code(), "cancelled", ranks);
   } catch (const std::bad_alloc&) {
-    return fail(kFailed, "not enough memory; try a smaller mesh or a smaller --subdivide");
+    return fail(kFailed, "not enough memory; try a smaller mesh or a smaller --subdivide", ranks);
   } catch (const std::exception& error) {
-    return fail(kFailed, error.what());
+    return fail(kFailed, error.what(), ranks);
   }
 }
 
-int parse_and_run(int argc, char** argv) {
+int parse_and_run(int argc, char** argv, RankJobs* ranks) {
   CLI::App app{"Lays stripe patterns over surfaces, aligned to a direction field.", "brindle"};
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_all_flag("--help-all", "Print help with all options and exit");
@@ -131,10 +133,10 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kToolExamples);
   const std::vector<Command> commands = {
-      add_stripe_command(app), add_compare_command(app), add_curves_command(app),
-      add_sample_command(app), add_animate_command(app), add_info_command(app),
-      add_view_command(app),   add_render_command(app),  add_gallery_command(app),
-      add_bench_command(app),  add_help_command(app),    add_completion_command(app)};
+      add_stripe_command(app, ranks), add_compare_command(app), add_curves_command(app, ranks),
+      add_sample_command(app, ranks), add_animate_command(app), add_info_command(app),
+      add_view_command(app),          add_render_command(app),  add_gallery_command(app),
+      add_bench_command(app),         add_help_command(app),    add_completion_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -142,24 +144,32 @@ int parse_and_run(int argc, char** argv) {
     finish_output();
     return status == 0 ? kDone : kFailed;
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, explanation(error, commands, app, argc > 1 ? argv[1] : ""));
+    return fail(kWrongUsage, explanation(error, commands, app, argc > 1 ? argv[1] : ""), ranks);
   }
-  return run(commands);
+  return run(*std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); }),
+             ranks);
 }
 
 /// MPI takes time to start and stop, and is left alone without a launcher.
-int parse_and_run_anywhere(int argc, char** argv) {
+int run_anywhere(int argc, char** argv) {
   const std::optional<int> processes = launched_processes();
+  if (!processes) return parse_and_run(argc, argv, nullptr);
 #ifdef BRINDLE_HAS_MPI
-  if (processes) return run_over_ranks(argc, argv, parse_and_run);
-#else
-  if (processes.value_or(1) != 1) {
-    throw Error(
-        "this build has no MPI, and so each process would do the same; configure with "
-        "-DBRINDLE_MPI=ON ('./dev mpi'), or start 'brindle' without mpirun");
+  OverRanks ranks(*processes);
+  try {
+    ranks.check_words({argv + 1, argv + argc});
+    return parse_and_run(argc, argv, &ranks);
+  } catch (const CLI::ParseError& error) {
+    return fail(kWrongUsage, error.what(), &ranks);
+  } catch (const std::exception& error) {
+    return fail(kFailed, error.what(), &ranks);
   }
+#else
+  if (*processes == 1) return parse_and_run(argc, argv, nullptr);
+  throw Error(
+      "this build has no MPI, and each process would do the whole job; configure with "
+      "-DBRINDLE_MPI=ON ('./dev mpi'), or start brindle without mpirun");
 #endif
-  return parse_and_run(argc, argv);
 }
 
 }  // namespace
@@ -169,7 +179,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit becomes an error message
   brindle::tool::leave_out_blas_threads(argv);
   try {
-    return brindle::tool::parse_and_run_anywhere(argc, argv);
+    return brindle::tool::run_anywhere(argc, argv);
   } catch (const std::exception& error) {
     return brindle::tool::fail(brindle::tool::kFailed, error.what());
   }

@@ -92,7 +92,8 @@ struct OptionInfo {
   bool by_camera = false;          ///< the value may depend on a picture's camera or light
   std::string_view needs = {};     ///< options, separated by spaces, that it requires
   std::string_view excludes = {};  ///< options, separated by spaces, that it excludes
-  bool own = false;                ///< of curves and samples: kept apart from the value for stripes
+  std::string_view one_process = {};  ///< why MPI ranks reject it; empty: they take it
+  bool own = false;  ///< of curves and samples: kept apart from the value for stripes
   OptionStage stale = OptionStage::none;  ///< stages that a change makes stale
   unsigned jobs = 0;                      ///< bits of PatternJob
   std::string_view help = {};             ///< one line of at most 70 bytes, without a full stop

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <regex>
@@ -22,6 +23,17 @@ TEST_F(ToolTest, HelpHasExamples) {
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;
     EXPECT_TRUE(has(result.out, "Examples:")) << result.out;
+  }
+}
+
+TEST_F(ToolTest, BuildsWithoutMpiRejectLaunchersOfSeveralProcesses) {
+  if (has(run({"--version"}).out, "MPI")) GTEST_SKIP() << "this build has MPI";
+  for (const char* count : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    setenv(count, "2", 1);
+    expect_refusal(1, "-DBRINDLE_MPI=ON", {"stripe", "shape:torus", "--output", "a.png"});
+    setenv(count, "1", 1);
+    EXPECT_EQ(run({"info", kTorus16}).exit_code, 0);
+    unsetenv(count);
   }
 }
 

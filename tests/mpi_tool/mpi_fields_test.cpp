@@ -175,6 +175,11 @@ TEST_F(MpiToolFields, LetsFrequenciesFollowValues) {
   write_mesh_with_arrays();
   write_rows("values.csv", "a,b,c,d\n", mesh.vertex_count(), 4);
   const Words direction = {"--direction", "0.3,0.9,0.2", "--stripes", "12", "--frequency-by"};
+  for (const std::string up : {"x", "-y"}) {
+    Words words = direction;
+    words.insert(words.end(), {"height", "--up", up});
+    expect_agreement("in.vtp", words, {});
+  }
   for (const std::string value : {"array:density", "array:cells/flow", "values.csv:d",
                                   "distance:1,0.5,0.25", "height", "curvature"}) {
     Words words = direction;

@@ -32,6 +32,14 @@ struct MpiToolLines : MpiTool {
   }
 };
 
+/// The sum of errors over triangles is added rank by rank.
+void expect_same_error(nlohmann::json& mpi, nlohmann::json& tool) {
+  nlohmann::json &error = mpi["frequency_change"]["spacing_error_wanted_mean"],
+                 &expected = tool["frequency_change"]["spacing_error_wanted_mean"];
+  EXPECT_NEAR(error.get<double>(), expected.get<double>(), 1e-12);
+  error = expected;
+}
+
 const Words kMesh = {"shape:vessels,resolution=40", "--field", "curvature", "--stripes", "25"};
 
 Words with(const Words& front, const Words& back) {
@@ -40,22 +48,36 @@ Words with(const Words& front, const Words& back) {
   return all;
 }
 
-TEST_F(MpiToolLines, CurvesOfOneRankAreThoseOfTheTool) {
+TEST_F(MpiToolLines, CurvesAreThoseOfTheTool) {
   const Words options = {"--lines",      "both", "--stripes-v",  "12",
                          "--min-length", "10%",  "--path-width", "1%"};
   for (const Words& more : {Words{}, Words{"--slack", "0.2"}, Words{"--join"}, Words{"--trim", "0"},
                             Words{"--join", "--fair", "0.25"}}) {
     const Words mine = with(with(with({"curves"}, kMesh), options), more);
-    ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.obj", "--report", "mpi.json"})).exit_code,
-              0);
     run_alone(with(mine, {"--output", "tool.obj", "--report", "tool.json"}));
-    EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj"));
-    for (const char* family : {"u", "v"}) {
-      const auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
-      for (const auto& [key, value] : mpi.items()) EXPECT_EQ(value, tool[key]) << family << key;
-      for (const auto& [key, value] : tool.items()) EXPECT_TRUE(mpi.contains(key)) << key;
+    for (const int ranks : {1, 3}) {
+      const auto result = command_on(ranks, with(mine, {"--plan-below", "262144", "--output",
+                                                        "mpi.obj", "--report", "mpi.json"}));
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj")) << ranks;
+      for (const char* family : {"u", "v"}) {
+        auto mpi = report("mpi.json")[family], tool = report("tool.json")[family];
+        if (ranks > 1 && mpi.contains("frequency_change")) expect_same_error(mpi, tool);
+        EXPECT_EQ(mpi, tool) << ranks;
+      }
+      EXPECT_EQ(report("mpi.json")["ranks"]["count"], ranks);
     }
   }
+}
+
+/// Rank 0 draws, too.
+TEST_F(MpiToolLines, PicturesOfCurvesAreThoseOfTheTool) {
+  const Words options = with({"curves"}, kMesh);
+  run_alone(with(options, {"--output", "tool.svg", "--output", "tool.png"}));
+  const auto result = command_on(3, with(options, {"--output", "mpi.svg", "--output", "mpi.png"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(content(folder / "mpi.svg"), content(folder / "tool.svg"));
+  EXPECT_EQ(content(folder / "mpi.png"), content(folder / "tool.png"));
 }
 
 /// Curves go on over creases where phases meet, and end there elsewhere.
@@ -169,12 +191,12 @@ TEST_F(MpiToolLines, FairCurvesOfManyRanksAreThoseOfTheTool) {
 }
 
 /// Moved and reshaped lines, and tubes along them.
-TEST_F(MpiToolLines, ShapesOfCurvesOfOneRankAreThoseOfTheTool) {
+TEST_F(MpiToolLines, ShapesOfCurvesAreThoseOfTheTool) {
   for (const Words& more :
        {Words{"--offset", "0.3", "--resample", "1%", "--simplify", "0.1%", "--output"},
         Words{"--offset", "0.5", "--tube-radius", "0.4%", "--tube-sides", "5", "--output"}}) {
     const Words mine = with(with({"curves"}, kMesh), more);
-    ASSERT_EQ(command_on(1, with(mine, {"mpi.obj", "--report", "mpi.json"})).exit_code, 0);
+    ASSERT_EQ(command_on(2, with(mine, {"mpi.obj", "--report", "mpi.json"})).exit_code, 0);
     run_alone(with(mine, {"tool.obj", "--report", "tool.json"}));
     EXPECT_EQ(content(folder / "mpi.obj"), content(folder / "tool.obj"));
     const auto mpi = report("mpi.json")["u"], tool = report("tool.json")["u"];
@@ -208,17 +230,20 @@ TEST_F(MpiToolLines, MovedRingsAreWholeOnManyRanks) {
   EXPECT_GT(curves, 0u);
 }
 
-TEST_F(MpiToolLines, SamplesOfOneRankAreThoseOfTheTool) {
+TEST_F(MpiToolLines, SamplesAreThoseOfTheTool) {
   const Words options = {"--stripes-v", "40", "--min-distance", "0.4"};
   for (const Words& more : {Words{}, Words{"--slack", "0.2"}}) {
     const Words mine = with(with(with({"sample"}, kMesh), options), more);
-    ASSERT_EQ(command_on(1, with(mine, {"--output", "mpi.csv", "--report", "mpi.json"})).exit_code,
-              0);
     run_alone(with(mine, {"--output", "tool.csv", "--report", "tool.json"}));
-    EXPECT_EQ(content(folder / "mpi.csv"), content(folder / "tool.csv"));
-    for (const char* key : {"samples", "doubles_left_out", "branches_u", "branches_v",
-                            "nearest_neighbour", "vertices", "edges"}) {
-      EXPECT_EQ(report("mpi.json")[key], report("tool.json")[key]) << key;
+    for (const int ranks : {1, 3}) {
+      const auto result = command_on(ranks, with(mine, {"--plan-below", "262144", "--output",
+                                                        "mpi.csv", "--report", "mpi.json"}));
+      ASSERT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_EQ(content(folder / "mpi.csv"), content(folder / "tool.csv")) << ranks;
+      for (const char* key : {"samples", "doubles_left_out", "branches_u", "branches_v",
+                              "nearest_neighbour", "vertices", "edges"}) {
+        EXPECT_EQ(report("mpi.json")[key], report("tool.json")[key]) << key;
+      }
     }
   }
 }
@@ -239,20 +264,6 @@ TEST_F(MpiToolLines, RingsAreWholeOnManyRanks) {
     // A ring round the tube is no shorter than its circle.
     EXPECT_GT(u["length"].get<double>(), 0.9 * u["closed"].get<double>() * 2 * M_PI * 0.3);
   }
-}
-
-TEST_F(MpiToolLines, SamplesOfManyRanksSayWhoseTheyAre) {
-  const ToolResult result = command_on(3, {"sample", "shape:torus,resolution=60", "--stripes", "20",
-                                           "--output", "many.vtp", "--report", "many.json"});
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  const LoadedPoints samples = read_points(folder / "many.vtp");
-  EXPECT_EQ(samples.cloud.positions.size(), report("many.json")["samples"]);
-  const DataArray& ranks = test::array_of(samples.arrays, "rank");
-  int seen[3] = {};
-  for (std::size_t row = 0; row < ranks.rows(); ++row) {
-    ++seen[test::value<std::int32_t>(ranks, row)];
-  }
-  for (const int count : seen) EXPECT_GT(count, 0);
 }
 
 /// A place where a curve crosses a border: the edge and the crossing, and where it is.
@@ -279,13 +290,9 @@ TEST_F(MpiToolLines, CurvesInPiecesMeetAtBorders) {
       met[{low, high, test::value<std::int32_t>(crossings, row)}].push_back({p.x(), p.y(), p.z()});
     }
   }
-  std::size_t crossings = 0;
   for (const char* family : {"u", "v"}) {
     const auto cut = report("cut.json")[family], whole = report("whole.json")[family];
-    crossings += cut["border_crossings"].get<std::size_t>();
-    EXPECT_GT(cut["curve_pieces"], whole["curves"]);
-    const double length = whole["length"];
-    EXPECT_NEAR(cut["length"].get<double>(), length, 1e-4 * length);
+    EXPECT_EQ(cut, whole);
   }
   // U and V may cross one edge both.
   std::size_t ends = 0;
@@ -294,8 +301,7 @@ TEST_F(MpiToolLines, CurvesInPiecesMeetAtBorders) {
     EXPECT_EQ(points.size() % 2, 0u);
     for (const auto& point : points) EXPECT_EQ(std::ranges::count(points, point) % 2, 0);
   }
-  EXPECT_EQ(ends, 2 * crossings);
-  EXPECT_GT(crossings, 20u);
+  EXPECT_GT(ends, 40u);
 }
 
 TEST_F(MpiToolLines, SamplesInPiecesAreThoseOfOneFile) {
@@ -314,20 +320,27 @@ TEST_F(MpiToolLines, SamplesInPiecesAreThoseOfOneFile) {
           << array.name;
     }
   }
-  EXPECT_EQ(in_pieces, all.cloud.positions);
+  std::vector<Vec3> in_one = all.cloud.positions;
+  for (std::vector<Vec3>* positions : {&in_pieces, &in_one}) {
+    std::ranges::sort(*positions, {},
+                      [](const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); });
+  }
+  EXPECT_EQ(in_pieces, in_one);
 }
 
 TEST_F(MpiToolLines, RefuseWhatHasNoEffect) {
   const auto refused = [&](const Words& arguments, const std::string& message) {
     expect_failure(command_on(2, arguments), 2, message);
   };
-  refused({"curves", "shape:torus", "--output", "a.png"}, ".obj, .ply, .vtp or .csv");
+  refused({"curves", "shape:torus", "--winding", "1"}, "in one process");
+  refused({"curves", "shape:torus", "--lines", "both", "--wales", "9"}, "in one process");
+  refused({"sample", "shape:torus", "--glyph", "arrow"}, "in one process");
   refused({"curves", "shape:torus", "--stripes-v", "20"}, "--lines v");
-  refused({"curves", "shape:torus", "--output", "a.pvtp", "--min-length", "1"}, "--min-length");
+  refused({"curves", "shape:torus", "--output", "a.pvtp", "--simplify", "1"}, "--simplify");
   refused({"curves", "shape:torus", "--output", "a.pvtp", "--fair", "0.25"}, "--fair");
   refused({"curves", "shape:torus", "--avoid-branches", "avoid.csv"}, "--avoid-branches");
   refused({"sample", "shape:torus", "--output", "a.obj"}, ".csv, .ply or .vtp");
-  refused({"curves", "shape:torus", "--tube-sides", "5"}, "--tube-radius");
+  refused({"curves", "shape:torus", "--tube-sides", "5"}, "--tube-sides");
   refused({"sample", "shape:nothing"}, "unknown shape");
   expect_failure(command_on(2, {"curves", "nothing.pvtp", "--output", "a.vtp"}), 1, "nothing.pvtp");
   EXPECT_TRUE(listing().empty());

@@ -267,6 +267,41 @@ TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
   expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");
 }
 
+TEST_F(MpiTool, RefusesCommandsOfOneProcessOnce) {
+  expect_failure(command_on(3, {"info", "shape:torus"}), 2, "'brindle info' runs in one process");
+  expect_failure(command_on(2, {"animate", "shape:torus", "--output", "a%03d.png"}), 2,
+                 "without mpirun");
+  expect_failure(command_on(2, {"strip", "shape:torus"}), 2, "did you mean 'stripe'");
+}
+
+TEST_F(MpiTool, PrintsHelpOnce) {
+  const ToolResult result = command_on(2, {"stripe", "--help"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::size_t usage = result.out.find("Usage");
+  EXPECT_NE(usage, std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("Usage", usage + 1), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("--plan-below"), std::string::npos);
+}
+
+/// Also what ranks do not write, and without a launcher nothing has pieces.
+TEST_F(MpiTool, OneProcessUnderALauncherIsTheTool) {
+  const Words words = {
+      "stripe", "shape:torus,resolution=20", "--output", "a.png", "--output", "a.ply", "--threads",
+      "1"};
+  const ToolResult under = command_on(1, words);
+  ASSERT_EQ(under.exit_code, 0) << under.err;
+  const std::string picture = content(folder / "a.png"), mesh = content(folder / "a.ply");
+  Words alone = {"1000", BRINDLE_TOOL_ALONE};
+  alone.insert(alone.end(), words.begin(), words.end());
+  ASSERT_EQ(run_tool(alone, folder).exit_code, 0);
+  EXPECT_EQ(picture, content(folder / "a.png"));
+  EXPECT_EQ(mesh, content(folder / "a.ply"));
+  expect_failure(
+      run_tool({"1000", BRINDLE_TOOL_ALONE, "stripe", "shape:torus", "--output", "out.pvtp"},
+               folder),
+      2, "start brindle by mpirun");
+}
+
 TEST_F(MpiTool, EndsAllRanksWhereAFileCannotBeRead) {
   expect_failure(on(2, {"nothing.ply", "--output", "out.pvtp"}), 1, "nothing.ply");
   test::write_text(folder / "bad.ply", "ply\nno");

@@ -91,6 +91,13 @@ struct MpiTool : ToolTest {
     return run_tool(words, folder);
   }
 
+  /// Whether a line is neither a stage of a slow job, nor a note on the mesh, nor about help.
+  static bool is_message(const std::string& line) {
+    const auto ends = [&](const char* words) { return line.ends_with(words); };
+    return (has(line, ": ") || has(line, "; ") || ends(":")) && !ends(": joined") &&
+           !ends("without a wave") && !has(line, "--help");
+  }
+
   /// One message besides notes on the mesh, this exit code, and no file.
   void expect_failure(const ToolResult& result, int exit_code, const std::string& message) const {
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
@@ -98,9 +105,7 @@ struct MpiTool : ToolTest {
     std::size_t messages = 0;
     for (std::size_t at = 0; (at = result.err.find("brindle: ", at)) != std::string::npos; ++at) {
       const std::size_t end = result.err.find('\n', at);
-      const std::string line = result.err.substr(at, end - at);
-      const auto ends = [&](const char* words) { return line.ends_with(words); };
-      messages += !ends(": joined") && !ends("without a wave") && !has(line, "--help");
+      messages += is_message(result.err.substr(at + 9, end - at - 9));
     }
     EXPECT_EQ(messages, 1u) << result.err;
     for (const std::string& name : listing()) {

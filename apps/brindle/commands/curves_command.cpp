@@ -3,9 +3,9 @@
 #include "brindle/base/parallel.h"
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
-#include "cli/commands.h"
 #include "jobs/curves_output.h"
 #include "jobs/curves_report.h"
+#include "jobs/rank_jobs.h"
 
 namespace brindle::tool {
 namespace {
@@ -20,16 +20,6 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg)";
 
-void write(CurveOutput kind, const std::string& path, const CLI::App& command,
-           const CurvesArguments& arguments, const CurvesJob& job, ProgressDisplay& display) {
-  const Preparation& prepared = job.prepared;
-  if (kind == CurveOutput::report) {
-    return write_report(path, command, prepared.surface.mesh, to_json(job, *arguments.picture),
-                        display.progress());
-  }
-  write_curves(kind, path, {arguments, prepared.surface, prepared.arrays, job.families}, display);
-}
-
 void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
   const auto files = plan_files<CurveOutput>(
       curves_inputs(arguments), arguments.outputs, arguments.report, [&](const std::string& path) {
@@ -43,7 +33,9 @@ void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
       files, arguments.quiet, curves_stages(arguments),
       [&](ProgressDisplay& display) { return make_curves_job(arguments, display); },
       [&](CurveOutput kind, const std::string& path, const CurvesJob& made,
-          ProgressDisplay& display) { write(kind, path, command, arguments, made, display); });
+          ProgressDisplay& display) {
+        write_curves_file(kind, path, command, arguments, made, display);
+      });
   if (arguments.quiet) return;
   print(std::cout, job);
   print_written(std::cout, files);
@@ -51,9 +43,9 @@ void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
 
 }  // namespace
 
-Command add_curves_command(CLI::App& app) {
-  return add_command<CurvesArguments>(app, "curves", "Trace the stripes as curves", kCurvesExamples,
-                                      add_curves_options, run_curves);
+Command add_curves_command(CLI::App& app, RankJobs* ranks) {
+  return add_rank_command<CurvesArguments>(app, ranks, "curves", "Trace the stripes as curves",
+                                           kCurvesExamples, add_curves_options, run_curves);
 }
 
 }  // namespace brindle::tool

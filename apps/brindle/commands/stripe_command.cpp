@@ -6,8 +6,8 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "cli/command_line.h"
-#include "cli/commands.h"
 #include "cli/progress_display.h"
+#include "jobs/rank_jobs.h"
 #include "jobs/stripe_job.h"
 #include "outputs/written_files.h"
 
@@ -124,9 +124,10 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
 
 }  // namespace
 
-Command add_stripe_command(CLI::App& app) {
-  return add_command<StripeArguments>(app, "stripe", "Lay stripes over a surface or a point cloud",
-                                      kStripeExamples, add_stripe_options, run_stripe);
+Command add_stripe_command(CLI::App& app, RankJobs* ranks) {
+  return add_rank_command<StripeArguments>(app, ranks, "stripe",
+                                           "Lay stripes over a surface or a point cloud",
+                                           kStripeExamples, add_stripe_options, run_stripe);
 }
 
 }  // namespace brindle::tool

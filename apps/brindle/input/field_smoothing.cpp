@@ -12,7 +12,6 @@
 namespace brindle::tool {
 namespace {
 
-constexpr const char* kWeight = "--field-weight";
 constexpr const char* kLength = "length";
 constexpr const char* kAnisotropy = "anisotropy";
 
@@ -29,25 +28,11 @@ std::string parse_weight_value(const std::string& option, const std::string& tex
 
 void add_field_smoothing_options(CLI::App& app, FieldSmoothingChoice& choice) {
   add_fields(app, choice);
-  add_parsed_option(app, kWeight, choice.weight, parse_weight_value);
+  add_parsed_option(app, kWeightOption, choice.weight, parse_weight_value);
 }
 
 bool is_own_weight(const std::string& weight) {
   return weight.empty() || weight == kLength || weight == kAnisotropy;
-}
-
-FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
-                         const FieldSmoothingChoice& choice, bool of_triangles) {
-  const std::string& weight = choice.weight;
-  if (is_own_weight(weight)) return {weight, {}};
-  if (of_triangles && is_array(weight)) {
-    const ArraySource::PerVertex found = arrays.array(parse_array(kWeight, weight));
-    if (found.of_cells && found.of_cells->components == 1) {
-      return {"", numbers_of(found.of_cells->view(), kWeight)};
-    }
-  }
-  std::vector<float> values = vertex_values(kWeight, weight, source).values;
-  return {"", of_triangles ? corner_means(source.surface.mesh, values) : std::move(values)};
 }
 
 FieldSmoothingOptions detail_options(const FieldSmoothingChoice& choice, int symmetry) {

@@ -7,8 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/measured_field.h"
-#include "brindle/recipe/field_data.h"
-#include "input/array_source.h"
 #include "input/vertex_values.h"
 
 namespace brindle::tool {
@@ -39,13 +37,11 @@ struct FieldSmoothingChoice {
 /// --frequency-smoothing.
 void add_field_smoothing_options(CLI::App& app, FieldSmoothingChoice& choice);
 
+/// The option of `FieldSmoothingChoice::weight`.
+inline constexpr const char* kWeightOption = "--field-weight";
+
 /// Whether a weight is computed from the data themselves: "", "length" or "anisotropy".
 bool is_own_weight(const std::string& weight);
-
-/// Weights of data per vertex or, for some, per triangle. Throws Error for arrays and columns as
-/// `vertex_values` does.
-FieldWeight field_weight(const ValueSource& source, const ArraySource& arrays,
-                         const FieldSmoothingChoice& choice, bool of_triangles);
 
 /// The library's options for a field of this rotational symmetry.
 FieldSmoothingOptions detail_options(const FieldSmoothingChoice& choice, int symmetry);

@@ -1,43 +1,30 @@
 #include "input/make_waves.h"
 
-#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "brindle/array_field.h"
+#include "brindle/base/array_rows.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"
 #include "brindle/recipe/field_data.h"
-#include "brindle/smooth_field.h"
-#include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
 #include "cli/command_line.h"
 #include "input/array_source.h"
 #include "input/csv_field.h"
-#include "input/vertex_values.h"
 
 namespace brindle::tool {
 namespace {
 
 using Field = BaseField;
 
-Field rows_field(const Surface& surface, const std::string& path,
-                 std::span<const Index> vertex_of_row) {
-  FieldFile file = read_rows(surface, path, vertex_of_row);
-  const auto nonfinite = std::count_if(file.vectors.begin(), file.vectors.end(),
-                                       [](const Vec3& vector) { return !vector.allFinite(); });
-  Field field;
-  field.directions = tangent_directions(file.vectors, surface.normals);
-  field.frequencies = std::move(file.frequencies);
-  field.frequencies_v = std::move(file.frequencies_v);
-  field.rows_nonfinite = static_cast<std::size_t>(nonfinite);
-  field.data.array = make_data_array("vector", file.vectors);
-  return field;
-}
-
-Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOptions& options) {
-  TensorField tensor = tensor_field_of(surface, array, options.tensor.value_or(TensorAxis::major));
+Field tensor_field(const WaveSource& source, const DataArray& array, const ArrayOptions& options) {
+  TensorField tensor = source.tensor_field(array, options.tensor.value_or(TensorAxis::major));
   Field field{{std::move(tensor.directions), {}, {}}};
   field.missing.tensor = MissingTensorWaves{tensor.near_normal, tensor.isotropic};
   if (!options.tensor) {
@@ -55,48 +42,91 @@ Field tensor_field(const Surface& surface, const DataArray& array, const ArrayOp
   throw CLI::ValidationError("--tensor", "has no effect here: " + why);
 }
 
-Field array_field(const Surface& surface, const DataArray& given, const WaveOptions& options) {
-  const DataArray array = ordered_array(given, options.arrays);
-  Field field;
-  if (is_tensor(array)) {
-    field = tensor_field(surface, array, options.arrays);
-  } else if (options.arrays.tensor) {
+Field array_field(const WaveSource& source, const DataArray& given, const WaveOptions& options) {
+  DataArray array;
+  source.check([&] {
+    array = ordered_array(given, options.arrays);
+    if (is_tensor(array) || !options.arrays.tensor) return;
     refuse_tensor("the array '" + array.name + "' has " + std::to_string(array.components) +
                   " numbers in a row, and is no tensor");
+  });
+  Field field;
+  if (is_tensor(array)) {
+    field = tensor_field(source, array, options.arrays);
   } else {
-    field.directions = direction_field_of(surface, array, has_signs(options));
+    field.directions = source.vector_field(array, has_signs(options));
   }
-  field.rows_nonfinite = nonfinite_rows(array);
-  field.data.array = array;
+  field.rows_nonfinite = source.nonfinite_rows(array);
+  field.data.array = std::move(array);
   return field;
 }
 
-Field file_field(const Surface& surface, const WaveOptions& options, const FileData& data) {
+/// A field file: the field, then frequencies.
+struct FieldColumns {
+  bool named = false;     ///< an array that may be a tensor or vectors
+  bool of_globe = false;  ///< east and north components
+};
+
+std::vector<DataArray> read_columns(const CsvFieldName& name, const WaveOptions& options,
+                                    std::size_t vertices, std::span<const Index> vertex_of_row,
+                                    FieldColumns& kind) {
+  std::vector<DataArray> columns;
+  if (std::optional<CsvField> csv = read_csv_field(name)) {
+    kind = {true, csv->of_globe};
+    check_rows_per_vertex(csv->array, vertices);
+    columns.push_back(std::move(csv->array));
+    if (csv->frequency) columns.push_back(std::move(*csv->frequency));
+    return columns;
+  }
+  if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
+  const FieldFile file = read_field_csv(name.path, vertices, vertex_of_row);
+  columns.push_back(make_data_array("vectors", std::span<const Vec3>(file.vectors)));
+  for (const std::vector<float>* numbers : {&file.frequencies, &file.frequencies_v}) {
+    if (!numbers->empty()) columns.push_back(make_data_array("frequency", 1, *numbers));
+  }
+  return columns;
+}
+
+Field file_field(const WaveSource& source, const WaveOptions& options) {
   const CsvFieldName name = csv_field_name(options.field);
-  if (const std::optional<CsvField> csv = read_csv_field(name)) {
-    const DataArray rows = with_copies(surface, csv->array);
-    const DataArray array = csv->of_globe ? globe_vectors(surface.mesh, rows) : rows;
-    Field field = array_field(surface, array, options);
-    if (!csv->frequency) return field;
-    field.frequencies = frequencies_of(with_copies(surface, *csv->frequency), field.directions);
+  FieldColumns kind;
+  std::vector<DataArray> columns = source.rows(
+      "--field", name.path, [&](std::size_t vertices, std::span<const Index> vertex_of_row) {
+        return read_columns(name, options, vertices, vertex_of_row, kind);
+      });
+  if (source.surface().any(kind.of_globe)) {
+    const GlobeRadii radii = source.globe_radii();
+    source.check([&] { columns[0] = globe_vectors(source.mesh(), columns[0], radii); });
+  }
+  if (source.surface().any(kind.named)) {
+    Field field = array_field(source, columns[0], options);
+    if (columns.size() == 1) return field;
+    source.check([&] { field.frequencies = frequencies_of(columns[1], field.directions); });
     field.may_have_gaps = true;
     return field;
   }
-  if (options.arrays.tensor) refuse_tensor("the field '" + name.path + "' has vectors alone");
-  return rows_field(surface, name.path, data.vertex_of_row);
+  Field field;
+  field.directions =
+      tangent_directions(vectors_of(columns[0].view(), "vectors"), source.surface().normals());
+  field.rows_nonfinite = source.nonfinite_rows(columns[0]);
+  if (columns.size() > 1) field.frequencies = numbers_of(columns[1].view(), "frequencies");
+  if (columns.size() > 2) field.frequencies_v = numbers_of(columns[2].view(), "frequencies");
+  field.data.array = std::move(columns[0]);
+  return field;
 }
 
-void add_read_strokes(const Surface& surface, const std::string& path,
-                      std::vector<FieldAnchor>& anchors) {
-  const std::vector<FieldStroke> strokes = read_strokes(path);
+std::vector<FieldAnchor> anchors_of_file(const WaveSource& source, const std::string& path) {
+  const std::vector<FieldStroke> strokes = source.strokes_of_file(path);
   try {
-    anchors = stroke_anchors(surface, strokes);
+    return source.anchors(strokes, {});
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
     throw Error(path + ": " + error.what());
   }
 }
 
-SmoothFieldOptions smooth_options(const Surface& surface, const WaveOptions& options,
+SmoothFieldOptions smooth_options(const WaveSource& source, const WaveOptions& options,
                                   const Progress& progress) {
   SmoothFieldOptions smooth;
   smooth.symmetry = symmetry_of(options);
@@ -104,29 +134,25 @@ SmoothFieldOptions smooth_options(const Surface& surface, const WaveOptions& opt
   smooth.curvature_direction = options.curvature_direction;
   smooth.feature_anchor = options.feature_anchor;
   smooth.feature_angle_deg = options.feature_angle_deg;
-  if (options.feature_radius) {
-    smooth.feature_radius = options.feature_radius->on(bounding_box(surface.mesh).diagonal());
-  }
-  if (options.normal_radius) {
-    smooth.normal_radius = options.normal_radius->on(bounding_box(surface.mesh).diagonal());
-  }
-  if (!options.strokes.empty()) add_read_strokes(surface, options.strokes, smooth.anchors);
+  if (options.feature_radius) smooth.feature_radius = options.feature_radius->on(source.diagonal());
+  if (options.normal_radius) smooth.normal_radius = options.normal_radius->on(source.diagonal());
+  if (!options.strokes.empty()) smooth.anchors = anchors_of_file(source, options.strokes);
   if (!options.drawn_strokes.empty()) {
-    const std::vector<FieldAnchor> drawn = stroke_anchors(surface, options.drawn_strokes, progress);
+    const std::vector<FieldAnchor> drawn = source.anchors(options.drawn_strokes, progress);
     smooth.anchors.insert(smooth.anchors.end(), drawn.begin(), drawn.end());
   }
   return smooth;
 }
 
-Field smooth_field(const Surface& surface, const WaveOptions& options, const LastDirections& last,
+Field smooth_field(const WaveSource& source, const WaveOptions& options, const LastDirections& last,
                    const Progress& progress) {
   Field field;
   if (last.same_surface) {
     field.directions = last.directions;
   } else {
-    SmoothFieldOptions smooth = smooth_options(surface, options, progress.part(0, 0.2));
+    SmoothFieldOptions smooth = smooth_options(source, options, progress.part(0, 0.2));
     smooth.last.directions = last.directions;
-    field.directions = smooth_direction_field(surface, smooth, progress.part(0.2, 1));
+    field.directions = source.smooth_field(smooth, progress.part(0.2, 1));
   }
   if (!last.directions.empty()) {
     field.step = field_step(field.directions, last.directions, symmetry_of(options));
@@ -134,22 +160,18 @@ Field smooth_field(const Surface& surface, const WaveOptions& options, const Las
   return field;
 }
 
-Field make_field(const Surface& surface, const WaveOptions& options, const FileData& data,
-                 const ArraySource& arrays, const LastDirections& last, const Progress& progress) {
-  if (options.direction)
-    return {{projected_direction_field(*options.direction, surface.normals), {}, {}}};
-  if (is_smooth(options)) return smooth_field(surface, options, last, progress);
-  if (options.field == "raw-curvature") {
-    const auto curvatures = principal_curvatures(surface.mesh.positions, surface.normals,
-                                                 *surface.neighborhood, progress.part(0, 0.6));
-    DirectionField directions = curvature_direction_field(curvatures, options.curvature_direction);
-    // Solvers are faster if few adjacent directions are opposite.
-    orient_alike(*surface.neighborhood, directions, progress.part(0.6, 1));
-    return {{std::move(directions), {}, {}}};
+Field make_field(const WaveSource& source, const WaveOptions& options, const LastDirections& last,
+                 const Progress& progress) {
+  if (options.direction) {
+    return {{projected_direction_field(*options.direction, source.surface().normals()), {}, {}}};
   }
-  if (!is_array(options.field)) return file_field(surface, options, data);
-  ArraySource::PerVertex found = arrays.array(parse_array("--field", options.field));
-  Field field = array_field(surface, found.array, options);
+  if (is_smooth(options)) return smooth_field(source, options, last, progress);
+  if (options.field == "raw-curvature") {
+    return {{source.curvature_field(options.curvature_direction, progress), {}, {}}};
+  }
+  if (!is_array(options.field)) return file_field(source, options);
+  ArraySource::PerVertex found = source.array(parse_array("--field", options.field));
+  Field field = array_field(source, found.array, options);
   field.rows_nonfinite = found.rows_nonfinite;  // before rows were moved to vertices
   // Eigenvectors of the mean of tensors are better than means of eigenvectors.
   if (found.of_cells && !is_tensor(field.data.array))
@@ -158,41 +180,38 @@ Field make_field(const Surface& surface, const WaveOptions& options, const FileD
 }
 
 /// Values that frequencies follow: an array, or a number per vertex.
-DataArray frequency_values(const Surface& surface, const ArrayOptions& options,
-                           const FileData& data, const ArraySource& arrays) {
+DataArray frequency_values(const WaveSource& source, const ArrayOptions& options) {
   const std::string option = "--frequency-by", &value = options.frequency_by;
-  if (is_array(value)) return arrays.array(parse_array(option, value)).array;
-  const ValueSource source{surface, data.arrays,        data.name,
-                           options, data.vertex_of_row, data.viewpoint};
-  const VertexValues values = vertex_values(option, value, source);
+  if (is_array(value)) return source.array(parse_array(option, value)).array;
+  const VertexValues values = source.values(option, value);
   return make_data_array(values.title, 1, values.values);
 }
 
 /// Frequencies of options override those of the field; empty if options have none.
-std::optional<FrequencyField> chosen_frequencies(const Surface& surface, const WaveOptions& options,
-                                                 const FileData& data, const ArraySource& arrays,
-                                                 const Field& field) {
+std::optional<FrequencyField> chosen_frequencies(const WaveSource& source,
+                                                 const WaveOptions& options, const Field& field) {
   const ArrayOptions& wanted = options.arrays;
+  const float frequency = constant_frequency(source.diagonal(), options);
   if (!wanted.frequency.empty()) {
-    return frequencies_of(arrays.array(wanted.frequency).array, field.directions);
+    const DataArray array = source.array(wanted.frequency).array;
+    FrequencyField frequencies;
+    source.check([&] { frequencies = frequencies_of(array, field.directions); });
+    return frequencies;
   }
   if (!wanted.frequency_by.empty()) {
-    return frequencies_by(surface, frequency_values(surface, wanted, data, arrays),
-                          constant_frequency(surface.mesh, options), wanted.range);
+    return source.frequencies_by(frequency_values(source, wanted), frequency, wanted.range);
   }
   if (!field.frequencies.empty() && !says_one_frequency(options)) return std::nullopt;
-  FrequencyField constant = constant_frequency_field(constant_frequency(surface.mesh, options),
-                                                     surface.mesh.vertex_count());
+  FrequencyField constant = constant_frequency_field(frequency, field.directions.size());
   keep_gaps(field.frequencies, constant);
   return constant;
 }
 
 /// Sets the frequencies of all waves, NaN if there is none. Throws CLI::ValidationError for
 /// --frequency-smoothing with one frequency for all vertices.
-void choose_frequencies(const Surface& surface, const WaveOptions& options, const FileData& data,
-                        Field& field) {
-  const bool field_says = !field.frequencies.empty();
-  if (auto chosen = chosen_frequencies(surface, options, data, *field.arrays, field)) {
+void choose_frequencies(const WaveSource& source, const WaveOptions& options, Field& field) {
+  const bool field_says = source.surface().any(!field.frequencies.empty());
+  if (auto chosen = chosen_frequencies(source, options, field)) {
     field.frequencies = std::move(*chosen);
     field.frequencies_v.clear();
   }
@@ -204,37 +223,51 @@ void choose_frequencies(const Surface& surface, const WaveOptions& options, cons
 }
 
 /// Sets those of crossing stripes from options, which are uniform.
-void choose_crossing_frequencies(const Surface& surface, const WaveOptions& options,
-                                 FrequencyField& frequencies_v) {
+void choose_crossing_frequencies(const WaveSource& source, const WaveOptions& options,
+                                 std::size_t vertices, FrequencyField& frequencies_v) {
   const auto everywhere = [&](float frequency) {
-    return constant_frequency_field(options.frequency_factor * frequency,
-                                    surface.mesh.vertex_count());
+    return constant_frequency_field(options.frequency_factor * frequency, vertices);
   };
   if (options.frequency_v) frequencies_v = everywhere(*options.frequency_v);
   if (options.stripes_v) {
-    frequencies_v =
-        everywhere(frequency_of_stripes(*options.stripes_v, bounding_box(surface.mesh).diagonal()));
+    frequencies_v = everywhere(frequency_of_stripes(*options.stripes_v, source.diagonal()));
   }
+}
+
+/// Weights of data per vertex or, for some, per triangle.
+FieldWeight field_weight(const WaveSource& source, const std::string& weight, bool of_triangles) {
+  if (is_own_weight(weight)) return {weight, {}};
+  if (of_triangles && is_array(weight)) {
+    const ArraySource::PerVertex found = source.array(parse_array(kWeightOption, weight));
+    if (found.of_cells && found.of_cells->components == 1) {
+      return {"", numbers_of(found.of_cells->view(), kWeightOption)};
+    }
+  }
+  std::vector<float> values = source.values(kWeightOption, weight).values;
+  return {"", of_triangles ? corner_means(source.mesh(), values) : std::move(values)};
 }
 
 }  // namespace
 
-BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
+BaseField make_base_field(const WaveSource& source, const WaveOptions& options,
                           const LastDirections& last, const Progress& progress) {
-  auto arrays =
-      std::make_shared<const ArraySource>(surface, data.arrays, data.name, options.arrays);
-  BaseField field = make_field(surface, options, data, *arrays, last, progress);
-  field.notes = arrays->notes() + field.notes;
+  BaseField field = make_field(source, options, last, progress);
+  field.notes = source.notes() + field.notes;
   if (is_measured(options)) {
-    const ValueSource source{surface, data.arrays, data.name, options.arrays, data.vertex_of_row};
-    refuse_usage([&] {
-      field.measured =
-          measured_field(field.data, field.directions,
-                         field_weight(source, *arrays, options.detail, field.data.of_triangles));
+    const FieldWeight weight = field_weight(source, options.detail.weight, field.data.of_triangles);
+    source.check([&] {
+      refuse_usage([&] { field.measured = measured_field(field.data, field.directions, weight); });
     });
     field.last = last.directions;
   }
-  field.arrays = std::move(arrays);
+  return field;
+}
+
+BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
+                          const LastDirections& last, const Progress& progress) {
+  const WholeSource source(surface, data, options.arrays);
+  BaseField field = make_base_field(source, options, last, progress);
+  field.arrays = source.arrays();
   return field;
 }
 
@@ -249,20 +282,25 @@ WavesOfField make_waves(const Surface& surface, const WaveOptions& options, cons
 
 WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,
                         BaseField field, const Progress& progress) {
-  const ArraySource& arrays = *field.arrays;
-  field.missing.too_far = arrays.drop_too_far(field.directions);
-  choose_frequencies(surface, options, data, field);
+  const WholeSource source(surface, data, options.arrays, std::move(field.arrays));
+  return make_waves(source, options, std::move(field), progress);
+}
+
+WavesOfField make_waves(const WaveSource& source, const WaveOptions& options, BaseField field,
+                        const Progress& progress) {
+  field.missing.too_far = source.drop_too_far(field.directions);
+  choose_frequencies(source, options, field);
   WaveInput found{std::move(field.directions), std::move(field.frequencies),
                   std::move(field.frequencies_v)};
   found.may_have_gaps = field.may_have_gaps || says_frequencies(options);
-  found.is_near = [&](Index v) { return arrays.is_near(v); };
+  found.is_near = [&](Index v) { return source.is_near(v); };
   found.measured = std::move(field.measured);
   found.last = std::move(field.last);
   found.missing = field.missing;
   WavesOfField made;
   static_cast<WaveResult&>(made) =
-      waves_of(WholeSurface(surface), wave_request(options), std::move(found), progress);
-  choose_crossing_frequencies(surface, options, made.frequencies_v);
+      waves_of(source.surface(), wave_request(options), std::move(found), progress);
+  choose_crossing_frequencies(source, options, made.waves.positions.size(), made.frequencies_v);
   made.field_rows_nonfinite = field.rows_nonfinite;
   made.notes = field.notes;
   made.field_step = field.step;

@@ -17,19 +17,10 @@
 #include "brindle/surface.h"
 #include "brindle/waves_of.h"
 #include "input/array_source.h"
-#include "input/viewpoint.h"
 #include "input/wave_options.h"
+#include "input/wave_source.h"
 
 namespace brindle::tool {
-
-/// Data of the mesh's file besides the mesh.
-struct FileData {
-  std::string name;          ///< of the file
-  const DataArrays& arrays;  ///< a row per vertex of the surface, and per triangle
-  /// For field files with a row per vertex of the mesh's file (`Preparation`).
-  std::span<const Index> vertex_of_row = {};
-  const Viewpoint* viewpoint = nullptr;  ///< of pictures; null: none
-};
 
 /// Waves without phases, and notes on their field.
 struct WavesOfField : WaveResult {
@@ -71,12 +62,17 @@ struct LastDirections {
 BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
                           const LastDirections& last = {}, const Progress& progress = {});
 
+BaseField make_base_field(const WaveSource& source, const WaveOptions& options,
+                          const LastDirections& last = {}, const Progress& progress = {});
+
 /// Options of waves that are independent of the field.
 WaveRequest wave_request(const WaveOptions& options);
 
 /// The second half.
 WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,
                         BaseField field, const Progress& progress = {});
+WavesOfField make_waves(const WaveSource& source, const WaveOptions& options, BaseField field,
+                        const Progress& progress = {});
 
 /// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor with a
 /// field that is no tensor.

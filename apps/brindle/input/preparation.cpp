@@ -106,9 +106,9 @@ void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
                              "does, as MESH or with --field-mesh");
 }
 
-WaveReport noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
+WaveReport noted_waves(const WaveFigures& measured, const std::string& source,
                        JobListener& listener, WaveReport figures) {
-  static_cast<WaveFigures&>(figures) = measure_waves(surface, waves);
+  static_cast<WaveFigures&>(figures) = measured;
   check_wave_report(figures, source);
   listener.note(warnings(figures, source));
   return figures;
@@ -150,9 +150,18 @@ WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
 PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
                             const WaveOptions& waves, BaseField field, JobListener& listener,
                             const std::optional<Viewpoint>& viewpoint) {
+  const WholeSource source(prepared.surface, data_of(prepared, surface, viewpoint), waves.arrays,
+                           std::move(field.arrays));
+  return prepare_waves(source, waves,
+                       prepared.points ? std::nullopt : std::optional(surface.subdivide),
+                       std::move(field), listener);
+}
+
+PreparedWaves prepare_waves(const WaveSource& source, const WaveOptions& waves,
+                            std::optional<int> subdivided, BaseField field, JobListener& listener) {
   Stopwatch watch;
-  WavesOfField made = make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint),
-                                 std::move(field), listener.progress().part(kFieldShare, 1));
+  WavesOfField made =
+      make_waves(source, waves, std::move(field), listener.progress().part(kFieldShare, 1));
   listener.note(made.notes);
   PreparedWaves result;
   result.waves = std::move(made.waves);
@@ -164,10 +173,11 @@ PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& s
   known.missing = made.missing;
   known.turned_apart = made.turned_apart;
   known.measured = is_measured(waves);
-  known.subdivided = prepared.points ? std::nullopt : std::optional(surface.subdivide);
+  known.subdivided = subdivided;
   known.detail = made.detail;
   known.frequency_smoothing = made.frequency_smoothing;
-  result.figures = noted_waves(prepared.surface, result.waves, source_of(waves), listener, known);
+  result.figures =
+      noted_waves(source.measure(result.waves), source_of(waves), listener, std::move(known));
   result.seen_field = std::move(made.seen_field);
   result.support = std::move(made.support);
   result.field_milliseconds = watch.lap();

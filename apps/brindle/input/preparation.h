@@ -73,7 +73,9 @@ struct PreparedWaves {
   DirectionField seen_field;  ///< as WavesOfField has it
 };
 
-/// Waves of an existing base field, whose time is not included.
+/// Waves of an existing base field, whose time is not included; `subdivided` as WaveReport has it.
+PreparedWaves prepare_waves(const WaveSource& source, const WaveOptions& waves,
+                            std::optional<int> subdivided, BaseField field, JobListener& listener);
 PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,
                             const WaveOptions& waves, BaseField field, JobListener& listener,
                             const std::optional<Viewpoint>& viewpoint = std::nullopt);
@@ -90,9 +92,9 @@ WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
 /// Moves the waves to their surface.
 void take_waves(PreparedWaves waves, Preparation& prepared);
 
-/// Measures waves; throws and notes as `prepare` does. `source` names their origin: "the field of
-/// V"; `figures` has what else is known of them.
-WaveReport noted_waves(const Surface& surface, const WaveSet& waves, const std::string& source,
+/// Throws and notes as `prepare` does. `source` names the origin of the waves: "the field of V";
+/// `figures` has what else is known of them.
+WaveReport noted_waves(const WaveFigures& measured, const std::string& source,
                        JobListener& listener, WaveReport figures = {});
 
 }  // namespace brindle::tool

@@ -39,7 +39,8 @@ WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& opti
   if (options.wales.periods > 0) waves = waves_round(surface, waves.directions, options.wales);
   WaveReport known;
   known.subdivided = first.subdivided;
-  if (is_other(options)) noted_waves(surface, waves, "the field of V", listener, known);
+  if (is_other(options))
+    noted_waves(measure_waves(surface, waves), "the field of V", listener, known);
   return waves;
 }
 

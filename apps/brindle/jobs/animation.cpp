@@ -227,7 +227,8 @@ AnimationReport play(const FrameData& data, const AnimationOptions& options, con
     const SceneFrame& wanted = scene.frame(number);
     frame_report.scene_milliseconds = watch.lap();
     if (number == 0) {
-      report.waves = noted_waves(surface, wanted.waves, source, display, report.waves);
+      report.waves =
+          noted_waves(measure_waves(surface, wanted.waves), source, display, report.waves);
     }
     const FrameResult result = animator->frame(input_of(wanted.waves), of_frame.part(0, 0.5));
     of_frame.report(0.5);

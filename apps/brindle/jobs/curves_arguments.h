@@ -70,7 +70,8 @@ struct CurvesArguments : TracingOptions {
   bool quiet = false;
 };
 
-enum class CurveOutput { lines, tubes, drawing, picture, report };
+/// `pieces`: a .pvtp over MPI ranks.
+enum class CurveOutput { lines, tubes, drawing, picture, report, pieces };
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "brindle/curve_measures.h"
 #include "brindle/curves.h"
 #include "brindle/stripe_tracer.h"
@@ -38,6 +40,7 @@ struct CurvesJob {
   std::vector<CurveFamily> families;
   double edges_milliseconds = 0;
   std::optional<double> draw_milliseconds;
+  nlohmann::ordered_json ranks = {};  ///< key of the report; null: one process
 };
 
 /// The extent of measurements on curves. The spacing takes longer than the curves.

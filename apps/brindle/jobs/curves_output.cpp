@@ -11,6 +11,7 @@
 #include "brindle/files.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
+#include "jobs/curves_report.h"
 #include "outputs/carried_arrays.h"
 #include "outputs/outputs.h"
 #include "pictures/drawing_file.h"
@@ -112,7 +113,20 @@ void write_curves(CurveOutput kind, const std::string& path, const TracedSurface
                              *arguments.picture, listener.progress());
     case CurveOutput::report:
       throw Error(shown(path) + ": a report holds no curves");
+    case CurveOutput::pieces:
+      throw Error(shown(path) + ": a piece per MPI rank needs ranks");
   }
+}
+
+void write_curves_file(CurveOutput kind, const std::string& path, const CLI::App& command,
+                       const CurvesArguments& arguments, const CurvesJob& job,
+                       JobListener& listener) {
+  const Preparation& prepared = job.prepared;
+  if (kind == CurveOutput::report) {
+    return write_report(path, command, prepared.surface.mesh, to_json(job, *arguments.picture),
+                        listener.progress());
+  }
+  write_curves(kind, path, {arguments, prepared.surface, prepared.arrays, job.families}, listener);
 }
 
 }  // namespace brindle::tool

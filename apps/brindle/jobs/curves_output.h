@@ -23,8 +23,13 @@ struct TracedSurface {
   std::span<const CurveFamily> families;
 };
 
-/// Writes any kind but a report. Throws Error if the file cannot be written.
+/// Writes any kind but reports and pieces. Throws Error if the file cannot be written.
 void write_curves(CurveOutput kind, const std::string& path, const TracedSurface& traced,
                   JobListener& listener);
+
+/// The same for a job of `brindle curves`, and its report.
+void write_curves_file(CurveOutput kind, const std::string& path, const CLI::App& command,
+                       const CurvesArguments& arguments, const CurvesJob& job,
+                       JobListener& listener);
 
 }  // namespace brindle::tool

@@ -295,10 +295,12 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
 }
 
 nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& picture) {
-  return to_json(
+  nlohmann::ordered_json json = to_json(
       ReportedCurves{job.prepared.surface, job.prepared, job.families, job.options.slack.yields(),
                      job.edges_milliseconds, job.draw_milliseconds},
       picture);
+  if (!job.ranks.is_null()) json["ranks"] = job.ranks;
+  return json;
 }
 
 void print(std::ostream& out, const CurvesJob& job) {

@@ -30,7 +30,7 @@ struct SampleArguments {
   bool quiet = false;
 };
 
-enum class SampleOutput { samples, picture, report };
+enum class SampleOutput { samples, picture, report, pieces };
 
 /// The kind of output of a path. Throws CLI::ValidationError with a remedy for files that cannot
 /// hold samples.

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "brindle/samples.h"
 #include "cli/job_listener.h"
 #include "jobs/sample_arguments.h"
@@ -30,6 +32,7 @@ struct SampleJob {
   TakenSamples taken;
   std::optional<double> draw_milliseconds;
   GlyphInput glyphs;
+  nlohmann::ordered_json ranks = {};  ///< key of the report; null: one process
 };
 
 /// Samples of existing patterns, on a mesh or on points.

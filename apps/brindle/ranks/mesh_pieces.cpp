@@ -14,9 +14,9 @@
 #include "brindle/shapes.h"
 #include "input/array_source.h"
 #include "input/preparation.h"
-#include "ranks/first_rank.h"
 #include "ranks/pvtp_pieces.h"
 #include "ranks/rank_arrays.h"
+#include "ranks/request.h"
 
 namespace brindle::tool {
 namespace {

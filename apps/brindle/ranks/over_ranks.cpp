@@ -1,32 +1,21 @@
 #include "ranks/over_ranks.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <exception>
 #include <iostream>
 #include <new>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "brindle/base/text.h"
-#include "brindle/communicator.h"
 #include "brindle/error.h"
-#include "brindle/version.h"
-#include "ranks/mpi_curves.h"
-#include "ranks/mpi_sample.h"
-#include "ranks/mpi_stripe.h"
+#include "cli/command_line.h"
+#include "ranks/pvtp_pieces.h"
 #include "ranks/request.h"
-#include "ranks/stall_watch.h"
 
 namespace brindle::tool {
 namespace {
-
-enum ExitCode { kDone = 0, kFailed = 1, kWrongUsage = 2 };
 
 /// Whether all ranks fail within some time. An exception on a single rank leaves the others waiting
 /// elsewhere, which is rare; late ranks on a busy machine are not.
@@ -44,124 +33,109 @@ bool all_have_failed() {
 }
 
 /// For a failure on one rank: ends the waiting others.
-ExitCode fail_alone(ExitCode code, const std::string& message) {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+void end_all(int rank, int code, const std::string& message) {
   std::cerr << "brindle: rank " << rank << ": " << shown_lines(message) << std::endl;
   MPI_Abort(MPI_COMM_WORLD, code);
-  return code;
-}
-
-/// Prints one message, whichever ranks fail.
-ExitCode fail(ExitCode code, const std::string& message) {
-  if (!all_have_failed()) return fail_alone(code, message);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) std::cerr << "brindle: " << shown_lines(message) << std::endl;
-  return code;
-}
-
-/// Collective operations raise an error of one rank on all, as Error (`Communicator::together`).
-/// Other exceptions belong to one rank.
-ExitCode run(const Command& command) {
-  try {
-    command.run();
-    std::cout.flush();
-    if (!std::cout) throw std::runtime_error("cannot write to standard output");
-    return kDone;
-  } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, error.what());
-  } catch (const Error& error) {
-    return fail(kFailed, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail_alone(kFailed, "not enough memory; take more ranks on more machines");
-  } catch (const std::exception& error) {
-    return fail_alone(kFailed, error.what());
-  }
-}
-
-/// "stripe " after the command stripe.
-std::string help_of(const CLI::App& app) {
-  const auto commands = app.get_subcommands();
-  return commands.empty() ? "" : commands.front()->get_name() + " ";
-}
-
-/// The words of this rank, valid or not.
-struct Parsed {
-  Request request;
-  std::optional<CLI::Success> asked_for_help;
-  std::optional<std::string> error;
-};
-
-Parsed parse(CLI::App& app, int argc, char** argv) {
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return {request_of(argc, argv), success, {}};
-  } catch (const CLI::ParseError& error) {
-    return {
-        request_of(argc, argv),
-        {},
-        error.what() + std::string("\nbrindle: 'brindle ") + help_of(app) + "--help' tells more"};
-  }
-  return {request_of(app, argc, argv), {}, {}};
-}
-
-/// Whether the command line is for ranks: it names a command that has them, or none.
-bool has_ranks(const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 3> kCommands = {"stripe", "curves", "sample"};
-  return words.empty() || words[0].starts_with('-') ||
-         std::ranges::find(kCommands, words[0]) != kCommands.end();
-}
-
-ExitCode parse_and_run(Communicator& ranks, int argc, char** argv) {
-  CLI::App app{"Lays stripe patterns over surfaces that many processes hold together (MPI).",
-               "brindle"};
-  app.set_version_flag("--version", "brindle " BRINDLE_VERSION, "Print the version and exit");
-  app.require_subcommand(1);
-  const std::vector<Command> commands = {add_mpi_stripe_command(app, ranks),
-                                         add_mpi_curves_command(app, ranks),
-                                         add_mpi_sample_command(app, ranks)};
-  double stall_limit = kStallLimit;
-  for (const Command& command : commands) add_stall_option(*command.app, stall_limit);
-  const Parsed parsed = parse(app, argc, argv);
-  const StallWatch watch(ranks.rank(), stall_limit);
-  try {
-    check_same_request(ranks, parsed.request);
-  } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, error.what());
-  }
-  if (parsed.asked_for_help) {
-    if (ranks.rank() == 0) app.exit(*parsed.asked_for_help);
-    return kDone;
-  }
-  if (parsed.error) return fail(kWrongUsage, *parsed.error);
-  return run(*std::ranges::find_if(commands,
-                                   [](const Command& command) { return command.app->parsed(); }));
-}
-
-int run_ranks(int argc, char** argv, const std::function<int(int, char**)>& alone) {
-  Communicator ranks(MPI_COMM_WORLD);
-  const std::vector<std::string> words(argv + 1, argv + argc);
-  if (has_ranks(words)) return parse_and_run(ranks, argc, argv);
-  if (ranks.size() == 1) return alone(argc, argv);
-  return fail(kWrongUsage, "'brindle " + words[0] +
-                               "' runs in one process; start it without mpirun, or with -n 1");
 }
 
 }  // namespace
 
-int run_over_ranks(int argc, char** argv, const std::function<int(int, char**)>& alone) {
+OverRanks::OverRanks(int processes) {
+  if (processes != 1) start_mpi();
+}
+
+OverRanks::~OverRanks() {
+  if (!ranks_) return;
+  if (standard_output_ != nullptr) std::cout.rdbuf(standard_output_);
+  ranks_.reset();
+  MPI_Finalize();
+}
+
+void OverRanks::check_words(const std::vector<std::string>& words) {
+  if (ranks_) check_same_words(*ranks_, words);
+}
+
+void OverRanks::start_mpi() {
+  if (ranks_) return;
   // Other threads run between messages, but send none.
   int provided = 0;
-  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-  int code = kFailed;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  ranks_.emplace(MPI_COMM_WORLD);
+  if (ranks_->rank() != 0) standard_output_ = std::cout.rdbuf(&nowhere_);
+}
+
+void OverRanks::add_options(CLI::App& command) {
+  constexpr const char* kGroup = "MPI ranks";
+  command
+      .add_option("--plan-below", plan_below_,
+                  "solve smaller surfaces, in vertices, on rank 0, as one process does")
+      ->type_name("N")
+      ->group(kGroup)
+      ->capture_default_str();
+  add_stall_option(command, stall_limit_)->group(kGroup);
+  if (command.get_name() != "stripe") return;
+  command
+      .add_option("--frames", frames_,
+                  "then measure N frames, each turned by a degree; no files have them")
+      ->type_name("N")
+      ->group(kGroup)
+      ->check(CLI::Range(0, 10000));
+}
+
+template <class Arguments>
+bool OverRanks::run_over(const CLI::App& command, const Arguments& arguments,
+                         void (*job)(const RankRun&, const CLI::App&, const Arguments&)) {
+  const bool of_ranks = is_pvtp(arguments.surface.mesh) ||
+                        std::ranges::any_of(arguments.outputs, is_pvtp) ||
+                        is_given(command, "--plan-below") || is_given(command, "--frames");
+  if (!several() && !of_ranks) return false;
+  start_mpi();
+  const int rank = ranks_->rank();
+  const StallWatch watch(rank, stall_limit_);
   try {
-    code = run_ranks(argc, argv, alone);
+    refuse_usage(command, [&](const IsGiven& given) {
+      check_one_process(given, job_of(command.get_name()));
+    });
+    job({*ranks_, plan_below_, frames_}, command, arguments);
+  } catch (const Cancelled& cancelled) {
+    throw Error(cancelled.what());  // the signal may be another rank's
+  } catch (const Error&) {
+    throw;  // on all ranks (`Communicator::throw_on_all`)
+  } catch (const CLI::ParseError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    end_all(rank, 1, "not enough memory; take more ranks on more machines");
   } catch (const std::exception& error) {
-    code = fail_alone(kFailed, error.what());
+    end_all(rank, 1, error.what());
   }
-  MPI_Finalize();
+  return true;
+}
+
+bool OverRanks::run(const CLI::App& command, const StripeArguments& arguments) {
+  return run_over(command, arguments, run_stripe_over);
+}
+
+bool OverRanks::run(const CLI::App& command, const CurvesArguments& arguments) {
+  return run_over(command, arguments, run_curves_over);
+}
+
+bool OverRanks::run(const CLI::App& command, const SampleArguments& arguments) {
+  return run_over(command, arguments, run_sample_over);
+}
+
+void OverRanks::check_for_one(const CLI::App& command) {
+  if (!several()) return;
+  throw CLI::ValidationError("'brindle " + command.get_name() +
+                                 "' runs in one process; start it without mpirun, or with -n 1",
+                             CLI::ExitCodes::ValidationError);
+}
+
+int OverRanks::fail(int code, const std::string& message) {
+  if (ranks_ && !all_have_failed()) {
+    end_all(ranks_->rank(), code, message);
+  } else if (!ranks_ || ranks_->rank() == 0) {
+    std::cerr << "brindle: " << shown_lines(message) << std::endl;
+  }
   return code;
 }
 

@@ -6,13 +6,9 @@
 #include <unordered_set>
 #include <utility>
 
-#include "brindle/array_field.h"
-#include "brindle/distributed/surface/piece_data.h"
-#include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
-#include "input/array_source.h"
-#include "ranks/first_rank.h"
 #include "ranks/rank_arrays.h"
+#include "ranks/request.h"
 
 namespace brindle::tool {
 
@@ -27,65 +23,6 @@ std::vector<DataArray> piece_rows(Communicator& ranks, const ReadPiece& read,
   std::vector<DataArray> of_whole;
   on_first_rank(ranks, [&] { of_whole = rows(); });
   return rows_of_numbers(ranks, of_whole, read.row_ids, file);
-}
-
-PieceArrays::PieceArrays(Communicator& ranks, const DistributedSurface& surface,
-                         const ReadPiece& read, const ArrayOptions& options)
-    : ranks_(ranks), surface_(surface), read_(read) {
-  if (options.mesh.empty()) return;
-  piece_.mesh = {read.piece.mesh.positions, {}, read.piece.mesh.origin};
-  ArrayOptions of_whole = options;
-  if (of_whole.max_distance) {
-    const float distance = of_whole.max_distance->on(static_cast<float>(surface.diagonal()));
-    of_whole.max_distance = Length{distance, false};
-  } else {
-    of_whole.max_distance =
-        Length{kDefaultMaxDistance.on(static_cast<float>(surface.diagonal())), false};
-  }
-  ranks.throw_on_all(
-      [&] { other_ = std::make_unique<ArraySource>(piece_, read.arrays, read.file, of_whole); });
-}
-
-ArrayAtVertices PieceArrays::array(const std::string& name) const {
-  ArrayAtVertices result;
-  if (other_) {
-    ranks_.throw_on_all([&] {
-      auto [array, rows_nonfinite, of_cells] = other_->array(name);
-      result.array = std::move(array);
-      result.rows_nonfinite = rows_nonfinite;
-    });
-    return result;
-  }
-  ArrayChoice choice;
-  ranks_.throw_on_all([&] { choice = choice_of(read_.arrays, name, read_.file); });
-  const DataArray& array = *choice.array;
-  if (!choice.of_cells) {
-    return {array, ranks_.sum(nonfinite_rows(own_rows(surface_, array))), std::nullopt};
-  }
-  return {cells_to_points(ranks_, read_.piece, array), ranks_.sum(nonfinite_rows(array)), array};
-}
-
-std::optional<std::size_t> PieceArrays::drop_too_far(DirectionField& directions) const {
-  if (!other_) return std::nullopt;
-  const std::vector<std::uint8_t> counted = used_own(surface_);
-  std::size_t count = 0;
-  for (Index v = 0; v < directions.size(); ++v) {
-    if (other_->is_near(v)) continue;
-    directions[v] = Vec3::Zero();
-    count += counted[v];
-  }
-  return ranks_.sum(count);
-}
-
-std::string PieceArrays::notes() const { return other_ ? other_->notes() : ""; }
-
-std::vector<std::uint8_t> used_own(const DistributedSurface& surface) {
-  const RankSurface& own = surface.rank_surface();
-  std::vector<std::uint8_t> used;
-  for (const Index v : own.vertex_of_piece) {
-    used.push_back(v < own.graph.own && !own.graph.adjacency->of(v).empty() ? 1 : 0);
-  }
-  return used;
 }
 
 void copy_from_partners(Communicator& ranks, const DistributedSurface& surface,
@@ -153,14 +90,6 @@ std::vector<float> flags_of_all(Communicator& ranks, const ReadPiece& read,
     flags[v] = answered[knows][next[knows]++];
   }
   return flags;
-}
-
-DataArray own_rows(const DistributedSurface& surface, const DataArray& array) {
-  std::vector<Index> own;
-  for (Index v = 0; v < surface.is_own().size(); ++v) {
-    if (surface.is_own()[v] != 0) own.push_back(v);
-  }
-  return rows_of(array, own);
 }
 
 }  // namespace brindle::tool

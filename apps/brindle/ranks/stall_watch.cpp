@@ -39,8 +39,8 @@ double seconds_of(std::chrono::steady_clock::duration time) {
 
 }  // namespace
 
-void add_stall_option(CLI::App& command, double& seconds) {
-  command
+CLI::Option* add_stall_option(CLI::App& command, double& seconds) {
+  return command
       .add_option("--stall-limit", seconds, "stop if a rank waits longer for the others; 0: never")
       ->envname("BRINDLE_STALL_LIMIT")
       ->type_name("SECONDS")

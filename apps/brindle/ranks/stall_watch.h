@@ -12,7 +12,7 @@
 namespace brindle::tool {
 
 /// --stall-limit, with BRINDLE_STALL_LIMIT in the environment as its default.
-void add_stall_option(CLI::App& command, double& seconds);
+CLI::Option* add_stall_option(CLI::App& command, double& seconds);
 
 /// The default limit of waiting, in seconds.
 constexpr double kStallLimit = 900;

@@ -245,18 +245,25 @@ PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& option
   });
   const GatheredSurface whole(surface);
   const StripePattern gathered = gathered_pattern(whole, pattern);
+  StripeCurves curves;
+  ranks.throw_on_all([&] {
+    if (whole.is_first()) curves = StripeTracer(whole.surface()).curves(gathered, options);
+  });
+  return cut_curves(whole, curves);
+}
+
+PieceCurves cut_curves(const GatheredSurface& whole, const StripeCurves& curves) {
+  Communicator& ranks = *whole.piece().ranks;
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
   CutLines cut;
   cut.lines.resize(static_cast<std::size_t>(ranks.size()));
   cut.points.resize(cut.lines.size());
   ranks.throw_on_all([&] {
-    if (!whole.is_first()) return;
-    const StripeCurves curves = StripeTracer(whole.surface()).curves(gathered, options);
-    CurveCutter(whole, curves, triangles, cut).cut();
+    if (whole.is_first()) CurveCutter(whole, curves, triangles, cut).cut();
   });
-  PieceCurves curves = received(ranks.swap_lists(cut.lines)[0], ranks.swap_lists(cut.points)[0]);
-  curves.lines.origin = surface.mesh.origin;
-  return curves;
+  PieceCurves pieces = received(ranks.swap_lists(cut.lines)[0], ranks.swap_lists(cut.points)[0]);
+  pieces.lines.origin = whole.piece().mesh.origin;
+  return pieces;
 }
 
 std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,

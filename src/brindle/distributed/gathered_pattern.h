@@ -22,6 +22,9 @@ StripePattern gathered_pattern(const GatheredSurface& whole, const PiecePattern&
 WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
                          const CurveOptions& options, const Progress& progress = {});
 
+/// Rank 0's curves on the whole surface, cut at borders. Their points lie on edges.
+PieceCurves cut_curves(const GatheredSurface& whole, const StripeCurves& curves);
+
 /// The bits of `shift_stripes` on the whole surface, at the partition's vertices.
 std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,
                          std::span<Complex> z);

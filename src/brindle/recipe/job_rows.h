@@ -60,6 +60,7 @@ constexpr auto kOutputRows =
              {{.name = "uv",
                .common = true,
                .kind = OptionKind::flag,
+               .one_process = kNeedsWhole,
                .jobs = kStripe,
                .help = "texture coordinates: U across the stripes, one unit per period"},
               {.name = "output",

@@ -17,6 +17,14 @@ void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
   }
 }
 
+void check_one_process(const IsGiven& given, PatternJob job) {
+  for (const OptionInfo& row : option_table()) {
+    const std::string option = "--" + std::string(row.name);
+    if (!row.is_for(job) || row.one_process.empty() || !given(option)) continue;
+    throw RefusedOption(option, std::string(row.one_process));
+  }
+}
+
 std::string taken_by(const OptionInfo& info) {
   const NumberRange& range = info.range;
   if (info.kind == OptionKind::choice) return "one of " + std::string(info.form);

@@ -38,6 +38,9 @@ using IsGiven = std::function<bool(const std::string& option)>;
 void refuse_given(const IsGiven& given, const std::vector<std::string>& options,
                   std::string_view why);
 
+/// Rejects the job's options that MPI ranks do not have.
+void check_one_process(const IsGiven& given, PatternJob job);
+
 /// The values that a numeric or choice option accepts: "a finite number above zero".
 std::string taken_by(const OptionInfo& info);
 

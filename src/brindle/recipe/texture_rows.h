@@ -7,7 +7,10 @@
 namespace brindle {
 
 constexpr auto kTileRows =
-    in_group({.group = "Textures", .stale = OptionStage::waves, .jobs = kStripe | kAnimate},
+    in_group({.group = "Textures",
+              .one_process = kNeedsWhole,
+              .stale = OptionStage::waves,
+              .jobs = kStripe | kAnimate},
              {{.name = "texture",
                .words = "tile",
                .common = true,
