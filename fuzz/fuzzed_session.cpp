@@ -77,7 +77,8 @@ std::string fuzzed_value(Bytes& bytes, const OptionInfo& option) {
   if (is_number) return fuzzed_number(bytes, option);
   if (option.kind == OptionKind::numbers) {
     const std::string first = fuzzed_number(bytes, option);
-    return first + "," + fuzzed_number(bytes, option);
+    const bool is_range = option.form.find("..") != option.form.npos;
+    return first + (is_range ? ".." : ",") + fuzzed_number(bytes, option);
   }
   return fuzzed_text(bytes);
 }

@@ -212,8 +212,7 @@ def agreement(ours, theirs):
 def write_all(brindle, mesh, tile, folder):
     names = [f"{tile}.{kind}" for kind in FORMATS]
     # Files have all tiles, and say which are broken.
-    command = [brindle, "stripe", mesh, "--texture", tile, "--stripes", "16", "--quiet",
-               "--tiles", "cut",
+    command = [brindle, "stripe", mesh, "--texture", f"{tile},cut", "--stripes", "16", "--quiet",
                "--size", f"{WIDTH}x{HEIGHT}", "--output", f"{tile}.png"]
     for name in names:
         command += ["--output", name]

@@ -495,7 +495,7 @@ def rendered(start, folder, session, name, *more):
 
 
 def check_picture_is_exported(start, folder):
-    window = start("shape:trefoil,resolution=40", "--stripes", "30", "--pixel-width", "3")
+    window = start("shape:trefoil,resolution=40", "--stripes", "30", "--stripe-width", "3px")
     window.settled()
     since = window.now()
     window.drag_slider("option stripes", 0.6, 0.63)
@@ -927,7 +927,7 @@ def check_quit_while_solving(start, folder):
 
 def check_what_is_refused(start, folder):
     for arguments, code in ((["no_such_mesh.ply", "--stripes", "-3"], 2),
-                            (["shape:torus", "--max-distance", "3"], 2)):
+                            (["shape:torus", "--field-mesh", "none.vtp,within=3"], 2)):
         result = subprocess.run([start.tool, "view", *arguments], cwd=folder, capture_output=True, text=True,
                                 env=dict(os.environ, DISPLAY=start.display))
         expect(result.returncode == code, f"{arguments}: ends with {result.returncode}: {result.stderr}")

@@ -6,6 +6,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brindle/base/text.h"
@@ -17,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/launcher.h"
+#include "cli/option_parts.h"
 #include "cli/progress_display.h"
 #include "jobs/rank_jobs.h"
 #ifdef BRINDLE_HAS_MPI
@@ -57,6 +59,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 std::string option_suggestion(const CLI::App& app, const std::vector<std::string>& words) {
   std::vector<std::string> known;
   for (const CLI::Option* option : app.get_options()) {
+    if (is_part(*option, app)) continue;
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
   for (const std::string& word : words) {
@@ -74,6 +77,10 @@ std::string words_of(const CLI::ParseError& error, const std::vector<std::string
   return "not expected:" + words;
 }
 
+std::string referral(const std::string& command) {
+  return "\nbrindle: 'brindle " + command + " --help' tells more";
+}
+
 // Explains a wrong command line, whose first word is `first`, and refers to help.
 std::string explanation(const CLI::ParseError& error, const std::vector<Command>& commands,
                         const CLI::App& app, const std::string& first) {
@@ -83,8 +90,8 @@ std::string explanation(const CLI::ParseError& error, const std::vector<Command>
     const std::string name = command.app->get_name();
     if (command.app->parsed()) {
       const std::vector<std::string> unknown = command.app->remaining();
-      return words_of(error, unknown) + option_suggestion(*command.app, unknown) +
-             "\nbrindle: 'brindle " + name + " --help' tells more";
+      return in_command_words(*command.app, words_of(error, unknown)) +
+             option_suggestion(*command.app, unknown) + referral(name);
     }
     known.push_back(name);
     names += (names.empty() ? "" : ", ") + name;
@@ -101,19 +108,22 @@ void finish_output() {
 }
 
 int run(const Command& command, RankJobs* ranks) {
+  const auto fail_as = [&](ExitCode code, const std::exception& error) {
+    return fail(code, in_command_words(*command.app, error.what()), ranks);
+  };
   try {
     if (ranks != nullptr && !command.over_ranks) ranks->check_for_one(*command.app);
     command.run();
     finish_output();
     return kDone;
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, error.what(), ranks);
+    return fail_as(kWrongUsage, error);
   } catch (const Cancelled&) {
     return fail(cancelled_exit_code(), "cancelled", ranks);
   } catch (const std::bad_alloc&) {
     return fail(kFailed, "not enough memory; try a smaller mesh or a smaller --subdivide", ranks);
   } catch (const std::exception& error) {
-    return fail(kFailed, error.what(), ranks);
+    return fail_as(kFailed, error);
   }
 }
 
@@ -137,14 +147,22 @@ int parse_and_run(int argc, char** argv, RankJobs* ranks) {
       add_sample_command(app, ranks), add_animate_command(app), add_info_command(app),
       add_view_command(app),          add_render_command(app),  add_gallery_command(app),
       add_bench_command(app),         add_help_command(app),    add_completion_command(app)};
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const std::string first = words.empty() ? "" : words.front();
   try {
-    app.parse(argc, argv);
+    words = command_line_with_parts_apart(app, words);
+  } catch (const CLI::ValidationError& error) {
+    return fail(kWrongUsage, error.what() + referral(first), ranks);
+  }
+  std::ranges::reverse(words);  // CLI11's order
+  try {
+    app.parse(std::move(words));
   } catch (const CLI::Success& success) {
     const int status = app.exit(success);
     finish_output();
     return status == 0 ? kDone : kFailed;
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, explanation(error, commands, app, argc > 1 ? argv[1] : ""), ranks);
+    return fail(kWrongUsage, explanation(error, commands, app, first), ranks);
   }
   return run(*std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); }),
              ranks);

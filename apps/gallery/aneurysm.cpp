@@ -144,9 +144,9 @@ GalleryItem aneurysm_item() {
           {{"stress",
             "stripes along the first principal stress, wider where the second is as large",
             "stripe {surface=aneurysm.vtp} --field {field=array:stress} --along --stripes 70 "
-            "--frequency-by distance:camera --frequency-range 0.7,1.3,inverse "
-            "--width-by {values=array:ratio} --width-range 0.15,0.72 "
-            "--color-by {values=array:first} --color-range {own=60,220} --threshold {own=220} "
+            "--frequency-by distance:camera@0.7..1.3,inverse "
+            "--width-by {values=array:ratio}@0.15..0.72 "
+            "--color-by {values=array:first}{own=@60..220} --threshold {own=220} "
             "--legend {own='first principal stress in kPa'} "
             "--colors #1d3b3a,#f2dcc0,#ffffff --up z --camera 200,12,1.01",
             "800x590",
@@ -154,8 +154,8 @@ GalleryItem aneurysm_item() {
            {"second",
             "stripes along the second principal stress",
             "stripe {surface=aneurysm.vtp} --field {field=array:stress} --stripes 64 "
-            "--width-by {values=array:ratio} --width-range 0.15,0.7 "
-            "--color-by {values=array:second} --color-range {own=20,220} "
+            "--width-by {values=array:ratio}@0.15..0.7 "
+            "--color-by {values=array:second}{own=@20..220} "
             "--threshold {own=220} --legend {own='second principal stress in kPa'} "
             "--colors #1d3b3a,#f2dcc0,#ffffff --up z --camera 200,12,1.01",
             "800x590",

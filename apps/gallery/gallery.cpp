@@ -10,14 +10,14 @@
 namespace brindle {
 namespace {
 
-/// A placeholder of a word: "{role=value}".
+/// A placeholder of a word: "{role=value}", the first one from `from` on.
 struct Place {
   std::size_t begin = 0, end = 0;
   std::string role, value;
 };
 
-std::optional<Place> place_in(const std::string& word) {
-  const std::size_t begin = word.find('{');
+std::optional<Place> place_in(const std::string& word, std::size_t from) {
+  const std::size_t begin = word.find('{', from);
   const std::size_t equals = word.find('=', begin);
   const std::size_t end = word.find('}', equals);
   if (begin == std::string::npos || end == std::string::npos) return std::nullopt;
@@ -61,6 +61,19 @@ bool is_left_out(const Place& place, const GalleryChoice& choice) {
          (place.role == "own" && !choice.values.empty());
 }
 
+/// Empty for a word that is left out. What is left out within a word leaves the rest.
+std::string filled(std::string word, const GalleryChoice& choice) {
+  std::size_t from = 0;
+  while (const auto place = place_in(word, from)) {
+    const bool left_out = is_left_out(*place, choice);
+    if (left_out && place->begin == 0) return "";
+    const std::string value = left_out ? "" : filled(*place, choice);
+    word.replace(place->begin, place->end - place->begin, value);
+    from = place->begin + value.size();
+  }
+  return word;
+}
+
 }  // namespace
 
 const std::vector<GalleryItem>& gallery_items() {
@@ -72,16 +85,13 @@ const std::vector<GalleryItem>& gallery_items() {
 
 std::vector<std::string> filled_words(const GalleryPicture& picture, const GalleryChoice& choice) {
   std::vector<std::string> words;
-  for (std::string word : words_in(picture.line)) {
-    if (const auto place = place_in(word)) {
-      if (is_left_out(*place, choice)) {
-        const bool flag = place->value.starts_with("--");
-        if (!flag) words.pop_back();  // the option of this value
-        continue;
-      }
-      word.replace(place->begin, place->end - place->begin, filled(*place, choice));
+  for (const std::string& word : words_in(picture.line)) {
+    const std::string text = filled(word, choice);
+    if (text.empty()) {
+      words.pop_back();  // the option of this value
+    } else {
+      words.push_back(text);
     }
-    words.push_back(std::move(word));
   }
   return words;
 }

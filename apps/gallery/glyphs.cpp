@@ -50,7 +50,7 @@ GalleryItem glyphs_item() {
           {{"arrows",
             "arrows along a flow, larger and farther apart where it is faster",
             "sample {surface=flow.vtp} --field {field=array:velocity} --stripes 36 "
-            "--frequency-by {values=array:speed} --frequency-range 0.6,1.7,inverse --glyph arrow "
+            "--frequency-by {values=array:speed}@0.6..1.7,inverse --glyph arrow "
             "--glyph-size 0.95 --color-by {values=array:speed} --legend {own=speed} "
             "--colors #22252b,#f1ece1,#ffffff --up z --camera 35,10,0.93",
             "640x570",
@@ -58,7 +58,7 @@ GalleryItem glyphs_item() {
            {"ellipses",
             "ellipses whose axes are the principal stresses of an artery's wall",
             "sample {file=aneurysm.vtp} --field {file=stress.csv} --glyph ellipse --glyph-size 0.8 "
-            "--color-by array:first --color-range 60,220 "
+            "--color-by array:first@60..220 "
             "--legend 'first principal stress in kPa' --colors #22252b,#f1ece1,#ffffff --up z "
             "--camera 200,12",
             "700x540",
@@ -66,8 +66,8 @@ GalleryItem glyphs_item() {
            {"decals",
             "the arrows as tiles of a texture, which bend with the surface",
             "stripe {surface=flow.vtp} --field {field=array:velocity} --oriented --texture arrows "
-            "--stripes 36 --frequency-by {values=array:speed} --frequency-range 0.6,1.7,inverse "
-            "--tile-size-by {values=array:speed} --tile-size-range 0.7,1 "
+            "--stripes 36 --frequency-by {values=array:speed}@0.6..1.7,inverse "
+            "--tile-size-by {values=array:speed}@0.7..1 "
             "--color-by {values=array:speed} --colormap coolwarm --legend {own=speed} "
             "--colors #15171c,#f1ece1,#ffffff --up z --camera 35,10,0.93",
             "640x570",

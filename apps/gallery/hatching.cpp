@@ -19,16 +19,16 @@ GalleryItem hatching_item() {
           make_figure,
           {{"pen",
             "strokes as thick as it is dark, crossed in the dark, with an outline",
-            "stripe {surface=hare.vtp} --field {field=curvature} --stripes 150 --width-by light "
-            "--width-range 0,0.62 --tones 0.3,0.95 --cross-hatch 0.3 --outline solid "
-            "--line-width 2 --with {part=pupils.vtp}@#1b1b1f --with {part=glints.vtp}@#f7f3ea "
+            "stripe {surface=hare.vtp} --field {field=curvature} --stripes 150 "
+            "--width-by light@0..0.62,tones=0.3..0.95,cross-hatch=0.3 --outline solid,width=2 "
+            "--with {part=pupils.vtp}@#1b1b1f --with {part=glints.vtp}@#f7f3ea "
             "--colors #1b1b1f,#f7f3ea,#f7f3ea --up z --camera 35,10,0.98",
             "640x700",
             {"stripes", "tones", "cross-hatch", "line-width"}},
            {"dashed",
             "the outline dashed by the pattern, for what matters less",
             "stripe {surface=hare.vtp} --direction 0.35,0.6,1 --stripes 96 --stripe-width 0 "
-            "--outline dashed --line-width 2.4 --flat --colors #1b1b1f,#f7f3ea,#f7f3ea --up z "
+            "--outline dashed,width=2.4 --flat --colors #1b1b1f,#f7f3ea,#f7f3ea --up z "
             "--camera 35,10,0.93",
             "640x700",
             {"stripes", "direction", "line-width"}},

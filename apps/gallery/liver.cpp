@@ -19,9 +19,8 @@ GalleryPicture needle_picture(const std::string& name, const std::string& what,
           what,
           "stripe {surface=vessels.vtp} --field {field=curvature} --along --frequency 10 "
           "--frequency-by {values=distance:" +
-              tip +
-              "} --frequency-range 0.001,0.125,reciprocal --width-by {values=distance:" + tip +
-              "} --width-range 0.55,0.22 --legend {own='mm to the tip: ten stripes'} "
+              tip + "}@0.001..0.125,reciprocal --width-by {values=distance:" + tip +
+              "}@0.55..0.22 --legend {own='mm to the tip: ten stripes'} "
               "--depth-cue chroma --with {file=tumour.vtp}@untinted@#eab04c "
               "--with {file=needle.vtp}@untinted@#9aa1a8@" +
               tip + " --colors #17141c,#ffffff,#ffffff --up z --camera 20,12,0.86",
@@ -52,7 +51,7 @@ GalleryItem nested_item() {
           {{"focus",
             "thin strokes where one looks inside",
             "stripe {surface=hull.vtp} --field {field=smooth} --stripes 56 --between nothing "
-            "--width-by {values=distance:-42,-60,10} --width-range 0.07,0.5 --no-legend "
+            "--width-by {values=distance:-42,-60,10}@0.07..0.5 --legend none "
             "--with {file=vessels.vtp}@untinted@#c02a24 "
             "--with {file=tumour.vtp}@untinted@#e0a92f --colors #4f7891,#4f7891,#ffffff "
             "--depth-cue haze --occlusion 0.4 --up z --camera 20,12,0.9",

@@ -63,7 +63,7 @@ GalleryItem molecule_item() {
       {{"signs",
         "plus where the potential is positive, minus where it is negative, dots between",
         "stripe {surface=molecule.vtp} --field {field=smooth} --stripes 40 --texture minus "
-        "--texture-by {values=array:potential} --regions -0.4,dots@#a9a9a3,0.4,plus@#d9661f "
+        "--texture-by {values=array:potential},regions=-0.4,dots@#a9a9a3,0.4,plus@#d9661f "
         "--legend {own='potential in kT/e'} --colors #2e8b6f,#f6f3ec,#ffffff --occlusion 0.6 "
         "--up z --camera -15,18",
         "600x440",
@@ -71,7 +71,7 @@ GalleryItem molecule_item() {
        {"colors",
         "the potential as colours of the surface",
         "stripe {surface=molecule.vtp} --field {field=smooth} --stripes 40 --stripe-width 0 "
-        "--color-by {values=array:potential} --color-on surface --color-range {own=-2.5,2.5} "
+        "--color-by {values=array:potential}{own=@-2.5..2.5} --color-on surface "
         "--colormap coolwarm --legend {own='potential in kT/e'} --colors #2e8b6f,#f6f3ec,#ffffff "
         "--occlusion 0.6 --up z --camera -15,18",
         "600x440",

@@ -18,7 +18,7 @@ enum class OptionKind : std::uint8_t {
   choice,   ///< one of the words of `form`
   whole,    ///< a whole number
   number,   ///< a number
-  numbers,  ///< two numbers, "A,B"
+  numbers,  ///< two numbers: "A..B", or as `form` has them
   length,   ///< a length in the mesh's units, or "P%" of the diagonal of its bounding box
   text      ///< as `form` describes: a file, a name, a vector
 };
@@ -93,6 +93,13 @@ struct OptionInfo {
   std::string_view needs = {};     ///< options, separated by spaces, that it requires
   std::string_view excludes = {};  ///< options, separated by spaces, that it excludes
   std::string_view one_process = {};  ///< why MPI ranks reject it; empty: they take it
+  /// Options, separated by spaces, in whose values command lines have this one:
+  /// --solver relaxation,epsilon=0.01. An option of its own in other doors, and in commands without
+  /// them.
+  std::string_view part_of = {};
+  /// Before the part's value: ",epsilon=", or "@"; all of a flag: ",rounded", or "none" instead of
+  /// the value; otherwise the unit behind a number: "px".
+  std::string_view written = {};
   bool own = false;  ///< of curves and samples: kept apart from the value for stripes
   OptionStage stale = OptionStage::none;  ///< stages that a change makes stale
   unsigned jobs = 0;                      ///< bits of PatternJob

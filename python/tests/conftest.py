@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 
 import numpy as np
@@ -37,6 +38,46 @@ def model(name):
     if not (MODELS / name).exists():
         pytest.skip(f"{name} is not in ../shared/models")
     return brindle.read(MODELS / name)
+
+
+# Arguments that the tool has in the values of other options: the option, its default, and what stands
+# before the value.
+PARTS = {
+    **{key: ("solver", "multilevel", f",{key}=")
+       for key in ("phase-shift", "weights", "sweeps", "cycles", "epsilon", "momentum", "seed")},
+    "global-iterations": ("solver", "multilevel", ",iterations="),
+    "lambda": ("previous", "", ",lambda="),
+    "match": ("previous", "", ",match="),
+    "cancel-distance": ("cancel-branches", "", ",distance="),
+    "curvature-direction": ("field", "smooth", ","),
+    "feature-angle": ("feature-anchor", 0, ",angle="),
+    "feature-radius": ("feature-anchor", 0, ",radius="),
+    "fill": ("field-smoothing", 0, ",fill="),
+    "field-arrows": ("field-smoothing", 0, ",arrows"),
+    "field-singularities": ("field-smoothing", 0, ",singularities="),
+    "field-weight": ("field-smoothing", 0, ",weight="),
+    "rounded": ("subdivide", 0, ",rounded"),
+    "frequency-range": ("frequency-by", "", "@"),
+}
+
+
+def command_words(options):
+    """The tool's words for options by their names; True for flags."""
+    values = {name: value for name, value in options.items() if name not in PARTS}
+    for name, value in options.items():
+        if name in PARTS:
+            whole, default, before = PARTS[name]
+            values[whole] = f"{values.get(whole, default)}{before}{'' if value is True else value}"
+    return [f"--{name}" if value is True else f"--{name}={value}" for name, value in values.items()]
+
+
+def with_names_of_parts(message):
+    """What the tool says, with --epsilon instead of --solver ...,epsilon=E."""
+    for name, (whole, _, before) in PARTS.items():
+        form = "max|min" if name == "curvature-direction" else ""
+        written = re.escape(f"--{whole} ...{before}{form}")
+        message = re.sub(rf"{written}\S*?(?=[:;,]?(?:\s|$))", f"--{name}", message)
+    return message
 
 
 def run_tool(*arguments):

@@ -45,17 +45,17 @@ def test_stripes(name, tool, tmp_path):
 OPTIONS = [
     (["--direction", "0.31,0.9,0.27"], lambda s: {"directions": s.projected_field((0.31, 0.9, 0.27))}),
     (["--field", "curvature"], lambda s: {"directions": s.curvature_field()}),
-    (["--field", "curvature", "--curvature-direction", "min"],
+    (["--field", "curvature,min"],
      lambda s: {"directions": s.curvature_field("min")}),
     (["--field", "raw-curvature"], lambda s: {"directions": s.curvature_field("max", raw=True)}),
     (["--along", "--stripes", "25"], lambda s: {"along": True, "stripes": 25}),
     (["--frequency", "7.5"], lambda s: {"frequency": 7.5}),
     (["--feature-anchor", "1"], lambda s: {"directions": s.smooth_field(feature_anchor=1)}),
-    (["--solver", "relaxation", "--seed", "3", "--epsilon", "0.1"],
+    (["--solver", "relaxation,seed=3,epsilon=0.1"],
      lambda s: {"solver": "relaxation", "seed": 3, "epsilon": 0.1}),
     (["--solver", "averaged"], lambda s: {"solver": "averaged"}),
-    (["--cycles", "2", "--sweeps", "3"], lambda s: {"cycles": 2, "sweeps": 3}),
-    (["--phase-shift", "trapezoid", "--weights", "cotangent"],
+    (["--solver", "multilevel,cycles=2,sweeps=3"], lambda s: {"cycles": 2, "sweeps": 3}),
+    (["--solver", "multilevel,phase-shift=trapezoid,weights=cotangent"],
      lambda s: {"phase_shift": "trapezoid", "weights": "cotangent"}),
     (["--threads", "1"], lambda s: {"threads": 1}),
     (["--slack", "0.25"], lambda s: {"slack": 0.25}),
@@ -133,7 +133,7 @@ ARRAYS = [
     (["--field", "array:stress"], lambda s: {"directions": "stress"}),
     (["--field", "array:velocity", "--frequency", "array:speed"],
      lambda s: {"directions": "velocity", "frequency": "speed"}),
-    (["--frequency-by", "array:speed", "--stripes", "15", "--frequency-range", "0.5,1.5,inverse"],
+    (["--frequency-by", "array:speed@0.5..1.5,inverse", "--stripes", "15"],
      lambda s: {"frequency": s.frequencies_by("speed", stripes=15, range=(0.5, 1.5), inverse=True)}),
 ]
 
@@ -377,7 +377,7 @@ def test_points(tool, tmp_path):
     (["--camera", "60,-10,1.5", "--up", "y", "--colors", "#ff0000,#00ff00,#0000ff"],
      {"camera": (60, -10, 1.5), "up": "y", "colors": ("#ff0000", "#00ff00", "#0000ff")}),
     (["--up", "-x"], {"up": "-x"}),
-    (["--camera", "top", "--projection", "orthographic"], {"camera": "top", "projection": "orthographic"}),
+    (["--camera", "top,orthographic"], {"camera": "top", "projection": "orthographic"}),
     (["--camera", "left,2"], {"camera": "left,2", "projection": "perspective"}),
     (["--light-from", "70,-15.5"], {"light_from": (70, -15.5)}),
     (["--slice", "z=40%"], {"slice": "z=40%"}),
@@ -431,7 +431,7 @@ def test_whole_tiles(tile, tmp_path):
     pictures = {}
     for tiles in (None, "whole", "cut"):
         run_tool("stripe", "shape:trefoil,resolution=100", "--stripes", "20", "--size", "240x180",
-                 "--texture", tile, *(["--tiles", tiles] if tiles else []),
+                 "--texture", f"{tile},{tiles}" if tiles else tile,
                  "--output", tmp_path / "tool.png", "--output", tmp_path / "tool.ply")
         pictures[tiles] = brindle.render(surface, pattern, size=(240, 180), tile=tile, tiles=tiles)
         np.testing.assert_array_equal(pictures[tiles], brindle.read_png(tmp_path / "tool.png"))

@@ -13,7 +13,7 @@ import pytest
 
 import brindle
 from brindle import _core
-from conftest import TOOL
+from conftest import TOOL, command_words, with_names_of_parts
 
 COUNT = int(os.environ.get("BRINDLE_REQUESTS", "500"))
 PER_TEST = 25  # so that tests can be told from each other, and end soon
@@ -114,6 +114,9 @@ class Request:
             name, value = chance.choice(WRONG)
             self.job, self.field, self.of_field, self.rotate = "stripes", "", {}, None
             self.options = {name: value}
+        # The tool has it in the value of the other.
+        if "cancel_distance" in self.options:
+            self.options.setdefault("cancel_branches", 0.1)
 
     def given(self):
         """Options of the tool, by their names without dashes; True for flags."""
@@ -127,8 +130,7 @@ class Request:
         return given | {"stripes": {}, "texture": {"texture": "dots"}, "crosses": {"cross": True}}[self.job]
 
     def words(self):
-        return ["stripe", f"shape:{self.shape}",
-                *(f"--{name}" if value is True else f"--{name}={value}" for name, value in self.given().items())]
+        return ["stripe", f"shape:{self.shape}", *command_words(self.given())]
 
     def session(self):
         options = {name: value if value is True else str(value) for name, value in self.given().items()}
@@ -164,9 +166,9 @@ def answer_of(words, path):
     assert done.returncode in (0, 1, 2), f"{words}: {done.stderr}"
     if done.returncode == 0:
         return json.loads(path.read_text()), None
-    lines = [line for line in done.stderr.splitlines()
+    lines = [line for line in done.stderr.strip().splitlines()
              if line.startswith("brindle: ") and not line.endswith("tells more")]
-    return None, lines[-1]
+    return None, with_names_of_parts(lines[-1])
 
 
 def answer_of_tool(request, path):

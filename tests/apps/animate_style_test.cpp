@@ -43,7 +43,7 @@ struct AnimateStyle : ToolTest {
 };
 
 // Colours alone: they do not depend on how stripes are solved for.
-const Arguments kColors = {"--color-on", "surface", "--stripe-width", "0", "--no-legend"};
+const Arguments kColors = {"--color-on", "surface", "--stripe-width", "0", "--legend", "none"};
 
 Arguments joined(Arguments arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -73,9 +73,9 @@ TEST_F(AnimateStyle, StylesFollowMovingShapes) {
              kColors);
   EXPECT_NE(picture("0.png").pixels, picture("1.png").pixels);
   for (const Arguments& style : std::vector<Arguments>{
-           {"--width-by", "light", "--cross-hatch", "0.7"},
+           {"--width-by", "light,cross-hatch=0.7"},
            {"--between", "nothing"},
-           {"--texture", "dots", "--texture-by", "height", "--regions", "0,plus@#ff0000"}}) {
+           {"--texture", "dots", "--texture-by", "height,regions=0,plus@#ff0000"}}) {
     expect_run({"animate", "shape:torus,resolution=24", "--scene", "vortices", "--frames", "2",
                 "--stripes", "8", "-o", "%d.png"},
                style);
@@ -104,8 +104,7 @@ TEST_F(AnimateStyle, ArraysAreThoseOfTheStep) {
   write_step("step0.vtp", 0);
   write_step("step1.vtp", 4);
   write_step("middle.vtp", 2);
-  const Arguments colors =
-      joined({"--color-by", "array:growing", "--color-range", "0,6", "--up", "z"}, kColors);
+  const Arguments colors = joined({"--color-by", "array:growing@0..6", "--up", "z"}, kColors);
   expect_run({"animate", "--series", "step%d.vtp", "--interpolate", "1", "-o", "frame%d.png"},
              colors);
   int frame = 0;
@@ -143,25 +142,25 @@ TEST_F(AnimateStyle, EndsOfValuesAreThoseOfTheFirstFrame) {
   expect_run(
       {"animate", "--series", "step%d.vtp", "-o", "own%d.png", "--color-by", "array:growing"},
       kColors);
-  expect_run({"animate", "--series", "step%d.vtp", "-o", "set%d.png", "--color-by", "array:growing",
-              "--color-range", "0,2"},
-             kColors);
+  expect_run(
+      {"animate", "--series", "step%d.vtp", "-o", "set%d.png", "--color-by", "array:growing@0..2"},
+      kColors);
   EXPECT_EQ(picture("own1.png").pixels, picture("set1.png").pixels);
   EXPECT_NE(picture("own0.png").pixels, picture("own1.png").pixels);
 }
 
 TEST_F(AnimateStyle, TexturesFlowWithTime) {
   for (int step = 0; step < 3; ++step) write_step("step" + std::to_string(step) + ".vtp", 1);
-  const Arguments series = {"animate", "--series",  "step%d.vtp", "--direction", "1,0,0",
-                            "--along", "--stripes", "4",          "--texture",   "dots"};
-  expect_run(series, {"-o", "still%d.png"});
-  expect_run(series, {"-o", "flow%d.png", "--texture-flow", "2,0", "--fps", "4"});
+  const Arguments series = {"animate", "--series", "step%d.vtp", "--direction",
+                            "1,0,0",   "--along",  "--stripes",  "4"};
+  expect_run(series, {"-o", "still%d.png", "--texture", "dots"});
+  expect_run(series, {"-o", "flow%d.png", "--texture", "dots,flow=2,0", "--fps", "4"});
   EXPECT_EQ(picture("still0.png").pixels, picture("still1.png").pixels);
   EXPECT_EQ(picture("flow0.png").pixels, picture("still0.png").pixels);
   // Half a tile, then a whole one.
   EXPECT_NE(picture("flow1.png").pixels, picture("flow0.png").pixels);
   EXPECT_EQ(picture("flow2.png").pixels, picture("flow0.png").pixels);
-  expect_run(series, {"-o", "shift%d.png", "--texture-shift", "0.5"});
+  expect_run(series, {"-o", "shift%d.png", "--texture", "dots,shift=0.5"});
   EXPECT_EQ(picture("flow1.png").pixels, picture("shift0.png").pixels);
 }
 
@@ -172,8 +171,9 @@ TEST_F(AnimateStyle, WithoutEffectOrSenseAreRefused) {
   };
   refused("--color-by", {"--color-by", "height"});
   refused("--texture", {"--texture", "dots"});
-  refused("--texture-flow", {"--texture-flow", "1", "-o", "%d.png"});
-  refused("--texture-flow", {"--texture", "dots", "--texture-flow", "1,2,3", "-o", "%d.png"});
+  refused("--texture-flow: is written as --texture ...,flow=U[,V]",
+          {"--texture-flow", "1", "-o", "%d.png"});
+  refused("--texture ...,flow=U[,V]", {"--texture", "dots,flow=1,2,3", "-o", "%d.png"});
   refused("--color-by", {"--color-by", "height", "--view", "branches", "-o", "%d.png"});
   refused("--stripe-width", {"--texture", "dots", "--stripe-width", "0.3", "-o", "%d.png"});
   refused("--stripes-v", {"--stripes-v", "3", "-o", "%d.png"});

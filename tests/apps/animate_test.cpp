@@ -77,7 +77,7 @@ TEST_F(Animate, ComparesWithFramesFromScratch) {
 }
 
 TEST_F(Animate, LambdaZeroIsFromScratch) {
-  const Json report = this->report({"--lambda", "0", "--compare-from-scratch"});
+  const Json report = this->report({"--solver", "multilevel,lambda=0", "--compare-from-scratch"});
   for (const Json& frame : report["frames"]) {
     EXPECT_EQ(frame["energy"], frame["from_scratch"]["energy"]);
     EXPECT_EQ(frame["phase_step"], frame["from_scratch"]["phase_step"]);
@@ -85,7 +85,7 @@ TEST_F(Animate, LambdaZeroIsFromScratch) {
 }
 
 TEST_F(Animate, TakesThePapersIterations) {
-  const Json report = this->report({"--solver", "relaxation", "--iterations", "5"});
+  const Json report = this->report({"--solver", "relaxation,iterations=5"});
   EXPECT_EQ(report["solver"], "relaxation");
   EXPECT_EQ(report["iterations"], 5);
 }
@@ -114,18 +114,21 @@ INSTANTIATE_TEST_SUITE_P(
     Animate, AnimateUsage,
     testing::Values(Arguments{"--scene", "dream"}, Arguments{"--frames", "0"},
                     Arguments{"--frames", "-1"}, Arguments{"--frames", "many"},
-                    Arguments{"--lambda", "-1"}, Arguments{"--lambda", "1e30"},
-                    Arguments{"--lambda", "nan"}, Arguments{"--sweeps", "-1"},
-                    Arguments{"--iterations", "0"}, Arguments{"--solver", "global"},
-                    Arguments{"--phase-shift", "common_source"}, Arguments{"--fps", "0"},
-                    Arguments{"--threads", "-1"}, Arguments{"--direction", "0,0,0"},
-                    Arguments{"--stripes", "0"}, Arguments{"--output", "frames.png"},
-                    Arguments{"--output", "%d"}, Arguments{"--output", "%4d.png"},
-                    Arguments{"--output", "%s.png"}, Arguments{"--output", "%04x.png"},
-                    Arguments{"--output", "%0999d.png"}, Arguments{"--output", "%d%d.png"},
-                    Arguments{"--output", "%%.png"}, Arguments{"--output", "%.png"},
-                    Arguments{"--output", "%d/a.png"}, Arguments{"--output", "%04d.jpeg"},
-                    Arguments{"--output", "a.gif"}));
+                    Arguments{"--solver", "multilevel,lambda=-1"},
+                    Arguments{"--solver", "multilevel,lambda=1e30"},
+                    Arguments{"--solver", "multilevel,lambda=nan"},
+                    Arguments{"--solver", "multilevel,sweeps=-1"},
+                    Arguments{"--solver", "multilevel,iterations=0"},
+                    Arguments{"--solver", "global"},
+                    Arguments{"--solver", "multilevel,phase-shift=common_source"},
+                    Arguments{"--fps", "0"}, Arguments{"--threads", "-1"},
+                    Arguments{"--direction", "0,0,0"}, Arguments{"--stripes", "0"},
+                    Arguments{"--output", "frames.png"}, Arguments{"--output", "%d"},
+                    Arguments{"--output", "%4d.png"}, Arguments{"--output", "%s.png"},
+                    Arguments{"--output", "%04x.png"}, Arguments{"--output", "%0999d.png"},
+                    Arguments{"--output", "%d%d.png"}, Arguments{"--output", "%%.png"},
+                    Arguments{"--output", "%.png"}, Arguments{"--output", "%d/a.png"},
+                    Arguments{"--output", "%04d.jpeg"}, Arguments{"--output", "a.gif"}));
 
 TEST_F(Animate, ADirectionIsRefusedWhereItMeansNothing) {
   expect_refusal(2, "--direction", command({"--scene", "vortices", "--direction", "1,0,0"}));

@@ -257,7 +257,7 @@ TEST_F(ArrayWaves, AlongTensorsDependOnTheOrderOfComponents) {
   write("plate.vtp", mesh);
   const std::string expected = lines({"plate.vtp", "--field", "array:vtk"});
   const auto in_order = [&](const std::string& name, const std::string& order) {
-    return Arguments{"plate.vtp", "--field", "array:" + name, "--tensor-order", order};
+    return Arguments{"plate.vtp", "--field", "array:" + name, "--tensor", "major," + order};
   };
   EXPECT_EQ(lines(in_order("vtk", "vtk")), expected);
   EXPECT_EQ(lines(in_order("voigt", "voigt")), expected);
@@ -271,7 +271,7 @@ TEST_F(ArrayWaves, AlongTensorsDependOnTheOrderOfComponents) {
   refused(1, "a tensor in the plane has 3", in_order("voigt", "plane"));
   refused(1, "Voigt's order has 6", in_order("vector", "voigt"));
   refused(2, "is no tensor", in_order("vector", "vtk"));
-  refused(2, "--tensor-order", {"plate.vtp", "--tensor-order", "voigt"});
+  refused(2, "the field is no tensor", {"plate.vtp", "--tensor", "major,voigt"});
 }
 
 TEST_F(ArrayWaves, OfCellsAreMovedToPoints) {
@@ -317,9 +317,10 @@ TEST_F(ArrayWaves, ThatAreMistypedAreWrongUsage) {
   expect_refusal(2, "array:NAME", {"stripe", "hill.vtp", "--field", "array:"});
   expect_refusal(2, "array:NAME", {"stripe", "hill.vtp", "--frequency-by", "speed"});
   expect_refusal(2, "--frequency", {"stripe", "hill.vtp", "--frequency", "speed"});
-  for (const char* range : {"2.5,0.4", "1", "1,1", "0,1", "1,2,3", "1,2,invers", "-1,2", "1,nan"}) {
-    expect_refusal(2, "--frequency-range",
-                   {"stripe", "hill.vtp", "--frequency-by", "array:a", "--frequency-range", range});
+  for (const std::string range :
+       {"2.5..0.4", "1..", "1..1", "0..1", "1..2,3", "1..2,invers", "-1..2", "1..nan"}) {
+    expect_refusal(2, "--frequency-by ...@A..B",
+                   {"stripe", "hill.vtp", "--frequency-by", "array:a@" + range});
   }
   expect_refusal(2, "major|minor|max-abs",
                  {"stripe", "hill.vtp", "--field", "array:a", "--tensor", "largest"});
@@ -348,7 +349,7 @@ TEST_F(ArrayWaves, HaveFrequenciesByNumbers) {
   EXPECT_EQ(extent({"--frequency-by", "array:velocity"}), (std::pair{0.08, 0.5}));
   EXPECT_EQ(extent({"--frequency-by", "array:of cells"}), (std::pair{0.08, 0.5}));
   EXPECT_EQ(extent({"--frequency-by", "array:same"}), (std::pair{0.2, 0.2}));
-  const Arguments half = {"--frequency-by", "array:speed", "--frequency-range", "0.5,1"};
+  const Arguments half = {"--frequency-by", "array:speed@0.5..1"};
   EXPECT_EQ(extent(half), (std::pair{0.1, 0.2}));
   const Arguments more = {"--frequency-by", "array:speed", "--subdivide", "1"};
   EXPECT_EQ(extent(more), (std::pair{0.08, 0.5}));
@@ -361,9 +362,7 @@ TEST_F(ArrayWaves, HaveFrequenciesByNumbers) {
                            "--direction",
                            "1,0,0",
                            "--frequency-by",
-                           "array:speed",
-                           "--frequency-range",
-                           range,
+                           "array:speed@" + range,
                            "-o",
                            "samples.csv",
                            "-q"};
@@ -375,8 +374,8 @@ TEST_F(ArrayWaves, HaveFrequenciesByNumbers) {
     while (std::getline(rows, row)) balance += std::stod(row) > 5 ? 1 : -1;
     return balance;
   };
-  EXPECT_GT(right_of_middle("0.3,1"), 20);
-  EXPECT_LT(right_of_middle("0.3,1,inverse"), -20);
+  EXPECT_GT(right_of_middle("0.3..1"), 20);
+  EXPECT_LT(right_of_middle("0.3..1,inverse"), -20);
 }
 
 TEST_F(ArrayWaves, AreMissingWhereFrequenciesAre) {
@@ -472,7 +471,7 @@ TEST_F(ArrayWaves, MayBeTakenFromAnotherMesh) {
   EXPECT_EQ(carried.at("frequency_max"), expected.at("frequency_max"));
   EXPECT_EQ(carried.at("vertices_too_far"), 0);
   EXPECT_FALSE(expected.contains("vertices_too_far"));
-  Arguments itself = {"fine.vtp", "--field-mesh", "fine.vtp", "--max-distance", "0"};
+  Arguments itself = {"fine.vtp", "--field-mesh", "fine.vtp,within=0"};
   itself.insert(itself.end(), waves.begin(), waves.end());
   Arguments own = {"fine.vtp"};
   own.insert(own.end(), waves.begin(), waves.end());
@@ -488,17 +487,16 @@ TEST_F(ArrayWaves, OfAnotherMeshEndFarFromIt) {
   part.cells = {per_cell(part, "region", [](double, double) { return Row{2}; })};
   write("whole.vtp", whole);
   write("part.vtp", part);
-  const auto without_wave = [&](const Arguments& more) {
-    Arguments arguments = {"whole.vtp", "--field", "array:velocity", "--field-mesh", "part.vtp"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Json report = this->report(arguments);
+  const auto without_wave = [&](const std::string& other) {
+    const Json report =
+        this->report({"whole.vtp", "--field", "array:velocity", "--field-mesh", other});
     EXPECT_EQ(report.at("vertices_too_far"), report.at("vertices_without_wave"));
     return report.at("vertices_too_far").get<int>();
   };
-  EXPECT_EQ(without_wave({}), 121 - 36) << "2 % of the diagonal is less than an edge";
-  EXPECT_EQ(without_wave({"--max-distance", "1"}), 121 - 36 - 12);
-  EXPECT_EQ(without_wave({"--max-distance", "1.5"}), 121 - 49);
-  EXPECT_EQ(without_wave({"--max-distance", "100%"}), 0);
+  EXPECT_EQ(without_wave("part.vtp"), 121 - 36) << "2 % of the diagonal is less than an edge";
+  EXPECT_EQ(without_wave("part.vtp,within=1"), 121 - 36 - 12);
+  EXPECT_EQ(without_wave("part.vtp,within=1.5"), 121 - 49);
+  EXPECT_EQ(without_wave("part.vtp,within=100%"), 0);
   // Frequencies alone may be another mesh's, and waves end with them; cells count, too.
   const Json cells =
       report({"whole.vtp", "--frequency", "array:region", "--field-mesh", "part.vtp"});
@@ -508,7 +506,8 @@ TEST_F(ArrayWaves, OfAnotherMeshEndFarFromIt) {
   EXPECT_EQ(cells.at("vertices_without_frequency"), 0);
   const ToolResult result =
       run({"stripe", "whole.vtp", "--field", "array:velocity", "--field-mesh", "part.vtp"});
-  EXPECT_TRUE(has(result.err, "85 vertices have no wave: they are farther than --max-distance"))
+  EXPECT_TRUE(has(result.err,
+                  "85 vertices have no wave: they are farther than --field-mesh ...,within=L|P%"))
       << result.err;
   expect_refusal(1, "part.vtp: no array 'speed'",
                  {"stripe", "whole.vtp", "--field", "array:speed", "--field-mesh", "part.vtp"});

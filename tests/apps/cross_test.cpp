@@ -51,10 +51,10 @@ TEST_F(Cross, TakesEveryFieldAndSolver) {
        std::vector<Arguments>{{"--direction", "0.3,0.9,0.2"},
                               {"--field", "curvature"},
                               {"--curvature-anchor", "0.3"},
-                              {"--feature-anchor", "1", "--feature-angle", "3"},
+                              {"--feature-anchor", "1,angle=3"},
                               {"--solver", "relaxation"},
                               {"--solver", "averaged"},
-                              {"--weights", "cotangent"}}) {
+                              {"--solver", "multilevel,weights=cotangent"}}) {
     const auto energy = report(options)["energy"].get<double>();
     EXPECT_LT(energy, 0.08) << options[1];
     EXPECT_TRUE(energies.insert(energy).second) << options[1] << " changes nothing";

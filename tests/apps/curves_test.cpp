@@ -285,10 +285,10 @@ TEST_F(Curves, DrawingsTakeSidesAndProjections) {
     report(arguments);
     return content(folder / "a.svg");
   };
-  const std::string above = drawn({"--camera", "top", "--projection", "orthographic"});
-  EXPECT_EQ(drawn({"--projection", "orthographic", "--camera", "0,90"}), above);
+  const std::string above = drawn({"--camera", "top,orthographic"});
+  EXPECT_EQ(drawn({"--camera", "0,90,orthographic"}), above);
   EXPECT_NE(drawn({"--camera", "top"}), above);
-  EXPECT_EQ(drawn({"--camera", "top", "--projection", "perspective"}), drawn({"--camera", "0,90"}));
+  EXPECT_EQ(drawn({"--camera", "top,perspective"}), drawn({"--camera", "0,90"}));
 }
 
 TEST_F(Curves, MeasuresWhatAMakerAsksFor) {
@@ -332,8 +332,7 @@ TEST_F(Curves, TakeTextureCoordinatesAlong) {
 
 TEST_F(Curves, WindAsTheyAreAskedTo) {
   const std::string tube = "shape:tube,radius=0.2,bend=30,resolution=48";
-  const Arguments slanted = {
-      "--field", "curvature", "--curvature-direction", "min", "--rotate", "8", "--stripes", "24"};
+  const Arguments slanted = {"--field", "curvature,min", "--rotate", "8", "--stripes", "24"};
   const auto wound = [&](const Arguments& more) {
     Arguments arguments = slanted;
     arguments.insert(arguments.end(), more.begin(), more.end());

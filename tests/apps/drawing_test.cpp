@@ -72,8 +72,8 @@ TEST_F(DrawingTool, OfTilesAreTheirPictures) {
         << tile;
   }
   EXPECT_LT(
-      differing_share({"shape:torus", "--texture", "dots", "--texture-by", "height", "--regions",
-                       "0,plus@#000000", "--stripes", "16", "--size", "320x240"}),
+      differing_share({"shape:torus", "--texture", "dots", "--texture-by",
+                       "height,regions=0,plus@#000000", "--stripes", "16", "--size", "320x240"}),
       0.01);
 }
 

@@ -27,8 +27,8 @@ struct Ending : ToolTest {
     dup2(messages, STDOUT_FILENO);
     dup2(messages, STDERR_FILENO);
     if (chdir(folder.c_str()) == 0) {
-      execl(BRINDLE_TOOL, BRINDLE_TOOL, "stripe", "shape:sphere,resolution=200", "--sweeps",
-            "10000", "--cycles", "1000", "--output", "a.vtp", nullptr);
+      execl(BRINDLE_TOOL, BRINDLE_TOOL, "stripe", "shape:sphere,resolution=200", "--solver",
+            "multilevel,sweeps=10000,cycles=1000", "--output", "a.vtp", nullptr);
     }
     _exit(127);
   }

@@ -74,8 +74,8 @@ TEST_F(FrequencyValues, ReachTheEndsOfTheRange) {
   write_square("square", 0);
   const Arguments values = {"distance:0,0,0", "square.csv", "square.csv:x", "distance:0,-1e4,0"};
   for (const std::string& value : values) {
-    const Json figures = report(
-        {"square.obj", "--frequency", "10", "--frequency-by", value, "--frequency-range", "0.5,2"});
+    const Json figures =
+        report({"square.obj", "--frequency", "10", "--frequency-by", value + "@0.5..2"});
     EXPECT_NEAR(figures.at("frequency_min").get<double>(), 5, 1e-5) << value;
     EXPECT_NEAR(figures.at("frequency_max").get<double>(), 20, 1e-5) << value;
   }
@@ -83,8 +83,8 @@ TEST_F(FrequencyValues, ReachTheEndsOfTheRange) {
 
 TEST_F(FrequencyValues, GrowEvenlyWithTheDistance) {
   write_square("square", 0);
-  const auto frequencies = this->frequencies({"square.obj", "--frequency", "8", "--frequency-by",
-                                              "distance:0,0.5,0", "--frequency-range", "0.5,2"});
+  const auto frequencies = this->frequencies(
+      {"square.obj", "--frequency", "8", "--frequency-by", "distance:0,0.5,0@0.5..2"});
   const double farthest = std::hypot(1, 0.5);
   ASSERT_EQ(frequencies.size(), static_cast<std::size_t>(kSide * kSide));
   for (int i = 0; i < kSide; ++i) {
@@ -141,13 +141,12 @@ TEST_F(FrequencyValues, OfACameraNeedOne) {
 TEST_F(FrequencyValues, FollowTheCamera) {
   write_square("square", 0);
   const auto from = [&](const std::string& camera, const std::string& range) {
-    return balance({"--frequency-by", "distance:camera", "--camera", camera, "--up", "z",
-                    "--frequency-range", range});
+    return balance({"--frequency-by", "distance:camera@" + range, "--camera", camera, "--up", "z"});
   };
   // Azimuth 90 looks from +x: what is near has a larger x.
-  EXPECT_GT(from("90,20", "0.3,2,inverse"), 20);
-  EXPECT_LT(from("90,20", "0.3,2"), -20);
-  EXPECT_LT(from("-90,20", "0.3,2,inverse"), -20);
+  EXPECT_GT(from("90,20", "0.3..2,inverse"), 20);
+  EXPECT_LT(from("90,20", "0.3..2"), -20);
+  EXPECT_LT(from("-90,20", "0.3..2,inverse"), -20);
 }
 
 TEST_F(FrequencyValues, FollowTheCameraInASeries) {

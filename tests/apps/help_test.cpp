@@ -44,7 +44,8 @@ struct HelpTool : ToolTest {
 TEST_F(HelpTool, TopicsAreListedAndExplained) {
   const std::string list = run({"help"}).out;
   const Words topics = all_matches(list, std::regex("\n  ([a-z]+) "));
-  EXPECT_EQ(topics, Words({"arrays", "values", "lengths", "cameras", "outputs", "options"}));
+  EXPECT_EQ(topics, Words({"inputs", "arrays", "values", "lengths", "cameras", "outputs", "solver",
+                           "options"}));
   for (const std::string& topic : topics) {
     const ToolResult result = run({"help", topic});
     EXPECT_EQ(result.exit_code, 0);
@@ -57,8 +58,9 @@ TEST_F(HelpTool, TopicsAreListedAndExplained) {
 }
 
 TEST_F(HelpTool, UnknownTopicsAreWrongUsage) {
-  expect_refusal(2, "'lenghts' is neither a topic nor a command (did you mean 'lengths'?)",
-                 {"help", "lenghts"});
+  expect_refusal(
+      2, "'lenghts' is neither a topic nor a command or an option (did you mean 'lengths'?)",
+      {"help", "lenghts"});
   expect_refusal(2, "expected bash or zsh, got 'fish'", {"completion", "fish"});
 }
 
@@ -69,11 +71,58 @@ TEST_F(HelpTool, TopicsNameOptionsThatThereAre) {
   for (const std::string& command : kCommands) {
     known.merge(all_matches(run({command, "--help-all"}).out, option));
   }
-  for (const char* topic : {"arrays", "values", "lengths", "cameras", "outputs"}) {
+  for (const char* topic :
+       {"inputs", "arrays", "values", "lengths", "cameras", "outputs", "solver"}) {
     for (const std::string& name : all_matches(run({"help", topic}).out, option)) {
       EXPECT_TRUE(known.contains(name)) << topic << ' ' << name;
     }
   }
+}
+
+/// Options of a text of help, without --help and --help-all, and the lines of each.
+std::vector<std::string> listed_options(const std::string& help) {
+  std::vector<std::string> options;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    const bool begins = line.starts_with("  -") && !has(line, "--help");
+    if (begins) {
+      options.push_back(line);
+    } else if (!options.empty() && line.starts_with("                    ")) {
+      options.back() += '\n' + line;
+    }
+  }
+  return options;
+}
+
+TEST_F(HelpTool, IsShort) {
+  for (const std::string& command : kCommands) {
+    SCOPED_TRACE(command);
+    const std::string help = run({command, "--help"}).out;
+    const std::vector<std::string> options = listed_options(help);
+    EXPECT_LE(options.size(), 30u);
+    constexpr std::size_t kColumn = 32;
+    for (const std::string& option : options) {
+      EXPECT_LE(option.size() - (option.rfind('\n') + 1), kColumn + 70) << option;
+    }
+    if (has(help, "--output")) {
+      EXPECT_TRUE(has(options.front(), "--output")) << options.front();
+    }
+  }
+  EXPECT_LE(listed_options(run({"stripe", "--help-all"}).out).size(), 70u);
+}
+
+TEST_F(HelpTool, OptionsAreExplainedWithTheirParts) {
+  const std::string solver = run({"help", "solver"}).out;
+  for (const char* key : {",epsilon=E ", ",iterations=N ", ",weights=paper|cotangent\n"}) {
+    EXPECT_TRUE(has(solver, std::string("\n  ") + key)) << key;
+  }
+  EXPECT_TRUE(has(run({"help", "color-by"}).out, "\n  @A..B "));
+  // A part leads to its option.
+  const std::string epsilon = run({"help", "epsilon"}).out;
+  EXPECT_TRUE(epsilon.starts_with("--solver ...,epsilon=E\n"));
+  EXPECT_TRUE(has(epsilon, "\n--solver multilevel|relaxation|averaged|global\n"));
+  EXPECT_TRUE(run({"help", "stripes"}).out.starts_with("--stripes N\n"));
+  EXPECT_TRUE(has(run({"stripe", "--help-all"}).out, "--color-by VALUE[@A..B]"));
 }
 
 TEST_F(HelpTool, TheReferenceIsThePageOfTheDocumentation) {

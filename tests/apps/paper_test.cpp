@@ -34,11 +34,10 @@ Eigen::Vector2d extent_of(const std::string& svg, const std::string& pen) {
 
 struct PaperTool : ToolTest {
   std::string drawn(const Arguments& more) const {
-    Arguments words = {"curves",      "shape:plane,width=60,height=40,resolution=24",
-                       "--camera",    "top",
-                       "--output",    "a.svg",
-                       "--quiet",     "--projection",
-                       "orthographic"};
+    Arguments words = {"curves",   "shape:plane,width=60,height=40,resolution=24",
+                       "--camera", "top,orthographic",
+                       "--output", "a.svg",
+                       "--quiet"};
     words.insert(words.end(), more.begin(), more.end());
     const ToolResult result = run(words);
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -60,9 +59,9 @@ TEST_F(PaperTool, DrawingsHaveTheScaleThatIsAsked) {
 
 TEST_F(PaperTool, OutlinesOfStripesHaveTheScale) {
   const ToolResult result =
-      run({"stripe", "shape:box,width=10,depth=8,height=6,hole=0,resolution=8", "--camera", "front",
-           "--projection", "orthographic", "--scale", "5:1", "--size", "20cmx10cm", "--outline",
-           "solid", "--stripe-width", "0", "--output", "a.svg", "--quiet"});
+      run({"stripe", "shape:box,width=10,depth=8,height=6,hole=0,resolution=8", "--camera",
+           "front,orthographic", "--scale", "5:1", "--size", "20cmx10cm", "--outline", "solid",
+           "--stripe-width", "0", "--output", "a.svg", "--quiet"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const Eigen::Vector2d extent = extent_of(content(folder / "a.svg"), "lines");
   EXPECT_NEAR(extent.x(), 50, 0.05);
@@ -89,9 +88,9 @@ TEST_F(PaperTool, PagesOfPdfHaveTheSize) {
 
 TEST_F(PaperTool, PicturesHaveTheScaleInPixels) {
   const ToolResult result =
-      run({"stripe", "shape:plane,width=60,height=40,resolution=24", "--camera", "top",
-           "--projection", "orthographic", "--scale", "1:1", "--size", "80mmx50mm", "--dpi", "254",
-           "--stripe-width", "0", "--transparent", "--output", "a.png", "--quiet"});
+      run({"stripe", "shape:plane,width=60,height=40,resolution=24", "--camera", "top,orthographic",
+           "--scale", "1:1", "--size", "80mmx50mm", "--dpi", "254", "--stripe-width", "0",
+           "--transparent", "--output", "a.png", "--quiet"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Image image = read_png(folder / "a.png");
   EXPECT_EQ(image.width, 800);
@@ -115,13 +114,13 @@ TEST_F(PaperTool, RefusesWhatGivesNoScale) {
     words.insert(words.end(), more.begin(), more.end());
     expect_refusal(2, message, words);
   };
-  refuses("--scale requires --projection", {"--scale", "1:1"});
+  refuses("add ',orthographic' to --camera", {"--scale", "1:1"});
   refuses("--scale: a picture in perspective has no scale",
-          {"--scale", "1:1", "--projection", "perspective"});
+          {"--scale", "1:1", "--camera", "30,20,perspective"});
   refuses("--scale: the zoom of --camera gives another scale",
-          {"--scale", "1:1", "--projection", "orthographic", "--camera", "top,2"});
+          {"--scale", "1:1", "--camera", "top,2,orthographic"});
   for (const char* scale : {"1", "1:0", "0:1", "-1:1", "-1:-1", "1:1:1", "one:1", "1:inf", ":"}) {
-    refuses("--scale: expected MM:UNITS", {"--scale", scale, "--projection", "orthographic"});
+    refuses("--scale: expected MM:UNITS", {"--scale", scale, "--camera", "30,20,orthographic"});
   }
   for (const char* size : {"297mm", "297mmx210", "0mmx9mm", "nanmmx9mm", "-1mmx9mm", "9ftx9ft"}) {
     refuses("--size: expected WIDTHxHEIGHT in pixels, or both in mm, cm or in", {"--size", size});
@@ -129,7 +128,7 @@ TEST_F(PaperTool, RefusesWhatGivesNoScale) {
   refuses("--size: a picture of 1000000 x ", {"--size", "1e9mmx9mm"});
   refuses("--size: a .png has pixels; add --dpi", {"--size", "90mmx60mm"}, "a.png");
   refuses("--scale: a .png has pixels; add --dpi",
-          {"--scale", "1:1", "--projection", "orthographic"}, "a.png");
+          {"--scale", "1:1", "--camera", "30,20,orthographic"}, "a.png");
   refuses("--dpi: has no effect here: it is for pixels", {"--dpi", "300"});
   refuses("--dpi: a drawing has 96 pixels an inch",
           {"--size", "90mmx60mm", "--dpi", "300", "--output", "a.png"});
@@ -140,8 +139,8 @@ TEST_F(PaperTool, RefusesWhatGivesNoScale) {
 TEST_F(PaperTool, RefusesASurfaceBeyondThePage) {
   expect_refusal(
       1, "at this scale the surface is 2.01 times as large as the picture",
-      {"curves", "shape:plane,width=60,height=40,resolution=24", "--camera", "top", "--projection",
-       "orthographic", "--scale", "2:1", "--size", "100mmx40mm", "--output", "a.svg", "--quiet"});
+      {"curves", "shape:plane,width=60,height=40,resolution=24", "--camera", "top,orthographic",
+       "--scale", "2:1", "--size", "100mmx40mm", "--output", "a.svg", "--quiet"});
 }
 
 }  // namespace

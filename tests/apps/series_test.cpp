@@ -380,12 +380,12 @@ TEST_F(Series, SmoothFieldsFollowOntoOtherTriangles) {
 
 TEST_F(Series, WhatDoesNotFollowFindsItsFieldAnew) {
   write_beating_steps(3);
-  const Json report =
-      this->report({"animate", "--series", "b%04d.vtp", "--stripes", "24", "--lambda", "0"});
+  const Json report = this->report(
+      {"animate", "--series", "b%04d.vtp", "--stripes", "24", "--solver", "multilevel,lambda=0"});
   EXPECT_FALSE(report["mean"].contains("field_turned_deg"));
   const Json alone = this->report({"stripe", "b0002.vtp", "--frequency", "4"});
   const Json series = this->report({"animate", "--series", "b%04d.vtp", "--frequency", "4",
-                                    "--lambda", "0", "--compare-from-scratch"});
+                                    "--solver", "multilevel,lambda=0", "--compare-from-scratch"});
   EXPECT_EQ(series["frames"][2]["energy"], series["frames"][2]["from_scratch"]["energy"]);
   EXPECT_NEAR(series["frames"][2]["energy"].get<double>(), alone["energy"].get<double>(),
               0.3 * alone["energy"].get<double>());
@@ -408,22 +408,23 @@ TEST_F(Series, StepByStepFieldsFollowAsInASeries) {
   write_beating_steps(3);
   const Json series = this->report(
       {"animate", "--series", "b%04d.vtp", "--frequency", "4", "--output", "s%04d.vtp"});
-  const auto step = [&](const Arguments& more) {
-    Arguments arguments = {"stripe", "b0002.vtp", "--frequency", "4", "--previous", "s0001.vtp"};
+  const auto step = [&](const std::string& parts, const Arguments& more = {}) {
+    Arguments arguments = {"stripe", "b0002.vtp",  "--frequency",
+                           "4",      "--previous", "s0001.vtp" + parts};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return this->report(arguments);
   };
-  const Json last = step({});
+  const Json last = step("");
   const Json& frame = series["frames"][2];
   EXPECT_NEAR(last["energy"].get<double>(), frame["energy"].get<double>(),
               0.02 * frame["energy"].get<double>());
   EXPECT_NEAR(last["phase_step"].get<double>(), frame["phase_step"].get<double>(), 0.05);
   EXPECT_NEAR(last["field_turned_deg"].get<double>(), frame["field_turned_deg"].get<double>(),
               0.05);
-  EXPECT_FALSE(step({"--lambda", "0"}).contains("field_turned_deg"));
-  EXPECT_FALSE(step({"--direction", "1,0,0"}).contains("field_turned_deg"));
-  EXPECT_LT(step({"--match", "position"})["phase_step"].get<double>(), 0.5);
-  EXPECT_LT(step({"--points", "--match", "position"})["field_turned_deg"].get<double>(), 10);
+  EXPECT_FALSE(step(",lambda=0").contains("field_turned_deg"));
+  EXPECT_FALSE(step("", {"--direction", "1,0,0"}).contains("field_turned_deg"));
+  EXPECT_LT(step(",match=position")["phase_step"].get<double>(), 0.5);
+  EXPECT_LT(step(",match=position", {"--points"})["field_turned_deg"].get<double>(), 10);
 }
 
 /// How far lines run apart on average, in degrees.
@@ -624,7 +625,7 @@ struct Previous : Series {
 };
 
 TEST_F(Previous, StaysNear) {
-  const Json scratch = report(stripe(1, {"--previous", "last.vtp", "--lambda", "0"}));
+  const Json scratch = report(stripe(1, {"--previous", "last.vtp,lambda=0"}));
   const Json anchored = report(stripe(1, {"--previous", "last.vtp"}));
   EXPECT_EQ(anchored["matched_by"], "number");
   EXPECT_EQ(anchored["vertices_unmatched"], 0);
@@ -638,7 +639,7 @@ TEST_F(Previous, StaysNear) {
 
 TEST_F(Previous, MatchesByNumberIdAndPositionAlike) {
   const auto step_by = [&](const std::string& matching, const std::string& name) {
-    const Json result = report(stripe(1, {"--previous", "last.vtp", "--match", matching}));
+    const Json result = report(stripe(1, {"--previous", "last.vtp,match=" + matching}));
     EXPECT_EQ(result["matched_by"], name);
     EXPECT_EQ(result["vertices_unmatched"], 0);
     return result["phase_step"].get<double>();
@@ -652,11 +653,10 @@ TEST_F(Previous, OntoAnotherMeshGoesByPosition) {
   const Json finer = report(stripe(1, {"--previous", "last.vtp", "--subdivide", "1"}));
   EXPECT_EQ(finer["matched_by"], "position");
   EXPECT_EQ(finer["vertices_unmatched"], 0);
-  const Json scratch =
-      report(stripe(1, {"--previous", "last.vtp", "--subdivide", "1", "--lambda", "0"}));
+  const Json scratch = report(stripe(1, {"--previous", "last.vtp,lambda=0", "--subdivide", "1"}));
   EXPECT_LT(finer["phase_step"].get<double>(), 0.5 * scratch["phase_step"].get<double>());
   expect_refusal(1, "last.vtp",
-                 stripe(1, {"--previous", "last.vtp", "--subdivide", "1", "--match", "number"}));
+                 stripe(1, {"--previous", "last.vtp,match=number", "--subdivide", "1"}));
 }
 
 TEST_F(Previous, IsSaidInText) {
@@ -669,7 +669,7 @@ TEST_F(Previous, FollowsPoints) {
   const Json followed = report(stripe(1, {"--points", "--previous", "points.ply"}));
   EXPECT_EQ(followed["matched_by"], "number");
   const Json by_position =
-      report(stripe(1, {"--points", "--previous", "points.ply", "--match", "position"}));
+      report(stripe(1, {"--points", "--previous", "points.ply,match=position"}));
   EXPECT_NEAR(followed["phase_step"].get<double>(), by_position["phase_step"].get<double>(), 1e-3);
 }
 
@@ -679,10 +679,10 @@ TEST_F(Previous, RefusesWhatItCannotFollow) {
   };
   refused(1, "none.vtp", {"--previous", "none.vtp"});
   refused(1, "'phase'", {"--previous", "s0000.vtp"});
-  refused(1, "'label'", {"--previous", "last.vtp", "--match", "id:label"});
-  refused(2, "--lambda", {"--lambda", "0.1"});
-  refused(2, "--match", {"--match", "number"});
-  refused(2, "--lambda", {"--previous", "last.vtp", "--lambda", "-1"});
+  refused(1, "'label'", {"--previous", "last.vtp,match=id:label"});
+  refused(2, "--lambda: is written as --previous ...,lambda=L", {"--lambda", "0.1"});
+  refused(2, "--match: is written as --previous ...,match=", {"--match", "number"});
+  refused(2, "--previous ...,lambda=L", {"--previous", "last.vtp,lambda=-1"});
   refused(2, "--previous", {"--previous", "last.vtp", "--solver", "relaxation"});
   refused(2, "--previous", {"--previous", "last.vtp", "--texture", "checker"});
   refused(2, "last.vtp", {"--previous", "last.vtp", "--output", "last.vtp"});
@@ -696,8 +696,8 @@ TEST_F(Previous, IdsMustDiffer) {
                 .exit_code,
             0);
   expect_refusal(1, "ids must differ",
-                 {"stripe", "same.vtp", "--field", "array:velocity", "--previous", "same_last.vtp",
-                  "--match", "id:id"});
+                 {"stripe", "same.vtp", "--field", "array:velocity", "--previous",
+                  "same_last.vtp,match=id:id"});
 }
 
 }  // namespace

@@ -112,8 +112,9 @@ TEST_F(Stripe, WritesWhatTheExtensionSays) {
 }
 
 TEST_F(Stripe, CyclesLowerTheEnergy) {
-  const auto energy = [&](const char* cycles) {
-    return report({"--stripes", "12", "--cycles", cycles})["energy"].get<double>();
+  const auto energy = [&](const std::string& cycles) {
+    return report({"--stripes", "12", "--solver", "multilevel,cycles=" + cycles})["energy"]
+        .get<double>();
   };
   EXPECT_LT(energy("3"), energy("0"));
 }
@@ -154,47 +155,47 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Accepted{{"--direction", "-0.31,0.9,0.27"}}, Accepted{{"--field", "smooth"}, false},
         Accepted{kCurvature}, Accepted{{"--field", "raw-curvature"}, true, kCurvature},
-        Accepted{{"--field", "curvature", "--curvature-direction", "min"}, true, kCurvature},
+        Accepted{{"--field", "curvature,min"}, true, kCurvature},
         Accepted{{"--field", "smooth", "--curvature-anchor", "0.1"}}, Accepted{{"--rotate", "-90"}},
         Accepted{{"--field", "raw-curvature", "--field-smoothing", "1"},
                  true,
                  {"--field", "raw-curvature"}},
-        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1", "--field-arrows"},
+        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1,arrows"},
                  true,
                  {"--field", "raw-curvature", "--field-smoothing", "1"}},
-        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1", "--hold-out", "0.1"},
+        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1,hold-out=0.1"},
                  true,
                  {"--field", "raw-curvature", "--field-smoothing", "1"}},
         // This field has none.
-        Accepted{
-            {"--field", "raw-curvature", "--field-smoothing", "1", "--field-singularities", "0"},
-            false,
-            {"--field", "raw-curvature", "--field-smoothing", "1"}},
+        Accepted{{"--field", "raw-curvature", "--field-smoothing", "1,singularities=0"},
+                 false,
+                 {"--field", "raw-curvature", "--field-smoothing", "1"}},
         Accepted{{"--stripes", "10"}}, Accepted{{"--frequency", "5.5"}},
-        Accepted{{"--solver", "multilevel"}, false}, Accepted{{"--sweeps", "3"}},
-        Accepted{{"--cycles", "2"}}, Accepted{{"--weights", "cotangent"}}, Accepted{kRelaxation},
-        Accepted{{"--solver", "relaxation", "--epsilon", "0.001"}, true, kRelaxation},
-        Accepted{{"--solver", "relaxation", "--momentum", "0"}, true, kRelaxation},
-        Accepted{{"--solver", "relaxation", "--seed", "7"}, true, kRelaxation},
-        Accepted{{"--solver", "averaged"}}, Accepted{{"--phase-shift", "aligned"}, false},
-        Accepted{{"--phase-shift", "common_source"}}, Accepted{{"--phase-shift", "trapezoid"}},
+        Accepted{{"--solver", "multilevel"}, false}, Accepted{{"--solver", "multilevel,sweeps=3"}},
+        Accepted{{"--solver", "multilevel,cycles=2"}},
+        Accepted{{"--solver", "multilevel,weights=cotangent"}}, Accepted{kRelaxation},
+        Accepted{{"--solver", "relaxation,epsilon=0.001"}, true, kRelaxation},
+        Accepted{{"--solver", "relaxation,momentum=0"}, true, kRelaxation},
+        Accepted{{"--solver", "relaxation,seed=7"}, true, kRelaxation},
+        Accepted{{"--solver", "averaged"}},
+        Accepted{{"--solver", "multilevel,phase-shift=aligned"}, false},
+        Accepted{{"--solver", "multilevel,phase-shift=common_source"}},
+        Accepted{{"--solver", "multilevel,phase-shift=trapezoid"}},
         Accepted{{"--threads", "2"}, false}, Accepted{{"--threads", "0"}, false},
         Accepted{{"--subdivide", "0"}, false}, Accepted{{"--subdivide", "1"}},
         Accepted{{"--quiet"}, false}));
 
 #ifdef BRINDLE_HAS_CHOLMOD
-INSTANTIATE_TEST_SUITE_P(Global, AcceptedOption,
-                         testing::Values(Accepted{{"--solver", "global"}},
-                                         Accepted{
-                                             {"--solver", "global", "--global-iterations", "10"},
-                                             true,
-                                             {"--solver", "global"}}));
+INSTANTIATE_TEST_SUITE_P(
+    Global, AcceptedOption,
+    testing::Values(Accepted{{"--solver", "global"}},
+                    Accepted{{"--solver", "global,iterations=10"}, true, {"--solver", "global"}}));
 #else
 /// The line of the field, the warning and the report say one number.
 TEST_F(Stripe, SingularitiesThatAreLeftAreTold) {
   const ToolResult result =
       run({"stripe", "shape:sphere,resolution=20", "--field", "raw-curvature", "--field-smoothing",
-           "1", "--field-singularities", "0", "--stripes", "10", "--report", "report.json"});
+           "1,singularities=0", "--stripes", "10", "--report", "report.json"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json report = Json::parse(content(folder / "report.json"));
   const auto left = std::to_string(report["field_singularities"].get<std::size_t>());

@@ -33,15 +33,15 @@ TEST_F(StyleTool, EveryStyleChangesThePicture) {
   const Image plain = picture({});
   const std::vector<Arguments> styles = {
       {"--width-by", "height"},
-      {"--width-by", "curvature", "--width-range", "1px,4px"},
-      {"--width-by", "light", "--cross-hatch", "0.6", "--tones", "0.2,0.9"},
+      {"--width-by", "curvature@1px..4px"},
+      {"--width-by", "light,cross-hatch=0.6,tones=0.2..0.9"},
       {"--color-by", "distance:1,0,0", "--colormap", "magma", "--threshold", "1"},
-      {"--color-by", "distance:camera", "--color-on", "surface", "--no-legend"},
-      {"--opacity-by", "height", "--opacity-range", "1,0.2"},
+      {"--color-by", "distance:camera", "--color-on", "surface", "--legend", "none"},
+      {"--opacity-by", "height@1..0.2"},
       {"--color-by", "light", "--color-on", "surface", "--flat"},
       {"--frequency-by", "distance:camera"},
-      {"--frequency-by", "light", "--frequency-range", "1,2,inverse"},
-      {"--pixel-width", "3", "--stroke-spacing", "4"},
+      {"--frequency-by", "light@1..2,inverse"},
+      {"--stripe-width", "3px", "--stroke-spacing", "4"},
       {"--between", "nothing"},
       {"--with", "shape:sphere,resolution=6@#ff0000"},
       {"--light-from", "70,10"},
@@ -50,8 +50,8 @@ TEST_F(StyleTool, EveryStyleChangesThePicture) {
       {"--transparent"},
       {"--depth-cue", "chroma"},
       {"--depth-cue", "haze"},
-      {"--outline", "dashed", "--line-width", "2"},
-      {"--creases", "10", "--outline", "solid", "--hidden-lines", "dashed"}};
+      {"--outline", "dashed,width=2"},
+      {"--creases", "10", "--outline", "solid,hidden=dashed"}};
   for (const Arguments& style : styles) {
     EXPECT_NE(picture(style).pixels, plain.pixels) << style[0] << ' ' << style.back();
   }
@@ -178,20 +178,20 @@ TEST_F(OtherSurfaceTool, SharesTheColorsOfAValue) {
   const std::string square = (folder / "square.ply").string();
   const Arguments above = {"--with", square + "@color-by=height@0,0,2"};
   const auto with_range = [&](Arguments arguments, const std::string& range) {
-    arguments.insert(arguments.end(), {"--color-range", range});
+    arguments[1] += "@" + range;
     return arguments;
   };
   // From 0 to 1 and from 2 to 3.
   const Arguments both = {"--color-by", "height", above[0], above[1]};
-  EXPECT_EQ(first(square, both).pixels, first(square, with_range(both, "0,3")).pixels);
-  EXPECT_NE(first(square, both).pixels, first(square, with_range(both, "0,1")).pixels);
-  EXPECT_EQ(first(square, above).pixels, first(square, with_range(above, "2,3")).pixels);
+  EXPECT_EQ(first(square, both).pixels, first(square, with_range(both, "0..3")).pixels);
+  EXPECT_NE(first(square, both).pixels, first(square, with_range(both, "0..1")).pixels);
+  EXPECT_EQ(first(square, above).pixels, first(square, with_range(above, "2..3")).pixels);
   const std::string by_speed = "@color-by=array:speed";
-  EXPECT_EQ(other(square, by_speed, {"--color-range", "1,8"}).pixels,
-            other(square, by_speed).pixels);
-  for (const Arguments& more : {Arguments{"--threshold", "3"}, Arguments{"--colormap", "magma"},
-                                Arguments{"--legend", "speed in m/s"}, Arguments{"--no-legend"},
-                                Arguments{"--with", square + "@color-by=height@0,0,2"}}) {
+  EXPECT_EQ(other(square, by_speed + "@1..8").pixels, other(square, by_speed).pixels);
+  for (const Arguments& more :
+       {Arguments{"--threshold", "3"}, Arguments{"--colormap", "magma"},
+        Arguments{"--legend", "speed in m/s"}, Arguments{"--legend", "none"},
+        Arguments{"--with", square + "@color-by=height@0,0,2"}}) {
     EXPECT_NE(other(square, by_speed, more).pixels, other(square, by_speed).pixels) << more[0];
   }
 }
@@ -267,9 +267,9 @@ TEST_F(StyleTool, SlicesAtTheEndsLeaveNothing) {
 // is lit from where the outer one is dark.
 TEST_F(StyleTool, ValuesThatFollowTheLightKnowTheSlice) {
   const std::string ball = "shape:sphere,resolution=24";
-  const Arguments light = {"--up",           "z",          "--camera",      "0,0",    "--color-by",
-                           "light",          "--color-on", "surface",       "--flat", "--no-legend",
-                           "--stripe-width", "0",          "--color-range", "0,1"};
+  const Arguments light = {
+      "--up",    "z",      "--camera", "0,0",  "--color-by",     "light@0..1", "--color-on",
+      "surface", "--flat", "--legend", "none", "--stripe-width", "0"};
   const auto seen = [&](const std::string& from, bool cut) {
     Arguments arguments = light;
     arguments.insert(arguments.end(), {"--light-from", from});
@@ -359,8 +359,9 @@ TEST_F(StyleTool, OtherSurfacesAreOpaqueStripedOrDiscarded) {
 }
 
 TEST_F(StyleTool, RegionsHaveALegendWhereItHasATitle) {
-  const Arguments tiles = {"--texture", "minus",          "--texture-by", "height",
-                           "--regions", "0,plus@#ff0000", "--colors",     "0000ff,ffffff,ffffff",
+  const Arguments tiles = {"--texture",    "minus",
+                           "--texture-by", "height,regions=0,plus@#ff0000",
+                           "--colors",     "0000ff,ffffff,ffffff",
                            "--flat"};
   Arguments titled = with(tiles);
   titled[7] = "320x240";
@@ -381,8 +382,8 @@ TEST_F(StyleTool, RegionsHaveALegendWhereItHasATitle) {
   EXPECT_GT(blue, 5);
   EXPECT_LT(last_red, first_blue);
   Arguments refused = with(tiles);
-  refused.push_back("--no-legend");
-  expect_refusal(2, "--no-legend", refused);
+  refused.insert(refused.end(), {"--legend", "none"});
+  expect_refusal(2, "--legend none", refused);
 }
 
 TEST_F(StyleTool, UntintedSurfacesKeepTheirColours) {
@@ -412,15 +413,15 @@ TEST_F(StyleTool, ValuesComeFromFilesToo) {
 TEST_F(StyleTool, CoherenceIsThatOfTheFileThatIsWritten) {
   const Arguments measured = {"--field", "raw-curvature", "--field-smoothing", "0.5"};
   Arguments own = measured;
-  own.insert(own.end(), {"--color-by", "coherence", "--color-on", "surface", "--no-legend",
-                         "--color-range", "0,1", "--up", "z"});
+  own.insert(own.end(), {"--color-by", "coherence@0..1", "--color-on", "surface", "--legend",
+                         "none", "--up", "z"});
   const Image drawn = picture(own);
   Arguments written = {"stripe", "shape:torus,resolution=24", "--stripes", "8", "-o", "made.vtp"};
   written.insert(written.end(), measured.begin(), measured.end());
   ASSERT_EQ(run(written).exit_code, 0);
   Arguments of_file = measured;
-  of_file.insert(of_file.end(), {"--color-by", "array:coherence", "--color-on", "surface",
-                                 "--no-legend", "--color-range", "0,1", "--up", "z"});
+  of_file.insert(of_file.end(), {"--color-by", "array:coherence@0..1", "--color-on", "surface",
+                                 "--legend", "none", "--up", "z"});
   Arguments as_measured = measured;
   as_measured.insert(as_measured.end(), {"--up", "z"});
   const Image from_file = picture(of_file, "made.vtp"), plain = picture(as_measured);
@@ -457,30 +458,27 @@ TEST_F(StyleTool, BadValuesAreRefused) {
   refused(1, "no values", {"--color-by", "values.csv:b"});
   refused(1, "2 rows", {"--width-by", "short.csv"});
   refused(2, "--colormap", {"--color-by", "height", "--colormap", "jet"});
-  refused(2, "--color-range", {"--color-by", "height", "--color-range", "2,1"});
-  refused(2, "--color-range", {"--color-by", "height", "--color-range", "nan,1"});
-  refused(2, "--width-range", {"--width-by", "height", "--width-range", "0.5,2"});
-  refused(2, "--width-range", {"--width-by", "height", "--width-range", "1px,2"});
-  refused(2, "--opacity-range", {"--opacity-by", "height", "--opacity-range", "0,2"});
+  refused(2, "--color-by ...@A..B", {"--color-by", "height@2..1"});
+  refused(2, "--color-by ...@A..B", {"--color-by", "height@nan..1"});
+  refused(2, "--width-by ...@A..B", {"--width-by", "height@0.5..2"});
+  refused(2, "--width-by ...@A..B", {"--width-by", "height@1px..2"});
+  refused(2, "--opacity-by ...@A..B", {"--opacity-by", "height@0..2"});
   refused(2, "--threshold", {"--color-by", "height", "--threshold", "much"});
-  refused(2, "--tones", {"--width-by", "light", "--tones", "0.8,0.2"});
-  refused(2, "--cross-hatch", {"--width-by", "light", "--cross-hatch", "0"});
+  refused(2, "--width-by ...,tones=DARK..LIGHT", {"--width-by", "light,tones=0.8..0.2"});
+  refused(2, "--width-by ...,cross-hatch=TONE", {"--width-by", "light,cross-hatch=0"});
   refused(2, "--with", {"--with", "shape:sphere@bluish"});
   refused(2, "--with", {"--with", "shape:sphere@1,2"});
-  refused(2, "--frequency-range", {"--frequency-by", "height", "--frequency-range", "1,2,upwards"});
-  refused(2, "--pixel-width", {"--pixel-width", "0"});
+  refused(2, "--frequency-by ...@A..B", {"--frequency-by", "height@1..2,upwards"});
+  refused(2, "--stripe-width Npx", {"--stripe-width", "0px"});
   refused(2, "--creases", {"--creases", "180"});
   refused(2, "--occlusion", {"--occlusion", "2"});
-  const Arguments tiles = {"--texture", "dots", "--texture-by", "height", "--regions"};
-  for (const char* regions : {"plus", "0,cross", "1,plus,0,dots", "x,plus", "0,plus@reddish"}) {
-    Arguments more = tiles;
-    more.push_back(regions);
-    refused(2, "--regions", more);
+  for (const std::string regions :
+       {"plus", "0,cross", "1,plus,0,dots", "x,plus", "0,plus@reddish"}) {
+    refused(2, "--texture-by ...,regions=",
+            {"--texture", "dots", "--texture-by", "height,regions=" + regions});
   }
-  refused(2, "--texture-shift", {"--texture", "dots", "--texture-shift", "1,2,3"});
-  refused(2, "--tile-size-range", {"--texture", "dots", "--tile-size-range", "0.1,0.5"});
-  refused(2, "--tile-size-range",
-          {"--texture", "dots", "--tile-size-by", "height", "--tile-size-range", "0.1,2"});
+  refused(2, "--texture ...,shift=U[,V]", {"--texture", "dots,shift=1,2,3"});
+  refused(2, "--tile-size-by ...@A..B", {"--texture", "dots", "--tile-size-by", "height@0.1..2"});
   refused(2, "--tile-size-by", {"--tile-size-by", "height"});
   refused(2, "--tile-size-by", {"--texture", "dots", "--tile-size-by", "size"});
   refused(1, "no values", {"--texture", "dots", "--tile-size-by", "values.csv:b"});
@@ -492,16 +490,14 @@ TEST_F(StyleTool, BadValuesAreRefused) {
 TEST_F(StyleTool, TilesFollowValuesAndFlow) {
   const Arguments plain = {"--texture", "dots"};
   const Image dots = picture(plain);
-  EXPECT_NE(picture({"--texture", "dots", "--texture-by", "height", "--regions",
-                     "0,plus@#ff0000,0.1,minus"})
-                .pixels,
-            dots.pixels);
-  EXPECT_NE(picture({"--texture", "dots", "--texture-shift", "0.5"}).pixels, dots.pixels);
+  EXPECT_NE(
+      picture({"--texture", "dots", "--texture-by", "height,regions=0,plus@#ff0000,0.1,minus"})
+          .pixels,
+      dots.pixels);
+  EXPECT_NE(picture({"--texture", "dots,shift=0.5"}).pixels, dots.pixels);
   const Image decals = picture({"--texture", "dots", "--tile-size-by", "height"});
   EXPECT_NE(decals.pixels, dots.pixels);
-  EXPECT_NE(
-      picture({"--texture", "dots", "--tile-size-by", "height", "--tile-size-range", "1,0"}).pixels,
-      decals.pixels);
+  EXPECT_NE(picture({"--texture", "dots", "--tile-size-by", "height@1..0"}).pixels, decals.pixels);
   EXPECT_NE(picture({"--texture", "dots", "--occlusion", "1", "--ground-shadow"}).pixels,
             dots.pixels);
 }
@@ -584,12 +580,12 @@ TEST_F(StyleTool, GlyphsFollowValues) {
       run({"sample", "shape:torus,resolution=24", "-o", "out.png", "--glyph", "none.png"});
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_NE(missing.err.find("none.png"), std::string::npos) << missing.err;
-  EXPECT_NE(glyphs({"--size-by", "height", "--size-range", "0.1,1"}).pixels, discs.pixels);
-  EXPECT_NE(glyphs({"--color-by", "height", "--no-legend"}).pixels, discs.pixels);
+  EXPECT_NE(glyphs({"--size-by", "height@0.1..1"}).pixels, discs.pixels);
+  EXPECT_NE(glyphs({"--color-by", "height", "--legend", "none"}).pixels, discs.pixels);
   EXPECT_NE(glyphs({"--glyph-size", "0.4"}).pixels, discs.pixels);
   const Arguments sample = {"sample", "shape:torus,resolution=24", "-o", "out.png"};
   for (const Arguments& more :
-       std::vector<Arguments>{{"--size-range", "0,1"},
+       std::vector<Arguments>{{"--size-by", "height@1..-1"},
                               {"--colormap", "magma"},
                               {"--glyph", "cube"},
                               {"--glyph", "ball.png", "--color-by", "height"},
@@ -607,23 +603,20 @@ TEST_F(StyleTool, OptionsWithoutEffectAreRefused) {
       run({"stripe", "shape:torus,resolution=12", "-o", "tile.png", "--size", "16x16"}).exit_code,
       0);
   const std::vector<Arguments> refused = {
-      {"--width-range", "0.1,0.2"},
       {"--width-by", "height", "--stripe-width", "0.4"},
-      {"--pixel-width", "2", "--stripe-width", "0.4"},
-      {"--width-by", "height", "--pixel-width", "3"},
-      {"--tones", "0.2,0.8", "--width-by", "height"},
-      {"--cross-hatch", "0.5"},
+      {"--stripe-width", "2px", "--stripe-width", "0.4"},
+      {"--width-by", "height", "--stripe-width", "3px"},
+      {"--width-by", "height,tones=0.2..0.8"},
+      {"--width-by", "height,cross-hatch=0.5"},
       {"--colormap", "magma"},
       {"--threshold", "1"},
-      {"--color-range", "0,1"},
       {"--color-on", "surface", "--width-by", "height"},
-      {"--opacity-range", "0,1"},
       {"--legend", "x"},
-      {"--no-legend", "--width-by", "light"},
-      {"--legend", "x", "--no-legend", "--color-by", "height"},
+      {"--legend", "none", "--width-by", "light"},
+      {"--legend", "x", "--legend", "none", "--color-by", "height"},
       {"--flat", "--width-by", "light"},
-      {"--hidden-lines", "dashed"},
-      {"--line-width", "2", "--flat"},
+      {"--outline", "none,hidden=dashed"},
+      {"--outline", "none,width=2", "--flat"},
       {"--color-on", "surface", "--color-by", "height", "--between", "nothing"},
       {"--color-on", "figures", "--color-by", "height"},
       {"--color-on", "strokes", "--color-by", "height", "--texture", "dots"},
@@ -631,12 +624,10 @@ TEST_F(StyleTool, OptionsWithoutEffectAreRefused) {
       {"--color-by", "height", "--texture", "dots", "--between", "nothing"},
       {"--color-on", "figures", "--color-by", "height", "--texture", "tile.png"},
       {"--color-on", "figures", "--color-by", "height", "--texture", "dots", "--texture-by",
-       "height", "--regions", "0,plus@#ff0000"},
+       "height,regions=0,plus@#ff0000"},
       {"--flat", "--view", "branches"},
       {"--width-by", "height", "--texture", "dots"},
-      {"--texture-by", "height", "--regions", "0,plus"},
-      {"--texture-shift", "0.5"},
-      {"--regions", "0,plus", "--texture", "dots"},
+      {"--texture-by", "height,regions=0,plus"},
       {"--texture-by", "height", "--texture", "dots"},
       {"--flat", "--cross"},
       {"--flat", "--points"}};

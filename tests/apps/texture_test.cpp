@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -78,27 +79,28 @@ TEST_F(TextureTool, TilesAreWholeWhereTheyHaveAShapeOfTheirOwn) {
   const auto has_flags = [&] {
     return content(folder / "out.ply").find("tile_broken") != std::string::npos;
   };
-  for (const auto& [tile, own] :
-       {std::pair("arrows", true), {"dots", true}, {"plusminus", true}, {"hatch", false}}) {
+  for (const auto& [tile, own] : std::map<std::string, bool>{
+           {"arrows", true}, {"dots", true}, {"plusminus", true}, {"hatch", false}}) {
     const auto tiles = [&](const Arguments& more) {
-      Arguments all = {"--texture", tile, "--direction", "0.3,0.9,0.2"};
+      Arguments all = {"--direction", "0.3,0.9,0.2"};
       all.insert(all.end(), more.begin(), more.end());
       return picture(all);
     };
-    const std::string whole = tiles({"--tiles", "whole"});
+    const std::string whole = tiles({"--texture", tile + ",whole"});
     EXPECT_TRUE(has_flags()) << tile;
-    const std::string cut = tiles({"--tiles", "cut"});
+    const std::string cut = tiles({"--texture", tile + ",cut"});
     EXPECT_FALSE(has_flags()) << tile;
     EXPECT_NE(whole, cut) << tile;
-    EXPECT_EQ(tiles({}), own ? whole : cut) << tile;
-    if (std::string_view(tile) == "dots" || std::string_view(tile) == "plusminus") continue;
+    EXPECT_EQ(tiles({"--texture", tile}), own ? whole : cut) << tile;
+    if (tile == "dots" || tile == "plusminus") continue;
     // Styles draw the same tiles; of regions each has its own.
-    EXPECT_NE(tiles({"--texture-shift", "0.3"}),
-              tiles({"--texture-shift", "0.3", "--tiles", own ? "cut" : "whole"}));
-    EXPECT_NE(tiles({"--texture-by", "height", "--regions", "0,plus"}),
-              tiles({"--texture-by", "height", "--regions", "0,plus", "--tiles", "cut"}));
-    EXPECT_NE(tiles({"--between", "nothing", "--tiles", "whole"}),
-              tiles({"--between", "nothing", "--tiles", "cut"}));
+    EXPECT_NE(tiles({"--texture", tile + ",shift=0.3"}),
+              tiles({"--texture", tile + ",shift=0.3" + (own ? ",cut" : ",whole")}));
+    const std::string regions = "height,regions=0,plus";
+    EXPECT_NE(tiles({"--texture", tile, "--texture-by", regions}),
+              tiles({"--texture", tile + ",cut", "--texture-by", regions}));
+    EXPECT_NE(tiles({"--texture", tile + ",whole", "--between", "nothing"}),
+              tiles({"--texture", tile + ",cut", "--between", "nothing"}));
   }
 }
 

@@ -98,14 +98,12 @@ TEST(GalleryPicture, TakesWhatUsersHaveInstead) {
 }
 
 TEST(GalleryPicture, LeavesOutWhatBelongsToItsOwnData) {
-  const GalleryPicture picture{
-      "p", "",
-      "stripe {surface=a.vtp} --with {part=eyes.vtp}@#000 --color-by {values=array:f} "
-      "--color-range {own=0,3} {own=--no-legend} --flat"};
+  const GalleryPicture picture{"p", "",
+                               "stripe {surface=a.vtp} --with {part=eyes.vtp}@#000 "
+                               "--color-by {values=array:f}{own=@0..3} --legend {own=none} --flat"};
   EXPECT_EQ(filled_words(picture, {"data", "", "", ""}),
             (std::vector<std::string>{"stripe", "data/a.vtp", "--with", "data/eyes.vtp@#000",
-                                      "--color-by", "array:f", "--color-range", "0,3",
-                                      "--no-legend", "--flat"}));
+                                      "--color-by", "array:f@0..3", "--legend", "none", "--flat"}));
   EXPECT_EQ(filled_words(picture, {"data", "own.ply", "", "height"}),
             (std::vector<std::string>{"stripe", "own.ply", "--color-by", "height", "--flat"}));
 }

@@ -65,6 +65,23 @@ std::string what(const Mention& mention) {
   return "--" + mention.name + (mention.value.empty() ? "" : ' ' + mention.value);
 }
 
+/// Of a value with a part, the part's name and value are meant: --field-smoothing P,fill=P.
+void take_part(Mention& mention) {
+  std::size_t last = 0;
+  const std::string whole = mention.name, value = mention.value;
+  for (const OptionInfo& row : option_table()) {
+    std::istringstream wholes{std::string(row.part_of)};
+    for (std::string name; wholes >> name;) {
+      const bool is_key = row.written.ends_with('=') || row.written == "@";
+      const std::size_t at = is_key ? value.rfind(row.written) : value.npos;
+      if (name != whole || at == value.npos || at < last) continue;
+      last = at;
+      mention.name = row.name;
+      mention.value = value.substr(at + row.written.size());
+    }
+  }
+}
+
 std::vector<Mention> mentions_in(const std::string& text) {
   std::vector<Mention> mentions;
   for (std::size_t at = text.find("`--"); at != text.npos; at = text.find("`--", at + 1)) {
@@ -78,6 +95,7 @@ std::vector<Mention> mentions_in(const std::string& text) {
         mention.in_table ? std::min(text.find('\n', close), text.size()) : close + 40;
     std::istringstream words(without(text.substr(at + 3, close - at - 3), '\\'));
     words >> mention.name >> mention.value;
+    take_part(mention);
     mention.after = text.substr(close + 1, std::min(next, end) - close - 1);
     std::ranges::replace(mention.after, '\n', ' ');
     mention.heads_row = text.substr(line, at - line) == "| ";
@@ -184,10 +202,11 @@ TEST(OptionDocs, SayOfOptionsWhatTheTableSays) {
 TEST(OptionDocs, AreComparedInTablesAndInText) {
   using Strings = std::vector<std::string>;
   EXPECT_EQ(
-      complaints_of("| `--stripes N` | many (default 40) |\n| `--neighbors K` | so many, from "
-                    "3 to 100 (default 8) |\n| `--tensor major` (default) | that |\n"
-                    "Lambda (`--lambda`, default 0.025) and `--solver multilevel` (the\n"
-                    "default) and `--max-distance L` (default 2 % of the diagonal)."),
+      complaints_of(
+          "| `--stripes N` | many (default 40) |\n| `--neighbors K` | so many, from "
+          "3 to 100 (default 8) |\n| `--tensor major` (default) | that |\n"
+          "Lambda (`--previous FILE,lambda=L`, default 0.025) and `--solver multilevel` (the\n"
+          "default) and `--field-mesh FILE,within=L` (default 2 % of the diagonal)."),
       Strings());
   EXPECT_EQ(complaints_of("| `--strips N` | many |\n"), Strings{"--strips N is no option"});
   for (const char* wrong : {"400", "4", "40.5"}) {
@@ -200,8 +219,8 @@ TEST(OptionDocs, AreComparedInTablesAndInText) {
             Strings{"--tensor minor has another default"});
   EXPECT_EQ(complaints_of("| `--tensor major\\|minor` | that |\n"),
             Strings{"--tensor major|minor is no such choice"});
-  EXPECT_EQ(complaints_of("As the text says (`--lambda`, default 0.25)."),
-            Strings{"--lambda has another default"});
+  EXPECT_EQ(complaints_of("As the text says (`--previous FILE,lambda=L`, default 0.25)."),
+            Strings{"--lambda L has another default"});
 }
 
 }  // namespace

@@ -119,6 +119,36 @@ TEST(OptionTable, LinksOptionsThatThereAre) {
   }
 }
 
+/// Parts of values are told from each other, and from the value.
+TEST(OptionTable, PartsBelongToOptionsThatThereAre) {
+  for (const OptionInfo& part : option_table()) {
+    SCOPED_TRACE(part.name);
+    EXPECT_EQ(part.part_of.empty(), part.written.empty());
+    if (part.written.starts_with(',') && part.written != ",") {
+      EXPECT_EQ(part.written.ends_with('='), part.kind != OptionKind::flag);
+    }
+    if (part.written == ",") {
+      EXPECT_EQ(part.kind, OptionKind::choice);
+    }
+    for (const std::string& name : words(part.part_of)) {
+      bool is_part = false;
+      for (const PatternJob job : kJobs) {
+        const OptionInfo* whole = part.is_for(job) ? find_option(name, job) : nullptr;
+        if (whole == nullptr) continue;
+        is_part = true;
+        EXPECT_TRUE(whole->part_of.empty());
+        for (const OptionInfo& other : option_table()) {
+          const bool is_beside = other.is_for(job) && words(other.part_of).contains(name);
+          if (is_beside && &other != &part && part.written != ",") {
+            EXPECT_NE(other.written, part.written) << other.name;
+          }
+        }
+      }
+      EXPECT_TRUE(is_part) << name;
+    }
+  }
+}
+
 TEST(OptionTable, StandardsAreValuesThatTheOptionTakes) {
   for (const OptionInfo& info : option_table()) {
     if (info.standard.empty()) continue;

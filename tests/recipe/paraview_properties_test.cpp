@@ -251,6 +251,7 @@ void check_entries(const Property& property, const Shown& shown) {
 
 std::vector<double> numbers_of(std::string text) {
   std::ranges::replace(text, ',', ' ');
+  if (const std::size_t dots = text.find(".."); dots != text.npos) text.replace(dots, 2, " ");
   std::istringstream stream(text);
   std::vector<double> numbers;
   for (double number; stream >> number;) numbers.push_back(number);

@@ -291,7 +291,7 @@ TEST(LivePattern, ReadsAndSolvesForAStyleOnce) {
   pattern.update(document, Follow::afresh);
   EXPECT_TRUE(stages(pattern).contains("style"));
   const std::uint64_t drawn = pattern.state()->pattern;
-  pattern.update(with(document, "color-range", "0,1"), Follow::last);
+  pattern.update(with(document, "color-range", "0..1"), Follow::last);
   EXPECT_TRUE(stages(pattern).empty()) << "looks alone are another";
   EXPECT_NE(pattern.state()->pattern, drawn);
   pattern.update(with(document, "rotate", "20"), Follow::last);
@@ -424,7 +424,7 @@ SessionDocument lit(float azimuth) {
   SessionDocument document = torus();
   document.mesh = "shape:torus,resolution=60";
   document.options["frequency-by"] = {"light"};
-  document.options["frequency-range"] = {"0.5,2"};
+  document.options["frequency-range"] = {"0.5..2"};
   document.camera.azimuth_deg = azimuth;
   return document;
 }
@@ -704,7 +704,7 @@ TEST(LivePattern, HeightsFollowTheAxisThatIsSaidToPointUp) {
                         {"shape:box,resolution=6", "y", "height", 1}};
   for (const Case& one : cases) {
     SessionDocument document = with(with(torus(), "color-by", "height"), "frequency-by", "height");
-    document.options["frequency-range"] = {"0.5,2"};
+    document.options["frequency-range"] = {"0.5..2"};
     document.mesh = one.mesh;
     if (!one.up.empty()) document.options["up"] = {one.up};
     LivePattern pattern;

@@ -300,8 +300,8 @@ TEST_F(RenderTool, PrintsLookLikeTheWindow) {
   };
   const Case cases[] = {{{{"pixel-width", {"3"}}, {"stroke-spacing", {"10"}}},
                          {{"pixel-width", {"7.5"}}, {"stroke-spacing", {"25"}}}},
-                        {{{"width-by", {"height"}}, {"width-range", {"1px,4px"}}},
-                         {{"width-by", {"height"}}, {"width-range", {"2.5px,10px"}}}},
+                        {{{"width-by", {"height"}}, {"width-range", {"1px..4px"}}},
+                         {{"width-by", {"height"}}, {"width-range", {"2.5px..10px"}}}},
                         {{{"outline", {"solid"}}, {"line-width", {"2"}}},
                          {{"outline", {"solid"}}, {"line-width", {"5"}}}}};
   for (const auto& [options, scaled] : cases) {

@@ -31,6 +31,56 @@ TEST(SessionWords, OfOtherCommandsShowWhatTheyDraw) {
   EXPECT_EQ(samples.samples, (OptionValues{{"glyph", {"arrow"}}, {"color-by", {"height"}}}));
 }
 
+TEST(SessionWords, HavePartsOfValuesApart) {
+  const SessionDocument document = document_of_words(
+      {"stripe", "shape:torus", "--solver", "relaxation,epsilon=0.1,seed=3", "--color-by",
+       "height@0..0.5", "--stripe-width", "3px", "--legend", "none"});
+  EXPECT_EQ(document.options, (OptionValues{{"solver", {"relaxation"}},
+                                            {"epsilon", {"0.1"}},
+                                            {"seed", {"3"}},
+                                            {"color-by", {"height"}},
+                                            {"color-range", {"0..0.5"}},
+                                            {"pixel-width", {"3"}},
+                                            {"no-legend", {}}}));
+}
+
+/// Command lines cannot say these: there, they are parts of the option that is missing.
+TEST(SessionDocument, PartsWithoutTheirOptionAreRefusedWithTheReason) {
+  const std::vector<std::pair<OptionValues, std::string>> refused = {
+      {{{"color-range", {"0..1"}}}, "colours follow no value; add --color-by VALUE"},
+      {{{"opacity-range", {"0..1"}}}, "opacity follows no value; add --opacity-by VALUE"},
+      {{{"width-range", {"0.1..0.2"}}}, "widths follow no value; add --width-by VALUE"},
+      {{{"tile-size-range", {"0.1..0.5"}}, {"texture", {"dots"}}}, "add --tile-size-by VALUE"},
+      {{{"frequency-range", {"1..2"}}}, "nothing varies the frequency; add --frequency-by VALUE"},
+      {{{"cross-hatch", {"0.5"}}}, "strokes do not follow the light; add --width-by light"},
+      {{{"regions", {"0,plus"}}, {"texture", {"dots"}}}, "add --texture-by VALUE"},
+      {{{"tiles", {"whole"}}}, "add --texture"},
+      {{{"texture-shift", {"0.5"}}}, "add --texture"},
+      {{{"hidden-lines", {"dashed"}}}, "no lines are drawn"},
+      {{{"line-width", {"2"}}}, "no lines are drawn"},
+      {{{"feature-angle", {"30"}}}, "nothing draws the field to sharp edges; add --feature-anchor"},
+      {{{"feature-radius", {"5%"}}}, "nothing draws the field to sharp edges"},
+      {{{"max-distance", {"1%"}}, {"field", {"array:a"}}}, "add --field-mesh FILE"},
+      {{{"cancel-distance", {"20"}}}, "no branch pairs are cancelled; add --cancel-branches"},
+      {{{"fill", {"1"}}}, "nothing is filled"},
+      {{{"lambda", {"0.1"}}}, "no pattern is followed; add --previous"},
+      {{{"match", {"number"}}}, "no pattern is followed; add --previous"},
+      {{{"rounded", {}}}, "--subdivide"}};
+  for (const auto& [options, why] : refused) {
+    SessionDocument document;
+    document.mesh = "plate.vtp";
+    document.options = options;
+    const std::string option = options.begin()->first;
+    try {
+      check_document(document);
+      ADD_FAILURE() << option;
+    } catch (const std::exception& error) {
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos)
+          << option << ": " << error.what();
+    }
+  }
+}
+
 TEST(SessionWords, RefuseWhatSessionsDoNotHave) {
   using Words = std::vector<std::string>;
   for (const Words& words : {Words{}, Words{"animate", "shape:torus"}, Words{"stripe"},

@@ -11,7 +11,8 @@ namespace {
 // By any of its names.
 void describe_option(CLI::Option& option, const OptionInfo& info) {
   option.description(std::string(info.help));
-  option.group(std::string(info.group));
+  const bool hidden = option.get_group().empty();
+  if (!hidden) option.group(std::string(info.group));
   if (info.kind == OptionKind::flag) return;
   option.type_name(std::string(info.form));
   const NumberRange& range = info.range;

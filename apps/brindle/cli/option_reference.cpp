@@ -11,6 +11,7 @@
 #include "brindle/option_table.h"
 #include "cli/described_options.h"
 #include "cli/help.h"
+#include "cli/option_parts.h"
 
 namespace brindle::tool {
 namespace {
@@ -18,7 +19,8 @@ namespace {
 constexpr std::string_view kIntroduction = R"(# Options
 
 This page lists the options of all commands by group, as `brindle help options` prints them. `brindle help` explains
-values, arrays, lengths, cameras and output files. `view` takes the options of `stripe`; `info` and `bench` take those
+values, arrays, lengths, cameras, solvers and output files. Parts of values are listed below their option:
+`--solver relaxation,epsilon=0.01`. `view` takes the options of `stripe`; `info` and `bench` take those
 of surfaces and fields.
 )";
 
@@ -59,16 +61,44 @@ std::string entry(std::string_view option, std::string_view form, const std::str
          ": " + meaning + '\n';
 }
 
-/// `usual`: the jobs of the group.
-std::string entry(const OptionInfo& row, unsigned usual) {
-  std::string meaning = row.jobs == usual ? "" : commands_of(row.jobs) + ": ";
-  meaning += row.help;
+/// The jobs in which the row is a part of this option's value.
+unsigned jobs_of_part(const OptionInfo& part, const OptionInfo& whole) {
+  const std::vector<std::string> wholes = words_between_spaces(part.part_of);
+  const bool is_part = std::ranges::find(wholes, whole.name) != wholes.end();
+  return is_part ? part.jobs & whole.jobs : 0;
+}
+
+/// The jobs in which the row is an option of its own.
+unsigned jobs_alone(const OptionInfo& row) {
+  unsigned jobs = row.jobs;
+  for (const OptionInfo& whole : option_table()) jobs &= ~jobs_of_part(row, whole);
+  return jobs;
+}
+
+std::string meaning_of(const OptionInfo& row) {
+  std::string meaning(row.help);
   if (!row.standard.empty() && row.help.find("default") == row.help.npos) {
     meaning += " (default " + std::string(row.standard) + ')';
   }
-  meaning +=
-      range_of(row) + options_in(row.needs, "; needs ") + options_in(row.excludes, "; excludes ");
-  return entry("--" + std::string(row.name), row.form, meaning);
+  return meaning + range_of(row) + options_in(row.excludes, "; excludes ");
+}
+
+/// `usual`: the jobs of the group.
+std::string entry(const OptionInfo& row, unsigned usual) {
+  const unsigned alone = jobs_alone(row);
+  std::string text;
+  if (alone != 0) {
+    const std::string meaning =
+        alone == row.jobs ? meaning_of(row) : "as `" + form_of_part(row) + '`';
+    text = entry("--" + std::string(row.name), row.form,
+                 (alone == usual ? "" : commands_of(alone) + ": ") + meaning +
+                     options_in(row.needs, "; needs "));
+  }
+  for (const OptionInfo& part : option_table()) {
+    if (jobs_of_part(part, row) == 0) continue;
+    text += "  - " + code_span(form_of_part(part)) + ": " + meaning_of(part) + '\n';
+  }
+  return text;
 }
 
 /// The jobs of most rows.

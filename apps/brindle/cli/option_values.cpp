@@ -69,6 +69,30 @@ Eigen::Vector3d parse_place(const std::string& option, const std::string& text) 
   return place;
 }
 
+std::pair<std::string, std::string> parse_ends(const std::string& option,
+                                               const std::string& expected,
+                                               const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == text.npos) wrong_usage(option, expected, text);
+  return {text.substr(0, dots), text.substr(dots + 2)};
+}
+
+ValueRange parse_range(const std::string& option, const std::string& text) {
+  const char* expected = "two finite numbers A..B";
+  const auto [lowest, highest] = parse_ends(option, expected, text);
+  const auto from = finite_number(lowest), to = finite_number(highest);
+  if (!from || !to) wrong_usage(option, expected, text);
+  return {*from, *to};
+}
+
+ValueRange parse_rising_range(const std::string& option, const std::string& text) {
+  const ValueRange range = parse_range(option, text);
+  if (!(range.lowest < range.highest)) {
+    wrong_usage(option, "two numbers A..B, the smaller one first", text);
+  }
+  return range;
+}
+
 float parse_not_negative_number(const std::string& option, const std::string& text) {
   const float value = parse_number(option, text);
   if (value < 0) wrong_usage(option, "a finite number, zero or more", text);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -45,6 +46,22 @@ struct Length {
 
   float on(float diagonal) const { return of_diagonal ? value * diagonal : value; }
 };
+
+/// Both ends of "A..B". Throws for other text, of which `expected` is the syntax.
+std::pair<std::string, std::string> parse_ends(const std::string& option,
+                                               const std::string& expected,
+                                               const std::string& text);
+
+struct ValueRange {
+  float lowest = 0;
+  float highest = 1;
+
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// "A..B", two finite numbers; then in rising order.
+ValueRange parse_range(const std::string& option, const std::string& text);
+ValueRange parse_rising_range(const std::string& option, const std::string& text);
 
 /// The parts of "a,b,c".
 std::vector<std::string> split(const std::string& text, char separator);

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "brindle/base/text.h"
+#include "cli/option_parts.h"
 
 namespace brindle::tool {
 namespace {
@@ -28,8 +29,8 @@ void on_ending(int signal) {
 
 int cancelled_exit_code() { return 128 + (ended_by == 0 ? SIGINT : ended_by); }
 
-ProgressDisplay::ProgressDisplay(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {
+ProgressDisplay::ProgressDisplay(bool quiet, const CLI::App* command)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), command_(command) {
   for (std::size_t i = 0; i < kEnding.size(); ++i) {
     previous_[i] = std::signal(kEnding[i], on_ending);
     // Ignored by the parent, as by nohup or in the background.
@@ -56,7 +57,7 @@ void ProgressDisplay::note(const std::string& text) {
   const std::lock_guard lock(mutex_);
   if (!noted_.insert(text).second) return;
   erase_line();
-  std::istringstream lines(text);
+  std::istringstream lines(command_ == nullptr ? text : in_command_words(*command_, text));
   for (std::string line; std::getline(lines, line);) {
     std::fprintf(stderr, "brindle: %s\n", shown_lines(line).c_str());
   }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+
 #include "cli/job_listener.h"
 
 namespace brindle::tool {
@@ -19,8 +21,8 @@ namespace brindle::tool {
 /// and SIGHUP cancel the job at its next report; a second signal ends the program at once.
 class ProgressDisplay : public JobListener {
  public:
-  /// A quiet display prints nothing, but still cancels.
-  explicit ProgressDisplay(bool quiet);
+  /// A quiet display prints nothing, but still cancels. Notes name options as `command` does.
+  explicit ProgressDisplay(bool quiet, const CLI::App* command = nullptr);
   ~ProgressDisplay() override;
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -39,6 +41,7 @@ class ProgressDisplay : public JobListener {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const bool quiet_;
   const bool terminal_;
+  const CLI::App* command_;
   std::array<void (*)(int), 3> previous_{};  // previous signal handlers
   std::mutex mutex_;
   std::condition_variable_any changed_;

@@ -39,13 +39,13 @@ constexpr const char* kAnimateExamples = R"(Examples:
   brindle animate horse.ply --scene vortices --size 640x480 --output frames/%04d.png
   brindle animate horse.ply --scene wobble --quality interactive --output draft.mp4
   brindle animate horse.ply --scene zoom --compare-from-scratch --report zoom.json
-  brindle animate horse.ply --scene rotate --solver relaxation --iterations 3 --output paper.mp4
+  brindle animate horse.ply --scene rotate --solver relaxation,iterations=3 --output paper.mp4
   brindle animate horse.ply --scene vortices --device gpu --output gpu.mp4
   brindle animate shape:trefoil --scene brush --frames 150 --output brush.mp4
   brindle animate --series 'v%04d.vtp' --field array:velocity --output out.mp4
   brindle animate --series run.pvd --field array:velocity --output 'out%04d.vtp'
   brindle animate scan.obj --series 'wind%04d.csv' --interpolate 3 --output frames/%04d.png
-  brindle animate shape:sphere --scene vortices --texture arrows --texture-flow 1 --output flow.mp4
+  brindle animate shape:sphere --scene vortices --texture arrows,flow=1 --output flow.mp4
   brindle animate --series run.pvd --field array:velocity --color-by array:speed --output speed.mp4
 
 A series has one file per step: meshes, or fields (.csv) over MESH. Its stripes stay near to those
@@ -386,7 +386,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
   const ThreadLimit threads(arguments.threads);
   AnimationReport report;
   {
-    ProgressDisplay display(arguments.quiet);
+    ProgressDisplay display(arguments.quiet, &command);
     const Device device(arguments.device);
     const std::optional<FrameStyle> style = frame_style(command, arguments, display);
     std::optional<MovingPicture> picture;

@@ -37,8 +37,8 @@ struct CompareArguments {
   bool quiet = false;
 };
 
-std::vector<Report> reports_of_all(const CompareArguments& arguments) {
-  ProgressDisplay display(arguments.quiet);
+std::vector<Report> reports_of_all(const CLI::App& command, const CompareArguments& arguments) {
+  ProgressDisplay display(arguments.quiet, &command);
   std::vector<JobStage> stages = preparation_stages(arguments.surface);
   for (const Solver solver : kSolvers) {
     stages.push_back({std::string(name_of(solver)), solver == Solver::global ? 40.0 : 10.0});
@@ -72,7 +72,7 @@ void check(const CLI::App& command, const CompareArguments& arguments) {
 void run_compare(const CLI::App& command, const CompareArguments& arguments) {
   check(command, arguments);
   const ThreadLimit threads(arguments.solving.threads);
-  std::vector<Report> reports = reports_of_all(arguments);
+  std::vector<Report> reports = reports_of_all(command, arguments);
   for (Report& report : reports) report.invocation = invocation_of(command);
   if (!arguments.json.empty()) {
     auto json = nlohmann::ordered_json::array();

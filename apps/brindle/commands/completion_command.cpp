@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/option_parts.h"
 #include "cli/option_values.h"
 
 namespace brindle::tool {
@@ -47,6 +48,7 @@ std::string cases_of(const CLI::App& command) {
   const std::string name = command.get_name();
   std::string cases, options, values;
   for (const CLI::Option* option : command.get_options()) {
+    if (is_part(*option, command)) continue;
     const std::string words =
         option->get_expected_max() == 0 ? "" : words_of_form(option->get_type_name());
     if (option->get_positional()) values = words;

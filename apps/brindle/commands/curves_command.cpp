@@ -16,7 +16,7 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves shape:torus --tube-radius 0.4% --output tubes.glb
   brindle curves scan.obj --offset 0.5 --min-length 2% --simplify 0.05% --output gaps.csv
   brindle curves shape:torus --stripes 60 --path-width 0.8% --report torus.json
-  brindle curves shape:tube --field curvature --curvature-direction min --winding 1 --output vase.vtp
+  brindle curves shape:tube --field curvature,min --winding 1 --output vase.vtp
   brindle curves shape:trefoil --join --output curves.vtp --report curves.json
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg)";
 
@@ -30,7 +30,7 @@ void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const CurvesJob job = make_and_write(
-      files, arguments.quiet, curves_stages(arguments),
+      command, files, arguments.quiet, curves_stages(arguments),
       [&](ProgressDisplay& display) { return make_curves_job(arguments, display); },
       [&](CurveOutput kind, const std::string& path, const CurvesJob& made,
           ProgressDisplay& display) {

@@ -344,7 +344,9 @@ void add_line_options(CLI::App& command, GalleryArguments& arguments) {
     const std::string name(option.name);
     const bool drawn = option.is_for(PatternJob::stripe) || option.is_for(PatternJob::sample) ||
                        option.is_for(PatternJob::animate);
-    if (!drawn || command.get_option_no_throw("--" + name) != nullptr) continue;
+    if (!drawn || !option.part_of.empty() || command.get_option_no_throw("--" + name) != nullptr) {
+      continue;
+    }
     if (option.kind == OptionKind::flag) {
       command
           .add_flag_function("--" + name,
@@ -370,7 +372,8 @@ void add_gallery_options(CLI::App& command, GalleryArguments& arguments) {
   command.add_option("--picture", arguments.picture, "which of its pictures (default: the first)")
       ->type_name("NAME");
   command.add_option("-o,--output", arguments.output, "draw it: .png, or .mp4 where it moves")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->group("Output");
   command
       .add_option("--data", arguments.data,
                   "write its data there and print the commands that draw them")

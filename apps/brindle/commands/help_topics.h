@@ -10,7 +10,21 @@ struct HelpTopic {
   std::string_view name, summary, text;
 };
 
-inline constexpr std::array<HelpTopic, 5> kHelpTopics = {{
+inline constexpr std::array<HelpTopic, 7> kHelpTopics = {{
+    {"inputs", "files and shapes that commands read",
+     R"(MESH is one of these:
+
+  FILE.vtp .vtu .vtk    VTK, with arrays at points and cells
+  FILE.ply .obj .stl .off .gltf .glb
+                        a mesh; a file without faces has points
+  FILE.csv              points: x,y,z, or x,y,z and a normal, in each row
+  shape:NAME            a built-in shape; 'brindle --shapes' lists them
+  shape:torus,resolution=64,noise=0.2
+                        with parameters
+
+'brindle info MESH' describes one, with its arrays. --points takes only the vertices of a mesh.
+Other files: fields and values (.csv; 'brindle help arrays'), strokes (.json; see docs/files.md).
+)"},
     {"arrays", "fields and arrays of files, and columns of CSV files",
      R"(--field takes one of these:
 
@@ -48,6 +62,16 @@ separate them.
   height                z, or the axis of --up
   light                 lightness of the surface in the picture, 0 (black) to 1 (white)
   coherence             coherence of the directions of data, with --field-smoothing
+
+Behind it follows what the smallest and the largest value give, as @A..B:
+
+  --color-by VALUE@A..B     the colour map goes from the value A to the value B
+  --frequency-by VALUE@A..B[,inverse|reciprocal]
+                            factors of the frequency; inverse: B at the smallest value;
+                            reciprocal: one over the value, clamped to A and B
+  --width-by VALUE@A..B     shares of the period, or pixels: @1px..5px
+  --opacity-by, --tile-size-by, --size-by VALUE@A..B
+                            shares
 )"},
     {"lengths", "lengths, the spacing of stripes, sizes on paper",
      R"(A length is L, in the units of MESH, or P%, in percent of the diagonal of its bounding box.
@@ -64,7 +88,7 @@ Sizes on paper:
 
   --size 297mmx210mm    the page, in mm, cm or in; without units, pixels
   --scale MM:UNITS      1:1 draws a unit of MESH as a millimetre, 25.4:1 as an inch; needs
-                        --projection orthographic
+                        --camera ...,orthographic
   --dpi D               pixels of a .png in an inch; required for a .png of such a size or scale
 
 A drawing (.svg, .pdf) has 96 pixels in an inch.
@@ -76,7 +100,7 @@ A drawing (.svg, .pdf) has 96 pixels in an inch.
                         shows the middle at twice the size.
   --camera SIDE[,ZOOM]  front, back, left, right, top or bottom
   --up AXIS             the axis that points up: z for shapes and .stl, else y
-  --projection orthographic
+  --camera ...,orthographic
                         parallel lines stay parallel
   --light-from AZIMUTH,ELEVATION
                         degrees from the viewer: 90,0 is the right, 0,90 above
@@ -112,6 +136,22 @@ Arrays at vertices:
   original_id           the number of the vertex in MESH
 
 stripe --texture adds texture coordinates and the image of the tile, --uv coordinates alone.
+)"},
+    {"solver", "solvers and their parameters",
+     R"(A solver finds the phases of the waves. 'brindle compare' runs all of them.
+
+  multilevel            Brindle's own: from coarse to fine levels that carry phases
+  relaxation            the paper's local method, from a random start
+  averaged              the paper's hierarchy of averaged directions
+  global                the eigenvector of Knoeppel et al.; it takes most time
+
+Parameters follow behind commas, as in
+
+  --solver multilevel,cycles=3
+  --solver relaxation,epsilon=0.001,seed=7
+
+A parameter that the solver does not use is rejected. 'compare', which has no --solver, has them
+as options of their own: --cycles 3.
 )"},
 }};
 

@@ -27,7 +27,7 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
   const ThreadLimit threads(arguments.solving.threads);
   const std::optional<Image> picture = read_glyph_picture(arguments.glyphs);
   const SampleJob job = make_and_write(
-      files, arguments.quiet, sample_stages(arguments),
+      command, files, arguments.quiet, sample_stages(arguments),
       [&](ProgressDisplay& display) {
         SampleJob made = make_sample_job(arguments, display);
         if (has_glyphs(command)) {

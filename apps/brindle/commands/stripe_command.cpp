@@ -39,7 +39,7 @@ Examples:
   brindle stripe scan.obj --texture cloth.png --stripes 20 --stripes-v 30 --output cloth.glb
   brindle stripe flow.vtp --width-by array:speed --color-by array:speed --output speed.png
   brindle stripe scan.obj --between nothing --with horse.ply@#b03a2e --output inside.png
-  brindle stripe scan.obj --width-by light --cross-hatch 0.5 --outline solid --output ink.png
+  brindle stripe scan.obj --width-by light,cross-hatch=0.5 --outline solid --output ink.png
   brindle stripe step2.vtp --field array:velocity --previous step1_stripes.vtp --output step2.png
   brindle stripe flow.vtp --field array:velocity --frequency-by array:speed --output flow.png
   brindle stripe plate.vtp --field array:stress --tensor minor --output plate.png
@@ -89,7 +89,7 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
   const ThreadLimit threads(arguments.solving.threads);
   Report report;
   {
-    ProgressDisplay display(arguments.quiet);
+    ProgressDisplay display(arguments.quiet, &command);
     display.plan(stages_of(command, arguments, outputs));
     Preparation prepared =
         prepare(arguments.surface, arguments.waves, display, viewpoint_of(*arguments.picture),

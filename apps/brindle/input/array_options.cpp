@@ -19,16 +19,16 @@ std::string parse_frequency_value(const std::string& option, const std::string& 
 
 FrequencyRange parse_frequency_range(const std::string& option, const std::string& text) {
   const char* expected =
-      "two factors above zero, the smaller one first, such as 0.4,2.5 or "
-      "0.4,2.5,inverse or 0.01,1,reciprocal";
-  std::vector<std::string> parts = split(text, ',');
+      "two factors above zero, the smaller one first, such as 0.4..2.5 or "
+      "0.4..2.5,inverse or 0.01..1,reciprocal";
+  const std::vector<std::string> parts = split(text, ',');
   FrequencyRange range;
-  range.inverse = parts.size() == 3 && parts.back() == "inverse";
-  range.reciprocal = parts.size() == 3 && parts.back() == "reciprocal";
-  if (range.inverse || range.reciprocal) parts.pop_back();
-  if (parts.size() != 2) wrong_usage(option, expected, text);
-  range.lowest = parse_positive_number(option, parts[0]);
-  range.highest = parse_positive_number(option, parts[1]);
+  range.inverse = parts.size() == 2 && parts.back() == "inverse";
+  range.reciprocal = parts.size() == 2 && parts.back() == "reciprocal";
+  if (parts.size() > 1 && !range.inverse && !range.reciprocal) wrong_usage(option, expected, text);
+  const auto [lowest, highest] = parse_ends(option, expected, parts.front());
+  range.lowest = parse_positive_number(option, lowest);
+  range.highest = parse_positive_number(option, highest);
   if (range.lowest >= range.highest) wrong_usage(option, expected, text);
   return range;
 }

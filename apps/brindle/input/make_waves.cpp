@@ -11,7 +11,6 @@
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
-#include "brindle/normals.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/tensor_field.h"
 #include "cli/command_line.h"

@@ -53,9 +53,7 @@ SurfaceFile& file_of(const SurfaceOptions& options) {
 
 void add_surface_options(CLI::App& app, SurfaceOptions& options) {
   app.add_option("MESH", options.mesh,
-                 "a file (" + std::string(kMeshFiles) +
-                     ") or a built-in shape, such as shape:torus or "
-                     "shape:torus,resolution=64,noise=0.2; 'brindle --shapes' lists them")
+                 "mesh or points, or shape:NAME of 'brindle --shapes'; see 'brindle help inputs'")
       ->required()
       ->check([](const std::string& mesh) {
         return std::string(mesh.empty() ? "expected a file or a shape, got an empty name" : "");

@@ -164,7 +164,8 @@ void check_value_name(const std::string& option, const std::string& text,
     if (place != "camera") parse_place(option, place);
   } else if (text != "curvature" && text != kHeight && text != kLight && text != kCoherence &&
              !is_csv(text)) {
-    wrong_usage(option, "one of " + names, text);
+    const bool has_end = text.find('@') != text.npos;
+    wrong_usage(option, "one of " + names + (has_end ? ", then a range if any: @A..B" : ""), text);
   }
 }
 

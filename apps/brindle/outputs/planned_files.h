@@ -63,9 +63,9 @@ void add_writing_stages(const Files& files, std::vector<JobStage>& stages) {
 /// Returns the result of `make(display)`, after `write(kind, path, result, display)` for all files.
 /// `stages` are those of `make`. `draw_milliseconds` of the result receives the time of pictures.
 template <typename Kind>
-auto make_and_write(const PlannedFiles<Kind>& files, bool quiet, std::vector<JobStage> stages,
-                    const auto& make, const auto& write) {
-  ProgressDisplay display(quiet);
+auto make_and_write(const CLI::App& command, const PlannedFiles<Kind>& files, bool quiet,
+                    std::vector<JobStage> stages, const auto& make, const auto& write) {
+  ProgressDisplay display(quiet, &command);
   add_writing_stages(files, stages);
   display.plan(std::move(stages));
   auto result = make(display);

@@ -29,9 +29,11 @@ std::string parse_size_value(const std::string& option, const std::string& text)
 }
 
 ValueRange parse_size_range(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2) wrong_usage(option, "two shares A,B", text);
-  return {parse_not_negative_number(option, parts[0]), parse_not_negative_number(option, parts[1])};
+  const ValueRange range = parse_range(option, text);
+  if (std::min(range.lowest, range.highest) < 0) {
+    wrong_usage(option, "two shares A..B, zero or more", text);
+  }
+  return range;
 }
 
 }  // namespace

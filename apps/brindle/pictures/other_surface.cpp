@@ -63,6 +63,10 @@ bool take_part(const std::string& option, const std::string& part, OtherSurfaceC
   if (equals != part.npos) {
     return take_named(option, part.substr(0, equals), part.substr(equals + 1), choice);
   }
+  if (part.find("..") != part.npos) {
+    choice.color_range = parse_rising_range(option + " @color-by", part);
+    return !choice.color_by.empty();
+  }
   if (part == "striped") {
     choice.striped = true;
   } else if (part == "discarded") {
@@ -122,6 +126,7 @@ std::string kind_of_part(const std::string& part) {
   if (part == "outlined" || part == "untinted" || part == "whole") return "";
   const std::size_t equals = part.find('=');
   if (equals != part.npos) return "one @" + part.substr(0, equals);
+  if (part.find("..") != part.npos) return "one range";
   return part.find(',') != part.npos ? "one place" : "one colour";
 }
 
@@ -171,6 +176,10 @@ std::string text_of(const OtherSurfaceChoice& choice) {
   add("stripe-width", choice.stripe_width);
   if (choice.stripe_color) text += "@stripe-color=" + hex_color(*choice.stripe_color);
   if (!choice.color_by.empty()) text += "@color-by=" + choice.color_by;
+  if (const auto& range = choice.color_range) {
+    text += formatted("@%.9g..%.9g", static_cast<double>(range->lowest),
+                      static_cast<double>(range->highest));
+  }
   if (choice.outlined) text += "@outlined";
   if (!choice.tinted) text += "@untinted";
   if (choice.whole) text += "@whole";
@@ -205,6 +214,7 @@ OtherSurfaceChoice with_pattern(OtherSurfaceChoice choice, bool striped, const s
 }
 
 OtherSurfaceChoice with_color_by(OtherSurfaceChoice choice, const std::string& value) {
+  if (choice.color_by != value) choice.color_range.reset();
   choice.color_by = value;
   return without_effectless(std::move(choice));
 }
@@ -214,6 +224,7 @@ OtherSurfaceChoice without_looks(OtherSurfaceChoice choice) {
   choice.stripe_width.reset();
   choice.stripe_color.reset();
   choice.color_by.clear();
+  choice.color_range.reset();
   choice.outlined = false;
   choice.color.reset();
   choice.tinted = true;

@@ -7,13 +7,15 @@
 #include <Eigen/Core>
 
 #include "brindle/styled_picture.h"
+#include "cli/option_values.h"
 
 namespace brindle::tool {
 
 /// The syntax of `parse_other_surface`, for messages.
 inline constexpr const char* kOtherSurfaceForm =
     "MESH[@opaque|striped|discarded][@texture=TILE][@stripes=N][@rotate=DEG][@stripe-width=W]"
-    "[@stripe-color=#rrggbb][@color-by=VALUE][@outlined][@untinted][@whole][@#rrggbb][@X,Y,Z]";
+    "[@stripe-color=#rrggbb][@color-by=VALUE[@A..B]][@outlined][@untinted][@whole][@#rrggbb][@X,Y,"
+    "Z]";
 
 /// The colour without stripes, and between stripes.
 inline constexpr Color kOtherColor{0.74f, 0.42f, 0.33f};
@@ -23,14 +25,15 @@ struct OtherSurfaceChoice {
   bool striped = false;
   std::string tile;  ///< built-in tile, instead of stripes; empty: none
   BetweenStrokes between = BetweenStrokes::surface;  ///< discarded only with a pattern
-  std::optional<float> stripes;       ///< along its own diagonal; empty: the first's density
-  std::optional<float> rotate_deg;    ///< empty: the first's turn
-  std::optional<float> stripe_width;  ///< share of the period; empty: the first's
-  std::optional<Color> stripe_color;  ///< of stripes and motifs; empty: the first's
-  std::string color_by;               ///< value of the colours; empty: none
-  bool outlined = false;              ///< its silhouette is drawn
-  bool tinted = true;                 ///< by --depth-cue
-  bool whole = false;                 ///< ignores --slice
+  std::optional<float> stripes;           ///< along its own diagonal; empty: the first's density
+  std::optional<float> rotate_deg;        ///< empty: the first's turn
+  std::optional<float> stripe_width;      ///< share of the period; empty: the first's
+  std::optional<Color> stripe_color;      ///< of stripes and motifs; empty: the first's
+  std::string color_by;                   ///< value of the colours; empty: none
+  std::optional<ValueRange> color_range;  ///< of the colour map; empty: all values
+  bool outlined = false;                  ///< its silhouette is drawn
+  bool tinted = true;                     ///< by --depth-cue
+  bool whole = false;                     ///< ignores --slice
   std::optional<Color> color;
   Eigen::Vector3d moved = Eigen::Vector3d::Zero();
 

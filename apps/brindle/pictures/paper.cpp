@@ -114,7 +114,7 @@ void check_paper_options(const CLI::App& command, const PictureOptions& options,
     throw CLI::ValidationError(option, why);
   };
   if (options.scale && options.projection != Projection::orthographic) {
-    refuse("--scale", "a picture in perspective has no scale; add --projection orthographic");
+    refuse("--scale", "a picture in perspective has no scale; add ',orthographic' to --camera");
   }
   if (options.scale && options.render.camera.zoom != 1) {
     refuse("--scale", "the zoom of --camera gives another scale; leave out one of them");

@@ -22,16 +22,10 @@ const std::vector<std::string> kStyleOptions = {
     "--ground-shadow", "--texture-by",     "--regions",      "--texture-shift", "--texture-flow",
     "--tile-size-by",  "--tile-size-range"};
 
-ValueRange parse_range(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2) wrong_usage(option, "two numbers A,B", text);
-  return {parse_number(option, parts[0]), parse_number(option, parts[1])};
-}
-
 ValueRange parse_shares(const std::string& option, const std::string& text) {
   const ValueRange range = parse_range(option, text);
   if (std::min(range.lowest, range.highest) < 0 || std::max(range.lowest, range.highest) > 1) {
-    wrong_usage(option, "two numbers from 0 to 1", text);
+    wrong_usage(option, "two numbers A..B from 0 to 1", text);
   }
   return range;
 }
@@ -39,15 +33,15 @@ ValueRange parse_shares(const std::string& option, const std::string& text) {
 ValueRange parse_tones(const std::string& option, const std::string& text) {
   const ValueRange range = parse_shares(option, text);
   if (range.lowest >= range.highest) {
-    wrong_usage(option, "two tones from 0 to 1, the darker one first", text);
+    wrong_usage(option, "two tones A..B from 0 to 1, the darker one first", text);
   }
   return range;
 }
 
 WidthRange parse_width_range(const std::string& option, const std::string& text) {
-  const char* expected = "two widths, from 0 to 1 or in pixels, such as 0.1,0.9 or 1px,5px";
-  std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2) wrong_usage(option, expected, text);
+  const char* expected = "two widths, from 0 to 1 or in pixels, such as 0.1..0.9 or 1px..5px";
+  const auto [from, to] = parse_ends(option, expected, text);
+  std::array<std::string, 2> parts = {from, to};
   const auto in_pixels =
       std::ranges::count_if(parts, [](const std::string& part) { return part.ends_with("px"); });
   if (in_pixels == 1) wrong_usage(option, expected, text);
@@ -119,14 +113,6 @@ std::string parse_width_value(const std::string& option, const std::string& text
 }
 
 }  // namespace
-
-ValueRange parse_rising_range(const std::string& option, const std::string& text) {
-  const ValueRange range = parse_range(option, text);
-  if (!(range.lowest < range.highest)) {
-    wrong_usage(option, "two numbers A,B, the smaller one first", text);
-  }
-  return range;
-}
 
 void add_color_options(CLI::App& app, StyleOptions& options) {
   add_parsed_option(app, "--color-by", options.color_by, parse_value);
@@ -213,6 +199,12 @@ void check_colors(const CLI::App& command, const StyleOptions& options) {
   if (colored.empty()) {
     refuse_given(command, {"--color-range", "--colormap", "--threshold", "--color-on"},
                  "colours follow no value; add --color-by VALUE");
+  }
+  for (const OtherSurfaceChoice& other : options.others) {
+    if (!other.color_range || options.range_of_colors(other.color_by) == other.color_range)
+      continue;
+    throw CLI::ValidationError("--with", "the colours of " + other.color_by +
+                                             " have two ranges, and share one map; give it once");
   }
   if (options.color_by.empty()) {
     refuse_given(
@@ -344,6 +336,14 @@ std::vector<std::string> StyleOptions::color_values() const {
     if (!other.color_by.empty() && !known) values.push_back(other.color_by);
   }
   return values;
+}
+
+std::optional<ValueRange> StyleOptions::range_of_colors(const std::string& value) const {
+  if (color_range && value == color_values().front()) return color_range;
+  for (const OtherSurfaceChoice& other : others) {
+    if (other.color_by == value && other.color_range) return other.color_range;
+  }
+  return std::nullopt;
 }
 
 bool StyleOptions::follows_camera() const {

@@ -23,11 +23,6 @@ struct WidthRange {
   WidthUnit unit = WidthUnit::period;
 };
 
-struct ValueRange {
-  float lowest = 0;
-  float highest = 1;
-};
-
 /// Silhouettes: none, solid, or dashed where the pattern has strokes.
 enum class OutlineStyle { none, solid, dashed };
 
@@ -94,6 +89,8 @@ struct StyleOptions {
   }
   /// The values of colours, each once: that of the first surface, then those of others.
   std::vector<std::string> color_values() const;
+  /// The range that is given for a value's colours.
+  std::optional<ValueRange> range_of_colors(const std::string& value) const;
   bool by_light() const { return width_by == "light"; }
   /// The names of all values that the style depends on, or empty.
   std::array<std::string, 5> values() const {
@@ -151,9 +148,6 @@ void refuse_for_outlines(const CLI::App& command, const StyleOptions& options);
 
 /// --color-by, --color-range, --colormap, --threshold, --legend and --no-legend.
 void add_color_options(CLI::App& app, StyleOptions& options);
-
-/// "A,B", two finite numbers in ascending order.
-ValueRange parse_rising_range(const std::string& option, const std::string& text);
 
 /// Input files of values and other surfaces.
 std::vector<UsedFile> style_files(const StyleOptions& options);

@@ -103,8 +103,7 @@ void follow_colors(const StyleOptions& style, const StyleValues& input, StyleBin
   for (std::size_t k = 0; k < colored.size(); ++k) {
     const ColoredValues& values = colored[k];
     const bool first = k == 0;
-    ValueRange range = own_range(values.of);
-    if (first && style.color_range) range = *style.color_range;
+    const ValueRange range = style.range_of_colors(values.name).value_or(own_range(values.of));
     // Thresholds are rejected with several values, so that all share one scale.
     const ColorScale scale = scale_of(style, range);
     if (first) followed.scale = scale;

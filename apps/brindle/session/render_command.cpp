@@ -60,7 +60,8 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false)
-      ->required();
+      ->required()
+      ->group("Output");
   command.add_option("--replay", arguments.replay, "commands to run first, one per line")
       ->type_name("FILE.jsonl");
   arguments.picture = add_size_options(command);

@@ -46,14 +46,16 @@ void add_session_options(CLI::App& command, OptionValues& options) {
   for (const OptionInfo* option : session_options()) {
     const std::string name(option->name), help(option->help);
     if (option->kind == OptionKind::flag) {
-      command.add_flag_callback(
-          "--" + name, [&options, name] { options[name] = {}; }, help);
+      command
+          .add_flag_callback(
+              "--" + name, [&options, name] { options[name] = {}; }, help)
+          ->group(std::string(option->group));
       continue;
     }
     CLI::Option* added = command.add_option_function<std::vector<std::string>>(
         "--" + name,
         [&options, name](const std::vector<std::string>& values) { options[name] = values; }, help);
-    added->type_name(std::string(option->form))->expected(1);
+    added->type_name(std::string(option->form))->expected(1)->group(std::string(option->group));
     if (option->several) added->take_all();
   }
 }
@@ -88,7 +90,8 @@ void add_window_options(CLI::App& command, ViewArguments& arguments) {
   command
       .add_option("-o,--output", viewer.output,
                   "write a picture of the window once all is drawn, and close")
-      ->type_name("FILE.png");
+      ->type_name("FILE.png")
+      ->group("Output");
   command
       .add_option("--log", viewer.log,
                   "write what the window does as lines of JSON, for bug reports")

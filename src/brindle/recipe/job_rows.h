@@ -20,6 +20,8 @@ constexpr auto kPictureRows =
                .kind = OptionKind::choice,
                .form = "perspective|orthographic",
                .standard = "perspective",
+               .part_of = "camera",
+               .written = ",",
                .help = "picture: orthographic keeps parallel lines (default perspective)"},
               {.name = "size",
                .common = true,
@@ -38,7 +40,6 @@ constexpr auto kPictureRows =
               {.name = "scale",
                .kind = OptionKind::text,
                .form = "MM:UNITS",
-               .needs = "projection",
                .jobs = kPrinted,
                .help = "orthographic: millimetres on paper for units of the mesh, such as 1:1"},
               {.name = "dpi",
@@ -57,13 +58,7 @@ constexpr auto kPictureRows =
 
 constexpr auto kOutputRows =
     in_group({.group = "Output", .jobs = kStripe | kCurves | kSample},
-             {{.name = "uv",
-               .common = true,
-               .kind = OptionKind::flag,
-               .one_process = kNeedsWhole,
-               .jobs = kStripe,
-               .help = "texture coordinates: U across the stripes, one unit per period"},
-              {.name = "output",
+             {{.name = "output",
                .common = true,
                .kind = OptionKind::text,
                .form = "FILE",
@@ -93,7 +88,13 @@ constexpr auto kOutputRows =
                .common = true,
                .kind = OptionKind::flag,
                .jobs = kAll,
-               .help = "print nothing but errors"}});
+               .help = "print nothing but errors"},
+              {.name = "uv",
+               .common = true,
+               .kind = OptionKind::flag,
+               .one_process = kNeedsWhole,
+               .jobs = kStripe,
+               .help = "texture coordinates: U across the stripes, one unit per period"}});
 
 constexpr auto kCreaseRows =
     in_group({.group = "Output", .jobs = kCurves},
@@ -120,12 +121,16 @@ constexpr auto kFrameRows =
                .kind = OptionKind::choice,
                .form = "aligned|trapezoid",
                .standard = "aligned",
+               .part_of = "solver",
+               .written = ",phase-shift=",
                .help = "distance between two waves"},
               {.name = "lambda",
                .kind = OptionKind::number,
                .form = "L",
                .standard = "0.025",
                .range = kWeight,
+               .part_of = "solver",
+               .written = ",lambda=",
                .help = "multilevel: weight of the last frame (default 0.025; 0: none)"},
               {.name = "interpolate",
                .kind = OptionKind::whole,
@@ -159,6 +164,8 @@ constexpr auto kFrameRows =
                .standard = "3",
                .range = {.least = 1, .most = 10000},
                .slider = {1, 20},
+               .part_of = "solver",
+               .written = ",iterations=",
                .help = "relaxation: iterations per frame (default 3)"},
               {.name = "fps",
                .kind = OptionKind::whole,
@@ -174,6 +181,8 @@ constexpr auto kFrameRows =
               {.name = "texture-flow",
                .kind = OptionKind::text,
                .form = "U[,V]",
+               .part_of = "texture",
+               .written = ",flow=",
                .help = "--texture: move all tiles by U,V tiles per second"}});
 
 constexpr auto kJobRows = joined(kPictureRows, kOutputRows, kCreaseRows, kFrameRows);

@@ -22,13 +22,26 @@ namespace {
 
 constexpr float kLabelShare = 0.44f;
 
-/// Both numbers of "0.1,0.9", also of "0.4,2.5,inverse". Empty for other text.
-std::vector<float> numbers_in(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() < 2) return {};
-  const auto first = number_in<float>(parts[0]), second = number_in<float>(parts[1]);
-  if (!first || !second) return {};
-  return {*first, *second};
+/// Two numbers as text: "0.1..0.9", "0.4..2.5,inverse" or "30,20".
+struct TwoNumbers {
+  std::string first = "", between = ",", second = "", rest = "";
+
+  std::string text() const { return first + between + second + rest; }
+};
+
+/// Empty for other text.
+std::optional<TwoNumbers> numbers_in(const std::string& text) {
+  TwoNumbers numbers;
+  if (text.find("..") != text.npos) numbers.between = "..";
+  const std::size_t at = text.find(numbers.between);
+  if (at == text.npos) return std::nullopt;
+  const std::size_t end = at + numbers.between.size();
+  const std::size_t comma = std::min(text.find(',', end), text.size());
+  numbers.first = text.substr(0, at);
+  numbers.second = text.substr(end, comma - end);
+  numbers.rest = text.substr(comma);
+  const bool are_numbers = number_in<float>(numbers.first) && number_in<float>(numbers.second);
+  return are_numbers ? std::optional(numbers) : std::nullopt;
 }
 
 void show_tooltip(const std::string& title, const std::string& text) {
@@ -256,8 +269,10 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
   const auto& options = given_;
   if (const auto colors = options.find("color-range");
       option.name == "threshold" && colors != options.end()) {
-    const auto ends = numbers_in(colors->second.front());
-    if (ends.size() == 2) range = {.lowest = ends[0], .highest = ends[1]};
+    if (const auto ends = numbers_in(colors->second.front())) {
+      range = {.lowest = *number_in<float>(ends->first),
+               .highest = *number_in<float>(ends->second)};
+    }
   }
   return range;
 }
@@ -319,8 +334,10 @@ void OptionPanel::draw_number(const CatalogOption& option, float value, bool kno
 // Two numbers, and an optional suffix.
 void OptionPanel::draw_numbers(const CatalogOption& option) {
   const std::string text = text_of(option);
-  std::vector<float> ends = numbers_in(text);
-  if (ends.size() != 2) return draw_text(option, 0, -FLT_MIN);
+  std::optional<TwoNumbers> numbers = numbers_in(text);
+  if (!numbers) return draw_text(option, 0, -FLT_MIN);
+  std::array<float, 2> ends = {*number_in<float>(numbers->first),
+                               *number_in<float>(numbers->second)};
   const bool given = given_.contains(option.name);
   if (!given) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
@@ -336,12 +353,11 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   const ValueChange change = second == ValueChange::none ? first : second;
   if (!given) ImGui::PopStyleColor();
   // Unchanged parts keep their text.
-  const std::vector<std::string> parts = split(text, ',');
-  std::string value =
-      (first == ValueChange::none ? parts[0] : text_of_value(ends[0], first, false)) + "," +
-      (second == ValueChange::none ? parts[1] : text_of_value(ends[1], second, false));
-  for (std::size_t i = 2; i < parts.size(); ++i) value += "," + parts[i];
-  if (change != ValueChange::none && value != text) set(option, {value}, change);
+  if (first != ValueChange::none) numbers->first = text_of_value(ends[0], first, false);
+  if (second != ValueChange::none) numbers->second = text_of_value(ends[1], second, false);
+  if (change != ValueChange::none && numbers->text() != text) {
+    set(option, {numbers->text()}, change);
+  }
 }
 
 // A percentage of the diagonal; lengths in the mesh's units are typed.
