@@ -5,7 +5,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "brindle/base/option_words.h"
 #include "brindle/base/text.h"
 #include "cli/described_options.h"
 #include "cli/option_values.h"

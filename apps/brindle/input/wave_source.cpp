@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "brindle/direction_field.h"
 #include "brindle/files.h"
 #include "brindle/normals.h"
-#include "brindle/orientation.h"
 #include "input/csv_field.h"
 
 namespace brindle::tool {

@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "brindle/crease_slip.h"
 #include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/distributed_stripes.h"
+#include "brindle/quality.h"
 #include "input/preparation.h"
 #include "input/second_waves.h"
 #include "input/used_files.h"
