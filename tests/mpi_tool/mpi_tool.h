@@ -94,8 +94,8 @@ struct MpiTool : ToolTest {
   /// Whether a line is neither a stage of a slow job, nor a note on the mesh, nor about help.
   static bool is_message(const std::string& line) {
     const auto ends = [&](const char* words) { return line.ends_with(words); };
-    return (has(line, ": ") || has(line, "; ") || ends(":")) && !ends(": joined") &&
-           !ends("without a wave") && !has(line, "--help");
+    return (has(line, ": ") || has(line, "; ") || ends(":") || line == "cancelled") &&
+           !ends(": joined") && !ends("without a wave") && !has(line, "--help");
   }
 
   /// One message besides notes on the mesh, this exit code, and no file.
