@@ -61,7 +61,7 @@ TEST_F(ToolTest, HelpHasGroups) {
   const std::string all = run({"stripe", "--help-all"}).out;
   EXPECT_LT(all.find("\nOutput:\n"), all.find("\nSurface:\n"));
   EXPECT_GT(all.find("\nSolver:\n"), all.find("\nPicture:\n"));
-  EXPECT_LT(all.find("\nOptions:\n  -h,--help"), all.find("\nOutput:\n  -o,--output"));
+  EXPECT_LT(all.find("\nOutput:\n  -o,--output"), all.find("\nOptions:\n  -h,--help"));
 }
 
 TEST_F(ToolTest, HelpSaysHowCommandsEnd) {

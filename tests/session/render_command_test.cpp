@@ -128,7 +128,10 @@ TEST_F(RenderTool, ReportsOfCurvesWhatCurvesReports) {
     document.curves = own;
     std::vector<std::string> arguments = {"curves", document.mesh, "--report=a.json", "--quiet"};
     for (const auto& [name, values] : shown_options(document)) {
+      if (name == "curvature-direction") continue;  // a part of --field
       arguments.push_back("--" + name + (values.empty() ? "" : "=" + values.front()));
+      const auto part = options.find("curvature-direction");
+      if (name == "field" && part != options.end()) arguments.back() += "," + part->second.front();
     }
     const test::ToolResult result = run(arguments);
     ASSERT_EQ(result.exit_code, 0) << result.err;

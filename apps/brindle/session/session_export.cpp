@@ -53,7 +53,7 @@ void scale_widths(SessionDocument& document, double scale) {
   }
   if (!range) return;
   options_with("width-range", document)["width-range"] = {
-      formatted("%.6gpx,%.6gpx", scale * static_cast<double>(range->first),
+      formatted("%.6gpx..%.6gpx", scale * static_cast<double>(range->first),
                 scale * static_cast<double>(range->last))};
 }
 
