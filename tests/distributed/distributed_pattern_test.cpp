@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,10 +11,8 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/pattern/curve_spacing.h"
 #include "brindle/pattern/sampling.h"
 #include "brindle/pattern/stripe_curves.h"
-#include "brindle/smooth_field.h"
 #include "brindle/stripe_pattern.h"
 #include "ranks.h"
 #include "test_meshes.h"
@@ -137,42 +134,6 @@ TEST(DistributedWaves, ThatDoNotMatchThePieceAreRefusedByAll) {
   WaveSet waves = parts.of_piece(parts.whole.waves);
   if (rank() == rank_count() - 1) waves.frequencies.push_back(1);
   EXPECT_THROW(measure_waves(parts.surface(), waves), Error);
-}
-
-void expect_spacing(const CurveSpacing& found, const CurveSpacing& expected) {
-  EXPECT_EQ(found.measured, expected.measured);
-  EXPECT_EQ(found.gaps.measured, expected.gaps.measured);
-  EXPECT_EQ(found.mean, expected.mean);
-  EXPECT_EQ(found.deviation, expected.deviation);
-  EXPECT_EQ(found.mean_wanted, expected.mean_wanted);
-  EXPECT_EQ(found.gaps.least, expected.gaps.least);
-  EXPECT_EQ(found.gaps.most, expected.gaps.most);
-  EXPECT_EQ(found.gaps.mean_ratio, expected.gaps.mean_ratio);
-  EXPECT_EQ(found.gaps.mean_ratio_chosen, expected.gaps.mean_ratio_chosen);
-}
-
-// Rank 0 has all curves, but frequencies beside them are those of other ranks' vertices.
-TEST(DistributedCurves, AreMeasuredAsThoseOfTheWhole) {
-  for (const bool uneven : {false, true}) {
-    const Solved solved(uneven ? with_uneven_waves("torus,resolution=40", 24)
-                               : wavy_surface("torus,resolution=40", kAxis, 24));
-    FrequencyField wanted = solved.whole.waves.frequencies;
-    for (float& frequency : wanted) frequency *= 1.25f;
-    const StripeCurves curves = stripe_curves(LiftedWaves(solved.pattern()), {});
-    const CurveSpacing spacing =
-        measure_curve_spacing(solved.pattern(), curves, kMostSpacingPoints, wanted);
-    ASSERT_GT(spacing.measured, 1000u);
-    for (const Cut& cut : kCuts) {
-      SCOPED_TRACE(cut.name);
-      const SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
-      const StripeCurves known = rank() == 0 ? curves : StripeCurves();
-      const std::optional<CurveSpacing> found =
-          measure_spacing(GatheredSurface(piece.surface.rank_surface()), piece.pattern(), known,
-                          piece.parts.of_piece(wanted));
-      ASSERT_EQ(found.has_value(), rank() == 0);
-      if (found) expect_spacing(*found, spacing);
-    }
-  }
 }
 
 struct Line {
@@ -341,45 +302,6 @@ TEST(DistributedCurves, RefuseOptionsThatContradictEachOther) {
   const SolvedPiece piece(solved, partition_by_curve(solved.whole.mesh, rank_count()));
   EXPECT_THROW(piece_curves(piece.pattern(), {.join = true, .trim = 0.6f}), Error);
   EXPECT_THROW(piece_curves(piece.pattern(), {.trim = 2}), Error);
-}
-
-/// Waves round a torus and round an island without waves, with signs by chance.
-TEST(DistributedCurves, MoveAsThoseOfTheWhole) {
-  WavySurface torus = wavy_surface("torus,resolution=30", kAxis, 20);
-  std::mt19937 random(3);
-  for (std::size_t v = 0; v < torus.mesh.vertex_count(); ++v) {
-    const Vec3& p = torus.mesh.positions[v];
-    const float sign = random() % 2 == 0 ? 1.0f : -1.0f;
-    torus.waves.directions[v] = sign * Vec3(-p.y(), p.x(), 0).normalized();
-  }
-  const Solved solved(with_hole(torus, 0.3f));
-  for (const float periods : {0.25f, -1.6f, 0.5f}) {
-    WaveSet waves = solved.whole.waves;
-    std::vector<Complex> z = solved.z;
-    EXPECT_EQ(shift_phases(*solved.whole.neighborhood, periods, waves, z), 0u);
-    for (const Cut& cut : kCuts) {
-      SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(periods));
-      SolvedPiece piece(solved, cut.rank_of_triangle(solved.whole.mesh));
-      const GatheredSurface whole(piece.surface.rank_surface());
-      EXPECT_EQ(shift_phases(whole, periods, piece.waves, piece.z), 0u);
-      EXPECT_EQ(piece.waves.directions, piece.parts.of_piece(waves.directions));
-      EXPECT_EQ(piece.z, piece.parts.of_piece(z));
-    }
-  }
-}
-
-/// Where directions cannot run alike, there are edges across which they do not.
-TEST(DistributedCurves, SayWhereMovedOnesJog) {
-  WavySurface box = wavy_surface("box,resolution=12", kAxis, 20);
-  box.waves.directions = smooth_direction_field(make_surface(box.mesh));
-  const Solved solved(box);
-  WaveSet waves = solved.whole.waves;
-  std::vector<Complex> z = solved.z;
-  const std::size_t expected = shift_phases(*solved.whole.neighborhood, 0.25f, waves, z);
-  ASSERT_GT(expected, 0u);
-  SolvedPiece piece(solved, partition_by_curve(box.mesh, rank_count()));
-  const GatheredSurface gathered(piece.surface.rank_surface());
-  EXPECT_EQ(shift_phases(gathered, 0.25f, piece.waves, piece.z), expected);
 }
 
 /// A crossing of a border as ranks compare it.

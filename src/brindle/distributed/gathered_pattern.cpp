@@ -214,8 +214,9 @@ StripePattern gathered_pattern(const GatheredSurface& whole, const PiecePattern&
   return gathered;
 }
 
-WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& pattern,
-                         const CurveOptions& options, const Progress& progress) {
+WholeCurves whole_curves(const PiecePattern& pattern, const CurveOptions& options,
+                         const Progress& progress) {
+  const GatheredSurface whole(pattern.surface.rank_surface());
   Communicator& ranks = *whole.piece().ranks;
   const StripePattern gathered = gathered_pattern(whole, pattern);
   const std::vector<TriangleOfPiece> triangles = whole.triangles_of_pieces();
@@ -228,11 +229,6 @@ WholeCurves whole_curves(const GatheredSurface& whole, const PiecePattern& patte
     }
   });
   return result;
-}
-
-WholeCurves whole_curves(const PiecePattern& pattern, const CurveOptions& options,
-                         const Progress& progress) {
-  return whole_curves(GatheredSurface(pattern.surface.rank_surface()), pattern, options, progress);
 }
 
 PieceCurves piece_curves(const PiecePattern& pattern, const CurveOptions& options) {
@@ -264,31 +260,6 @@ PieceCurves cut_curves(const GatheredSurface& whole, const StripeCurves& curves)
   PieceCurves pieces = received(ranks.swap_lists(cut.lines)[0], ranks.swap_lists(cut.points)[0]);
   pieces.lines.origin = whole.piece().mesh.origin;
   return pieces;
-}
-
-std::size_t shift_phases(const GatheredSurface& whole, float periods, WaveSet& waves,
-                         std::span<Complex> z) {
-  Communicator& ranks = *whole.piece().ranks;
-  StripePattern all;
-  all.waves.directions = whole.of_vertices(waves.directions);
-  all.solution.z = whole.of_vertices(std::span<const Complex>(z));
-  const std::size_t jogs =
-      whole.on_first([&](const Surface& surface) { return shift_stripes(surface, periods, all); });
-  waves.directions = whole.to_piece(all.waves.directions);
-  std::ranges::copy(whole.to_piece(all.solution.z), z.begin());
-  return ranks.greatest(jogs);
-}
-
-std::optional<CurveSpacing> measure_spacing(const GatheredSurface& whole,
-                                            const PiecePattern& pattern, const StripeCurves& curves,
-                                            std::span<const float> wanted) {
-  StripePattern gathered = gathered_pattern(whole, pattern);
-  if (whole.piece().ranks->any(!wanted.empty())) {
-    gathered.frequencies_wanted = whole.of_vertices(wanted);
-  }
-  return whole.on_first([&](const Surface& surface) -> std::optional<CurveSpacing> {
-    return StripeTracer(surface).spacing(gathered, curves);
-  });
 }
 
 std::vector<Sample> wave_samples(const PiecePattern& u, const PiecePattern& v) {
