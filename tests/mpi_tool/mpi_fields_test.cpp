@@ -213,18 +213,17 @@ TEST_F(MpiToolFields, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   write_rows("named.csv", "velocity_x,velocity_y,velocity_z,frequency\n", mesh.vertex_count(), 4);
   write_rows("wind.csv", "east,north,up\n", mesh.vertex_count(), 3);
   const Words of_cells = {"--field", "array:flow", "--stripes", "8", "--field-smoothing", "1"};
-  const auto with = [](Words words, const Words& more) {
+  const auto with = [](Words words, const std::string& parts, const Words& more = {}) {
+    words.back() += parts;
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
   const std::vector<std::string> seen = {"coherence"};
   expect_agreement("in.vtp", of_cells, seen);
-  expect_agreement("in.vtp", with(of_cells, {"--field-weight", "array:load", "--along"}), seen);
-  expect_agreement("in.vtp", with(of_cells, {"--field-weight", "weights.csv:d", "--fill", "1"}),
-                   seen);
-  expect_agreement("in.vtp", with(of_cells, {"--field-singularities", "6", "--field-arrows"}),
-                   seen);
-  expect_agreement("in.vtp", with(of_cells, {"--frequency-by", "array:density"}), seen);
+  expect_agreement("in.vtp", with(of_cells, ",weight=array:load", {"--along"}), seen);
+  expect_agreement("in.vtp", with(of_cells, ",weight=weights.csv:d,fill=1"), seen);
+  expect_agreement("in.vtp", with(of_cells, ",singularities=6,arrows"), seen);
+  expect_agreement("in.vtp", with(of_cells, "", {"--frequency-by", "array:density"}), seen);
   expect_agreement("in.vtp",
                    {"--field", "array:stress", "--frequency", "array:density", "--field-smoothing",
                     "0.5", "--frequency-smoothing", "0.5"},
@@ -240,8 +239,8 @@ TEST_F(MpiToolFields, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
 /// Of a finer mesh with arrays of its own, from which some vertices are too far.
 TEST_F(MpiToolFields, TakesArraysOfAnotherMesh) {
   write_mesh_with_arrays();
-  const Words options = {"--field",      "array:flow", "--frequency-by", "array:density",
-                         "--field-mesh", "in.vtp",     "--max-distance", "0.3%"};
+  const Words options = {"--field",       "array:flow",   "--frequency-by",
+                         "array:density", "--field-mesh", "in.vtp,within=0.3%"};
   expect_agreement("shape:sphere,resolution=12", options, {});
   const auto mpi = report("mpi.json");
   EXPECT_GT(mpi["vertices_without_wave"], 0);

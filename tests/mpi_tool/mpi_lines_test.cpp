@@ -206,16 +206,10 @@ TEST_F(MpiToolLines, ShapesOfCurvesAreThoseOfTheTool) {
 
 /// Rings between the rings of the stripes: as many, and as long on the whole.
 TEST_F(MpiToolLines, MovedRingsAreWholeOnManyRanks) {
-  const Words rings = {"curves",
-                       "shape:torus,resolution=60",
-                       "--field",
-                       "curvature",
-                       "--curvature-direction",
-                       "min",
-                       "--stripes",
-                       "20",
-                       "--output",
-                       "rings.obj"};
+  const Words rings = {"curves",    "shape:torus,resolution=60",
+                       "--field",   "curvature,min",
+                       "--stripes", "20",
+                       "--output",  "rings.obj"};
   std::size_t curves = 0;
   for (const int ranks : {1, 3}) {
     ASSERT_EQ(
@@ -252,9 +246,8 @@ TEST_F(MpiToolLines, SamplesAreThoseOfTheTool) {
 TEST_F(MpiToolLines, RingsAreWholeOnManyRanks) {
   for (const int ranks : {2, 3, 8}) {
     const ToolResult result =
-        command_on(ranks, {"curves", "shape:torus,resolution=60", "--field", "curvature",
-                           "--curvature-direction", "min", "--stripes", "20", "--output",
-                           "rings.csv", "--report", "rings.json"});
+        command_on(ranks, {"curves", "shape:torus,resolution=60", "--field", "curvature,min",
+                           "--stripes", "20", "--output", "rings.csv", "--report", "rings.json"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const auto u = report("rings.json")["u"];
     EXPECT_EQ(u["ends"]["total"], 2 * u["open"].get<std::size_t>());

@@ -76,17 +76,16 @@ TEST_F(MpiTool, WritesPiecesThatFitTogether) {
 
 /// A mesh that rank 0 reads whole, shapes in parts, and triangles that are split.
 TEST_F(MpiTool, OfOneRankWritesWhatTheToolWrites) {
-  const Words meshes[] = {
-      {"shape:vessels,resolution=40"},
-      {"shape:vessels,resolution=40", "--normal-radius", "2%"},
-      {"shape:torus,resolution=40", "--subdivide", "1"},
-      {"shape:sphere,resolution=12"},
-      {"shape:box,resolution=8", "--subdivide", "2"},
-      {"shape:bracket"},
-      {"shape:gear", "--subdivide", "1"},
-      {"shape:gear", "--crease-angle", "100"},
-      {"shape:sheets,resolution=12"},
-      {"shape:box,resolution=9", "--feature-anchor", "2", "--feature-radius", "6%"}};
+  const Words meshes[] = {{"shape:vessels,resolution=40"},
+                          {"shape:vessels,resolution=40", "--normal-radius", "2%"},
+                          {"shape:torus,resolution=40", "--subdivide", "1"},
+                          {"shape:sphere,resolution=12"},
+                          {"shape:box,resolution=8", "--subdivide", "2"},
+                          {"shape:bracket"},
+                          {"shape:gear", "--subdivide", "1"},
+                          {"shape:gear", "--crease-angle", "100"},
+                          {"shape:sheets,resolution=12"},
+                          {"shape:box,resolution=9", "--feature-anchor", "2,radius=6%"}};
   for (const Words& mesh : meshes) {
     Words mine = mesh;
     mine.insert(mine.end(), {"--field", "curvature", "--along", "--stripes", "25"});
@@ -120,10 +119,11 @@ TEST_F(MpiTool, SplitsCreasesAsTheToolDoes) {
   std::string field;
   for (const Vec3& p : gear.positions) field += p.x() > 0 ? "1,0.2,0.1\n" : "0.1,1,0.3\n";
   test::write_text(folder / "field.csv", field);
-  const Words runs[] = {{"shape:bracket", "--direction", "1,2,3"},
-                        {"shape:bracket", "--field", "curvature", "--slack", "0.2"},
-                        {"shape:gear", "--subdivide", "1", "--plan-below", "0"},
-                        {"shape:gear", "--field", "field.csv", "--weights", "cotangent"}};
+  const Words runs[] = {
+      {"shape:bracket", "--direction", "1,2,3"},
+      {"shape:bracket", "--field", "curvature", "--slack", "0.2"},
+      {"shape:gear", "--subdivide", "1", "--plan-below", "0"},
+      {"shape:gear", "--field", "field.csv", "--solver", "multilevel,weights=cotangent"}};
   for (const Words& run : runs) {
     Words tools = run;
     std::erase(tools, "--plan-below");
@@ -169,8 +169,8 @@ TEST_F(MpiTool, OfOneRankYieldsAndWeighsAsTheToolDoes) {
   const Words words = {"shape:torus,resolution=40",
                        "--direction",
                        "0.3,0.9,0.2",
-                       "--weights",
-                       "cotangent",
+                       "--solver",
+                       "multilevel,weights=cotangent",
                        "--slack",
                        "0.25",
                        "--avoid-branches",
@@ -261,7 +261,7 @@ TEST_F(MpiTool, TakesOlderPiecesAway) {
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
   expect_failure(on(2, {"shape:torus", "--texture", "dots"}), 2, "without mpirun");
-  expect_failure(on(2, {"shape:torus", "--subdivide", "1", "--rounded"}), 2, "--rounded");
+  expect_failure(on(2, {"shape:torus", "--subdivide", "1,rounded"}), 2, "--subdivide 1,rounded");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
   expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");
@@ -320,15 +320,15 @@ constexpr const char* kWhenItWorks =
     "grep -q 'SigCgt:.*[2367abef]$' /proc/$$/status; do sleep 0.1; done; kill ";
 
 TEST_F(MpiTool, EndsAllRanksWhereOneIsCancelled) {
-  const Words arguments = {"shape:torus,resolution=300", "--cycles", "9999", "--output",
-                           "out.pvtp"};
+  const Words arguments = {"shape:torus,resolution=300", "--solver", "multilevel,cycles=9999",
+                           "--output", "out.pvtp"};
   expect_failure(with_trouble(std::string(kWhenItWorks) + "-INT $$) &", arguments, arguments), 1,
                  "cancelled");
 }
 
 TEST_F(MpiTool, EndsAllRanksWhereOneIsKilled) {
-  const Words arguments = {"shape:torus,resolution=300", "--cycles", "9999", "--output",
-                           "out.pvtp"};
+  const Words arguments = {"shape:torus,resolution=300", "--solver", "multilevel,cycles=9999",
+                           "--output", "out.pvtp"};
   const ToolResult result =
       with_trouble(std::string(kWhenItWorks) + "-KILL $$) &", arguments, arguments);
   EXPECT_NE(result.exit_code, 0);
