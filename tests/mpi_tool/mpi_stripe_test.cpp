@@ -261,7 +261,8 @@ TEST_F(MpiTool, TakesOlderPiecesAway) {
 
 TEST_F(MpiTool, RefusesWhatIsForOneProcess) {
   expect_failure(on(2, {"shape:torus", "--texture", "dots"}), 2, "without mpirun");
-  expect_failure(on(2, {"shape:torus", "--subdivide", "1,rounded"}), 2, "--subdivide 1,rounded");
+  expect_failure(on(2, {"shape:torus", "--subdivide", "1,rounded"}), 2,
+                 "--subdivide ...,rounded: it needs the whole surface");
   expect_failure(on(2, {"shape:torus", "--output", "a.vtp"}), 2, ".pvtp");
   expect_failure(on(2, {"shape:torus", "--solver", "relaxation"}), 2, "--solver");
   expect_failure(on(2, {"shape:nothing"}), 2, "unknown shape");
