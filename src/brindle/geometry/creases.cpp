@@ -102,7 +102,6 @@ class CreaseFinder {
   CreaseFinder(const Mesh& mesh, float angle_deg, const Progress& progress)
       : mesh_(mesh),
         cosine_(cosine_of(angle_deg)),
-        cosine_of_half_(cosine_of(0.49f * angle_deg)),
         areas_(area_vectors(mesh)),
         normals_(unit_or_zero(areas_)),
         around_(vertex_triangles(mesh, progress.part(0, 0.5))),
@@ -168,21 +167,25 @@ class CreaseFinder {
     return false;
   }
 
-  /// Quick test that no edge at the vertex is sharp: winding is consistent, and all triangles bend
-  /// from the first by less than half the angle. Triangles without area fail it.
+  /// Quick test that no edge at the vertex is sharp or has more than two triangles: winding is
+  /// consistent, and neighbours bend by less than the angle, by more than rounding. Triangles
+  /// without area fail it.
   bool is_smooth(Index v) const {
     constexpr std::size_t kFew = 12;
+    constexpr float kRounding = 1e-5f;
     const std::span<const Index> around = around_.of(v);
     if (around.size() > kFew) return false;
     std::array<Index, kFew> next, previous;
     for (std::size_t n = 0; n < around.size(); ++n) {
-      if (normals_[around[0]].dot(normals_[around[n]]) < cosine_of_half_) return false;
       const Triangle& triangle = mesh_.triangles[around[n]];
       const int corner = corner_of(triangle, v);
       next[n] = triangle[(corner + 1) % 3];
       previous[n] = triangle[(corner + 2) % 3];
       for (std::size_t k = 0; k < n; ++k) {
         if (next[k] == next[n] || previous[k] == previous[n]) return false;
+        if (next[k] != previous[n] && previous[k] != next[n]) continue;
+        const float cosine = normals_[around[k]].dot(normals_[around[n]]);
+        if (cosine < cosine_ + kRounding) return false;
       }
     }
     return true;
@@ -380,7 +383,6 @@ class CreaseFinder {
 
   const Mesh& mesh_;
   float cosine_;
-  float cosine_of_half_;
   std::vector<Vec3> areas_;
   std::vector<Vec3> normals_;  ///< unit, or zero without area
   VertexTriangles around_;
