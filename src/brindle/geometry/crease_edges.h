@@ -1,4 +1,4 @@
-/// Edges of a surface at its creases.
+/// Edges and vertices of a surface at its creases.
 #pragma once
 
 #include <array>
@@ -19,6 +19,16 @@ std::vector<std::array<Index, 2>> links_over_creases(const Creases& creases);
 
 /// The neighbourhood with these links.
 std::shared_ptr<const Adjacency> neighbors_over_creases(const Surface& surface);
+
+/// <R d_j, d_i> with the smallest rotation R from the unit normal n_j to n_i: the cosine between
+/// directions on the two sides of a crease after unfolding the surface about it. Zero if it is
+/// folded flat onto itself.
+inline float cosine_across(const Vec3& d_j, const Vec3& n_j, const Vec3& d_i, const Vec3& n_i) {
+  constexpr float kFolded = 1e-3f;
+  const float unfolded = 1 + n_i.dot(n_j);
+  if (unfolded < kFolded) return 0;
+  return d_i.dot(d_j) - d_j.dot(n_i) * d_i.dot(n_j) / unfolded;
+}
 
 /// Whether an edge is sharp enough for a crease or has three or more triangles. If not, no part of
 /// the mesh is split. Throws as `split_at_creases` does.

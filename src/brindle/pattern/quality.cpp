@@ -11,9 +11,9 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
 #include "brindle/corner_phases.h"
+#include "brindle/geometry/crease_edges.h"
 #include "brindle/pattern/quality_sums.h"
 #include "brindle/pattern/triangle_kernels.h"
-#include "brindle/waves/crease_links.h"
 
 namespace brindle {
 namespace {

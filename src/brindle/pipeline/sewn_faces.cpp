@@ -10,7 +10,6 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/geometry/crease_edges.h"
-#include "brindle/waves/crease_links.h"
 
 namespace brindle {
 namespace {

@@ -13,7 +13,6 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/crease_edges.h"
-#include "brindle/waves/crease_links.h"
 
 namespace brindle {
 namespace {
