@@ -81,6 +81,7 @@ TEST_F(GpuAnimatorTest, StripesMeetAtCreasesAsOnTheProcessor) {
       with_creases(extruded_ring(square_round(32, 3), toothed_circle(32, 1), 0.4f));
   for (const float lambda : {0.0f, 0.02f}) {
     GpuAnimator gpu(device.solver.kernels(), surface, options_with(lambda));
+    gpu.measure_frames(true);
     StripeAnimator cpu(surface, options_with(lambda));
     for (const float frequency : {3.0f, 3.1f}) {
       const WaveSet waves{surface.mesh.positions,
@@ -89,6 +90,9 @@ TEST_F(GpuAnimatorTest, StripesMeetAtCreasesAsOnTheProcessor) {
       const PhaseGraph graph = build_phase_graph(surface.neighborhood, waves);
       gpu.frame(test::input_of(waves));
       const std::vector<Complex> z = gpu.read_phases();
+      const auto measured = gpu.measure_now();
+      ASSERT_TRUE(measured);
+      EXPECT_NEAR(measured->energy, energy(graph, z), 1e-5) << lambda << ' ' << frequency;
       const FrameResult frame = cpu.frame(test::input_of(waves));
       EXPECT_NEAR(energy(graph, z), energy(graph, frame.z), 1e-4) << lambda << ' ' << frequency;
       const auto slip = crease_slip(surface, waves, z);
