@@ -49,6 +49,16 @@ TEST_F(MpiTool, RefusesRanksWithDifferentWords) {
   expect_in(result, "rank 3: stripe shape:box");
 }
 
+TEST_F(MpiTool, LetsEachRankChooseItsThreads) {
+  const Words shared = {"stripe", "shape:torus,resolution=20", "--stripes", "30", "--along"};
+  Words first = shared, second = shared;
+  first.insert(first.end(), {"--quiet", "--threads=2"});
+  second.insert(second.begin() + 1, {"--threads", "1"});
+  const ToolResult result = with_others(2, first, 1, second);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+}
+
 /// Either the list of pieces, or what one of them holds, is another one in another folder.
 TEST_F(MpiTool, RefusesRanksThatSeeDifferentFiles) {
   namespace fs = std::filesystem;

@@ -22,7 +22,7 @@ class OverRanks final : public RankJobs {
   OverRanks(const OverRanks&) = delete;
   OverRanks& operator=(const OverRanks&) = delete;
 
-  /// Throws CLI::ValidationError unless all ranks have the same words.
+  /// Throws CLI::ValidationError as `check_same_words` does.
   void check_words(const std::vector<std::string>& words);
 
   void add_options(CLI::App& command) override;

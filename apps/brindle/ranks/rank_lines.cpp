@@ -95,6 +95,16 @@ void write_files(const RankRun& run, const PlannedFiles<Kind>& files, JobListene
   }
 }
 
+/// Collective. Rank 0 prints the metrics and what was written.
+void tell(const RankRun& run, bool quiet, const auto& job, const auto& files) {
+  run.ranks.throw_on_all([&] {
+    if (!run.is_first() || quiet) return;
+    print(std::cout, job);
+    print_ranks(std::cout, job.ranks);
+    print_written(std::cout, files);
+  });
+}
+
 /// The border edge at each point's line end.
 std::vector<DataArray> border_arrays(const PieceCurves& curves) {
   std::vector<std::int64_t> edges(2 * curves.lines.points.size(), -1);
@@ -248,12 +258,7 @@ void run_curves_over(const RankRun& run, const CLI::App& command,
           write_curves_file(kind, path, command, arguments, job, display);
         });
   }
-  run.ranks.throw_on_all([&] {
-    if (!run.is_first() || arguments.quiet) return;
-    print(std::cout, job);
-    print_ranks(std::cout, job.ranks);
-    print_written(std::cout, files);
-  });
+  tell(run, arguments.quiet, job, files);
 }
 
 void run_sample_over(const RankRun& run, const CLI::App& command,
@@ -282,12 +287,7 @@ void run_sample_over(const RankRun& run, const CLI::App& command,
           write_sample_file(kind, path, command, arguments, job, display);
         });
   }
-  run.ranks.throw_on_all([&] {
-    if (!run.is_first() || arguments.quiet) return;
-    print(std::cout, job);
-    print_ranks(std::cout, job.ranks);
-    print_written(std::cout, files);
-  });
+  tell(run, arguments.quiet, job, files);
 }
 
 }  // namespace brindle::tool

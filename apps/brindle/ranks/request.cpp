@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <span>
 #include <string_view>
@@ -23,6 +24,27 @@ namespace fs = std::filesystem;
 std::string quoted(const std::string& word) {
   const bool plain = word.find_first_of(" '\"\n\t") == std::string::npos && !word.empty();
   return plain ? word : "'" + word + "'";
+}
+
+std::string command_line(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += quoted(word) + " ";
+  return line + "(version " BRINDLE_VERSION ")";
+}
+
+/// Without the options that every rank may choose for itself.
+std::vector<std::string> without_own_options(const std::vector<std::string>& words) {
+  std::vector<std::string> shared;
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (*word == "--quiet" || *word == "-q") continue;
+    const std::string name = word->substr(0, word->find('='));
+    if (name != "--threads" && name != "--stall-limit") {
+      shared.push_back(*word);
+    } else if (name == *word && std::next(word) != words.end()) {
+      ++word;  // its value
+    }
+  }
+  return shared;
 }
 
 /// All ranks' texts, on rank 0.
@@ -125,12 +147,11 @@ void on_first_rank(Communicator& ranks, const std::function<void()>& work) {
 }
 
 void check_same_words(Communicator& ranks, const std::vector<std::string>& words) {
-  std::string own;
-  for (const std::string& word : words) own += quoted(word) + " ";
-  const std::vector<std::string> all = gathered(ranks, own + "(version " BRINDLE_VERSION ")");
+  const std::vector<std::string> shared = gathered(ranks, command_line(without_own_options(words)));
+  const std::vector<std::string> all = gathered(ranks, command_line(words));
   std::string why;
   for (std::size_t r = 1; r < all.size() && why.empty(); ++r) {
-    if (all[r] == all[0]) continue;
+    if (shared[r] == shared[0]) continue;
     why = "ranks have different words; give all the same ones\nrank 0: " + all[0] +
           formatted("\nrank %zu: ", r) + all[r];
   }

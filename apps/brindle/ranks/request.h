@@ -18,7 +18,7 @@ void throw_usage_on_all(Communicator& ranks, const std::function<void()>& work);
 void on_first_rank(Communicator& ranks, const std::function<void()>& work);
 
 /// Collective. Throws CLI::ValidationError on all ranks, with two ranks and their words, unless all
-/// have the same command line and version.
+/// have the same command line and version, but for --threads, --stall-limit and --quiet.
 void check_same_words(Communicator& ranks, const std::vector<std::string>& words);
 
 /// Collective. Throws CLI::ValidationError on all ranks, with the file and two ranks, if these see
