@@ -178,6 +178,7 @@ TEST_F(Options, HaveThePartsThatTheyHave) {
   };
   refused("--solver: has no part 'epsilom=' (did you mean 'epsilon='?)",
           {"--solver", "relaxation,epsilom=1"});
+  refused("--solver: has no part 'foo='", {"--solver", "relaxation,epsilon=1,foo=1"});
   refused("--solver ...,epsilon=E: lacks its value", {"--solver", "relaxation,epsilon="});
   refused("--solver ...,epsilon=E: ", {"--solver", "relaxation,epsilon=1,epsilon=2"});
   refused("--subdivide: has no part 'round' (did you mean 'rounded'?); it has rounded",

@@ -96,15 +96,15 @@ struct NamedValue {
                                  "; it has " + list);
 }
 
-/// A word and an equals sign behind a comma, as parts have; "" if there is none.
-std::string unknown_part(std::string_view text) {
+/// Refuses a word and an equals sign behind a comma: only parts have them.
+void refuse_unknown_part(const OptionInfo& whole, std::string_view text,
+                         const std::vector<const OptionInfo*>& parts) {
   constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz-";
   for (std::size_t comma = text.find(','); comma != text.npos; comma = text.find(',', comma + 1)) {
     const std::size_t end = text.find_first_not_of(kLetters, comma + 1);
     const bool is_key = end != text.npos && text[end] == '=' && end > comma + 1;
-    if (is_key) return std::string(text.substr(comma + 1, end - comma));
+    if (is_key) refuse_part(whole, std::string(text.substr(comma + 1, end - comma)), parts);
   }
-  return "";
 }
 
 /// The option and its parts. An option whose whole value is a part, as 'none' is, is left out.
@@ -119,6 +119,7 @@ std::vector<NamedValue> options_in(const OptionInfo& whole, std::string text,
     if (const std::size_t comma = own.find(','); is_word(*part) && comma != own.npos) {
       refuse_part(whole, own.substr(comma + 1), parts);
     }
+    refuse_unknown_part(whole, own, parts);
     if (part->kind != OptionKind::flag && own.empty()) {
       throw CLI::ValidationError(spelling_of(*part, whole), "lacks its value");
     }
@@ -137,8 +138,7 @@ std::vector<NamedValue> options_in(const OptionInfo& whole, std::string text,
   }
   const bool takes_parts = std::ranges::any_of(
       parts, [](const OptionInfo* part) { return part->written.starts_with(','); });
-  const std::string unknown = takes_parts ? unknown_part(text) : "";
-  if (!unknown.empty()) refuse_part(whole, unknown, parts);
+  if (takes_parts) refuse_unknown_part(whole, text, parts);
   options.insert(options.begin(), {std::string(whole.name), std::move(text)});
   return options;
 }
