@@ -16,7 +16,7 @@
 #include "cli/commands.h"
 #include "cli/option_fields.h"
 #include "cli/progress_display.h"
-#include "input/device.h"
+#include "device/device.h"
 #include "input/preparation.h"
 #include "input/used_files.h"
 #include "outputs/outputs.h"

@@ -15,7 +15,7 @@
 #include "brindle/gl/shader_program.h"
 #include "brindle/gpu_animator.h"
 #include "brindle/renderer.h"
-#include "input/gpu.h"
+#include "device/gpu.h"
 
 namespace brindle::tool {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/measurements.h"
-#include "input/device.h"
+#include "device/device.h"
 
 namespace brindle::tool {
 

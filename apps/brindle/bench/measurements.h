@@ -10,7 +10,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/solver.h"
 #include "brindle/surface.h"
-#include "input/device.h"
+#include "device/device.h"
 
 namespace brindle::tool {
 

@@ -17,8 +17,8 @@
 #include "brindle/recipe/wave_report.h"
 #include "brindle/stripe_animator.h"
 #include "cli/progress_display.h"
+#include "device/device.h"
 #include "input/carried_pattern.h"
-#include "input/device.h"
 #include "scenes/scene.h"
 
 namespace brindle::tool {

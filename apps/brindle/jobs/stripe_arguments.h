@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "device/device.h"
 #include "input/carried_pattern.h"
-#include "input/device.h"
 #include "input/making_options.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"

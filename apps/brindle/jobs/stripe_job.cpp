@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "brindle/pattern_of.h"
-#include "input/device.h"
+#include "device/device.h"
 #include "input/followed_field.h"
 
 namespace brindle::tool {

@@ -1,4 +1,4 @@
-#include "input/device.h"
+#include "device/device.h"
 
 #include <optional>
 #include <string_view>
@@ -6,7 +6,7 @@
 
 #include "brindle/gpu_solver.h"
 #include "cli/option_values.h"
-#include "input/gpu.h"
+#include "device/gpu.h"
 
 namespace brindle::tool {
 namespace {

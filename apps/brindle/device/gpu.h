@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "input/device.h"
+#include "device/device.h"
 
 namespace brindle {
 struct GpuKernels;

@@ -1,4 +1,4 @@
-#include "input/gpu.h"
+#include "device/gpu.h"
 
 #include <utility>
 
