@@ -1,5 +1,5 @@
 /// How fast the kernels of the solvers are on one thread, against what the machine can copy and
-/// gather at most in the same run. docs/benchmarks.md explains the figures.
+/// gather at most in the same run. docs/benchmarks.md explains the metrics.
 
 #include <algorithm>
 #include <cstdio>

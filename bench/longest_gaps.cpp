@@ -28,13 +28,13 @@
 #include "brindle/points.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/strokes.h"
 #include "brindle/texture_animator.h"
 #include "brindle/texture_coordinates.h"
 #include "brindle/texture_pattern.h"
-#include "brindle/yielding_frequency.h"
 #include "gallery/gallery.h"
 
 namespace {
@@ -212,13 +212,13 @@ std::vector<Job> field_jobs() {
          static const PointCloud cloud = make_point_cloud(torus().mesh.positions).cloud;
          make_point_surface(cloud, 8, p);
        }},
-      {"YieldingFrequency()", [] { torus(); },
-       [](const Progress& p) { YieldingFrequency(torus(), 0.2f, p); }},
-      {"YieldingFrequency::solve", [] { rough_field(); },
+      {"RelaxedFrequency()", [] { torus(); },
+       [](const Progress& p) { RelaxedFrequency(torus(), 0.2f, p); }},
+      {"RelaxedFrequency::solve", [] { rough_field(); },
        [](const Progress& p) {
-         YieldingFrequency yielding(torus(), 0.2f);
+         RelaxedFrequency relaxed(torus(), 0.2f);
          const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-         yielding.solve(torus().mesh.positions, rough_field(), wanted, p);
+         relaxed.solve(torus().mesh.positions, rough_field(), wanted, p);
        }},
   };
 }

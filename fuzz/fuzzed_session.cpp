@@ -197,11 +197,11 @@ void check_applied(Session& session, const SessionCommand& command) {
 
 void check_state(const LiveState& state) {
   promise(
-      std::isfinite(state.figures.energy) && state.figures.energy >= 0 && state.figures.energy <= 1,
+      std::isfinite(state.metrics.energy) && state.metrics.energy >= 0 && state.metrics.energy <= 1,
       "energies are in [0, 1]");
   promise(state.job != nullptr, "a state has a pattern");
-  for (const auto& [name, value] : state.figures.shown) {
-    promise(std::isfinite(value), "figures are numbers");
+  for (const auto& [name, value] : state.metrics.shown) {
+    promise(std::isfinite(value), "metrics are numbers");
   }
   if (!state.phases) return;
   for (const float angle : *state.phases) promise(std::isfinite(angle), "phases are numbers");
@@ -226,8 +226,8 @@ void update(Bytes& bytes, LivePattern& pattern, Session& session) {
   if (follow == Follow::afresh && !session.document().phases) {
     LivePattern other;
     other.update(session.document(), Follow::afresh);
-    promise(other.state()->figures.energy == pattern.state()->figures.energy &&
-                other.state()->figures.branches == pattern.state()->figures.branches,
+    promise(other.state()->metrics.energy == pattern.state()->metrics.energy &&
+                other.state()->metrics.branches == pattern.state()->metrics.branches,
             "a document alone says what its pattern is");
   }
 }

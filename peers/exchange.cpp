@@ -100,15 +100,15 @@ double Stopwatch::lap() {
   return passed.count();
 }
 
-void Figures::add(const std::string& name, double value) {
+void Metrics::add(const std::string& name, double value) {
   entries_.emplace_back(name, text_of(value));
 }
 
-void Figures::add(const std::string& name, const std::string& text) {
+void Metrics::add(const std::string& name, const std::string& text) {
   entries_.emplace_back(name, quoted(text));
 }
 
-void Figures::write(const std::string& path) const {
+void Metrics::write(const std::string& path) const {
   std::string text = "{";
   for (const auto& [name, value] : entries_) {
     text += (text.size() > 1 ? ",\n " : "\n ") + quoted(name) + ": " + value;

@@ -1,4 +1,4 @@
-// What the programs of all peers read and write: meshes as OBJ, vectors as CSV, figures as JSON.
+// What the programs of all peers read and write: meshes as OBJ, vectors as CSV, metrics as JSON.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-// Figures by name, written as one JSON object in the order in which they came.
-class Figures {
+// Metrics by name, written as one JSON object in the order in which they came.
+class Metrics {
  public:
   void add(const std::string& name, double value);
   void add(const std::string& name, const std::string& text);

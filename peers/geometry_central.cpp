@@ -124,7 +124,7 @@ void add_triangle(Errors& errors, Surface& surface, const Stripes& stripes,
   errors.spacing += area * std::abs(gradient.norm() / wanted - 1);
 }
 
-void measure(Figures& figures, Surface& surface, const Stripes& stripes,
+void measure(Metrics& metrics, Surface& surface, const Stripes& stripes,
              const std::vector<Point>& field, double frequency) {
   std::size_t branches = 0, singularities = 0;
   Errors errors;
@@ -137,23 +137,23 @@ void measure(Figures& figures, Surface& surface, const Stripes& stripes,
       add_triangle(errors, surface, stripes, field, face, frequency);
     }
   }
-  figures.add("field_singularities", static_cast<double>(singularities));
-  figures.add("branches_beyond", static_cast<double>(branches));
-  figures.add("angle_error_mean_deg", errors.angle / errors.area * 180 / std::numbers::pi);
-  figures.add("spacing_error_mean", errors.spacing / errors.area);
+  metrics.add("field_singularities", static_cast<double>(singularities));
+  metrics.add("branches_beyond", static_cast<double>(branches));
+  metrics.add("angle_error_mean_deg", errors.angle / errors.area * 180 / std::numbers::pi);
+  metrics.add("spacing_error_mean", errors.spacing / errors.area);
 }
 
 void drive(const std::vector<std::string>& words) {
   const TriangleMesh input = read_obj(words[0]);
   const double frequency = number_option(words, "frequency", 1);
-  Figures figures;
+  Metrics metrics;
   Stopwatch watch;
   Surface surface = surface_of(input);
-  figures.add("prepare_ms", watch.lap());
+  metrics.add("prepare_ms", watch.lap());
   const VertexData<Vector2> field = computeSmoothestVertexDirectionField(*surface.geometry, 2);
-  figures.add("field_ms", watch.lap());
+  metrics.add("field_ms", watch.lap());
   const Stripes stripes = stripes_along(surface, field, frequency);
-  figures.add("pattern_ms", watch.lap());
+  metrics.add("pattern_ms", watch.lap());
   const std::vector<Point> vectors = vectors_of(surface, field);
   const std::string field_file = option(words, "write-field", "");
   if (!field_file.empty()) {
@@ -161,14 +161,14 @@ void drive(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < vectors.size(); ++i) rows[surface.numbers[i]] = vectors[i];
     write_vectors(field_file, rows);
   }
-  figures.add("vertices", static_cast<double>(surface.mesh->nVertices()));
-  measure(figures, surface, stripes, vectors, frequency);
+  metrics.add("vertices", static_cast<double>(surface.mesh->nVertices()));
+  measure(metrics, surface, stripes, vectors, frequency);
 #ifdef GC_HAVE_SUITESPARSE
-  figures.add("solver", "SuiteSparse");
+  metrics.add("solver", "SuiteSparse");
 #else
-  figures.add("solver", "Eigen");
+  metrics.add("solver", "Eigen");
 #endif
-  figures.write(option(words, "report", "/dev/stdout"));
+  metrics.write(option(words, "report", "/dev/stdout"));
 }
 
 }  // namespace

@@ -127,19 +127,19 @@ void drive(const std::vector<std::string>& words) {
   std::ostringstream unheard;
   std::streambuf* const heard = cout.rdbuf(unheard.rdbuf());
   Input input = input_of(mesh);
-  Figures figures;
+  Metrics metrics;
   Stopwatch watch;
   MultiResolutionHierarchy hierarchy;
   prepare(hierarchy, std::move(input), spacing);
-  figures.add("prepare_ms", watch.lap());
+  metrics.add("prepare_ms", watch.lap());
   const Fields fields = optimize(hierarchy, option(words, "intrinsic", "no") != "yes");
   cout.rdbuf(heard);
-  figures.add("field_ms", fields.orientation_ms);
-  figures.add("pattern_ms", fields.position_ms);
-  figures.add("vertices", static_cast<double>(hierarchy.size()));
-  figures.add("field_singularities", static_cast<double>(fields.orientation_singularities));
-  figures.add("branches_beyond", static_cast<double>(fields.position_singularities));
-  figures.write(option(words, "report", "/dev/stdout"));
+  metrics.add("field_ms", fields.orientation_ms);
+  metrics.add("pattern_ms", fields.position_ms);
+  metrics.add("vertices", static_cast<double>(hierarchy.size()));
+  metrics.add("field_singularities", static_cast<double>(fields.orientation_singularities));
+  metrics.add("branches_beyond", static_cast<double>(fields.position_singularities));
+  metrics.write(option(words, "report", "/dev/stdout"));
 }
 
 }  // namespace

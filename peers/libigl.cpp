@@ -21,20 +21,20 @@ void drive(const std::vector<std::string>& words) {
       triangles(t, m) = static_cast<int>(input.triangles[t][m]);
     }
   }
-  Figures figures;
+  Metrics metrics;
   Stopwatch watch;
   Eigen::MatrixXd larger, smaller;
   Eigen::VectorXd larger_value, smaller_value;
   igl::principal_curvature(points, triangles, larger, smaller, larger_value, smaller_value);
-  figures.add("field_ms", watch.lap());
-  figures.add("vertices", static_cast<double>(points.rows()));
+  metrics.add("field_ms", watch.lap());
+  metrics.add("vertices", static_cast<double>(points.rows()));
   std::vector<Point> vectors;
   for (Eigen::Index i = 0; i < larger.rows(); ++i) {
     vectors.push_back({larger(i, 0), larger(i, 1), larger(i, 2)});
   }
   const std::string field_file = option(words, "write-field", "");
   if (!field_file.empty()) write_vectors(field_file, vectors);
-  figures.write(option(words, "report", "/dev/stdout"));
+  metrics.write(option(words, "report", "/dev/stdout"));
 }
 
 }  // namespace

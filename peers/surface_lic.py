@@ -1,7 +1,7 @@
 """Frames of ParaView's Surface LIC, from the view of Brindle's pictures. Run by pvpython:
 
     pvpython --force-offscreen-rendering peers/surface_lic.py MESH.vtp ARRAY REPORT.json
-             [--size 1280x720] [--frames 5] [--output FILE.png]
+             [--size 1280x720] [--frames 5] [--camera 30,20,1] [--up y|z] [--output FILE.png]
 
 A frame is drawn and read back; before each the camera moves, so that nothing can be kept from the last.
 """
@@ -15,18 +15,19 @@ import numpy as np
 from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 
-# Of Brindle's pictures: the angle of the longer side, the share of half a side that stays free, and
-# where from.
-FIELD_OF_VIEW, MARGIN, AZIMUTH, ELEVATION = np.radians(28), 0.05, np.radians(30), np.radians(20)
+# Of Brindle's pictures: the angle of the longer side, and the share of half a side that stays free.
+FIELD_OF_VIEW, MARGIN = np.radians(28), 0.05
+UPRIGHT = {"y": np.eye(3), "z": np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])}
 
 
-def framed(points, width, height):
+def framed(points, camera, up, width, height):
     """Eye, axes (rows: right, up, backwards) and the angle of the picture's height: the closest view
-    from which no point is cut off."""
-    right = np.array([np.cos(AZIMUTH), 0, -np.sin(AZIMUTH)])
-    back = np.array([np.sin(AZIMUTH) * np.cos(ELEVATION), np.sin(ELEVATION),
-                     np.cos(AZIMUTH) * np.cos(ELEVATION)])
-    axes = np.array([right, np.cross(back, right), back])
+    from which no point is cut off, divided by the zoom."""
+    azimuth, elevation, zoom = np.radians(camera[0]), np.radians(camera[1]), camera[2]
+    right = np.array([np.cos(azimuth), 0, -np.sin(azimuth)])
+    back = np.array([np.sin(azimuth) * np.cos(elevation), np.sin(elevation),
+                     np.cos(azimuth) * np.cos(elevation)])
+    axes = np.array([right, np.cross(back, right), back]) @ UPRIGHT[up]
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     x, y, z = axes @ (points - middle).T
     half = np.tan(FIELD_OF_VIEW / 2) / max(width, height)
@@ -35,7 +36,7 @@ def framed(points, width, height):
     most_y, least_y = (y + u * z).max(), (u * z - y).max()
     eye = np.array([(most_x - least_x) / 2, (most_y - least_y) / 2,
                     max((most_x + least_x) / (2 * t), (most_y + least_y) / (2 * u))])
-    return middle + axes.T @ eye, axes, 2 * np.degrees(np.arctan(half * height))
+    return middle + axes.T @ eye, axes, 2 * np.degrees(np.arctan(half * height / zoom))
 
 
 def place(camera, eye, axes, angle):
@@ -74,11 +75,13 @@ def main():
     parser.add_argument("report")
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--frames", type=int, default=5)
+    parser.add_argument("--camera", default="30,20,1", help="azimuth and elevation in degrees, zoom")
+    parser.add_argument("--up", default="y", choices=UPRIGHT)
     parser.add_argument("--output")
     arguments = parser.parse_args()
     width, height = map(int, arguments.size.split("x"))
     view, points = view_of(arguments.mesh, arguments.array, width, height)
-    eye, axes, angle = framed(points, width, height)
+    eye, axes, angle = framed(points, list(map(float, arguments.camera.split(","))), arguments.up, width, height)
     camera = view.GetActiveCamera()
     step = 0.001 * np.linalg.norm(points.max(axis=0) - points.min(axis=0))
     milliseconds = []

@@ -7,7 +7,7 @@
 VTK (python3-vtk9) reads and draws .obj with its material, .ply, .vtp, .gltf and .glb; Assimp's
 command line (assimp-utils) turns .obj, .ply, .gltf and .glb into OBJ files, which VTK then draws.
 Each picture is taken from where Brindle takes its own, and every pixel away from borders must show
-figure or ground as Brindle's does. So must the sine of the phase, which VTK draws between vertices
+metric or ground as Brindle's does. So must the sine of the phase, which VTK draws between vertices
 (docs/paraview.md). All arrays of .vtp and .ply files must arrive bit for bit.
 
 And the other way round: VTK writes .vtp, .vtu and .vtk files with arrays of all types, in all
@@ -176,8 +176,8 @@ def pixels_of(path):
     return values.reshape(HEIGHT, WIDTH, -1)[..., :3].astype(float)
 
 
-def figure(pixels):
-    """Whether a pixel has the dark blue of the figure: light changes its level, not its hue."""
+def metric(pixels):
+    """Whether a pixel has the dark blue of the metric: light changes its level, not its hue."""
     return pixels[..., 0] < 0.7 * pixels[..., 2]
 
 
@@ -199,13 +199,13 @@ def away_from_borders(mask):
 def agreement(ours, theirs):
     """The share of pixels that show the same, of all that show the surface away from borders."""
     green = (theirs[..., 1] > 200) & (theirs[..., 0] < 60) & (theirs[..., 2] < 60)
-    a, b = figure(ours), figure(theirs)
+    a, b = metric(ours), metric(theirs)
     counted = ~grown(green, 3) & away_from_borders(a) & away_from_borders(b)
     if counted.sum() < 0.05 * WIDTH * HEIGHT:
         return 0.0
     both = [(a & counted).sum(), (~a & counted).sum()]
     if min(both) < 0.01 * counted.sum():
-        return 0.0  # one of figure and ground is missing: nothing would be compared
+        return 0.0  # one of metric and ground is missing: nothing would be compared
     return ((a == b) & counted).sum() / counted.sum()
 
 
@@ -587,7 +587,7 @@ def boundary_by_vtk(data):
     return triangles.GetOutput()
 
 
-def figures_of(surface):
+def metrics_of(surface):
     """Volume inside and area."""
     mass = vtk.vtkMassProperties()
     mass.SetInputData(surface)
@@ -601,7 +601,7 @@ def boundary_difference(data, theirs, ours):
     if numbers[0] != numbers[1]:
         return "has faces of other cells than VTK"
     # Quadrangles may be cut along their other diagonal.
-    apart = np.abs(figures_of(ours) / figures_of(theirs) - 1).max()
+    apart = np.abs(metrics_of(ours) / metrics_of(theirs) - 1).max()
     return wrong or (f"has another volume or area, by {apart:.3g}" if apart > 0.01 else "")
 
 

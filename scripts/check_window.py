@@ -260,7 +260,7 @@ def check_screenshot_is_rendered_picture(start, folder):
     expect((folder / "rendered.png").read_bytes() == seen, "brindle render draws another picture")
 
 
-def figures_of(window, shown, since):
+def metrics_of(window, shown, since):
     window.click(f"show {shown}")
     return window.settled(since)["shown"]
 
@@ -268,13 +268,13 @@ def figures_of(window, shown, since):
 def check_curves_and_samples_are_live(start, folder):
     window = start("shape:sphere,resolution=30")
     window.settled()
-    curves = figures_of(window, "curves", window.now())
+    curves = metrics_of(window, "curves", window.now())
     expect(curves["curves of u"] > 0, f"no curves are counted: {curves}")
     since = window.now()
     window.drag_slider("option min-length", 0.1, 0.9)
     longer = window.settled(since)["shown"]
     expect(longer["curves of u"] < curves["curves of u"], "short curves are not left out while a slider moves")
-    samples = figures_of(window, "samples", window.now())
+    samples = metrics_of(window, "samples", window.now())
     expect(samples["samples"] > 0, f"no samples are counted: {samples}")
     since = window.now()
     window.drag_slider("option min-distance", 0.2, 0.9)
@@ -299,23 +299,23 @@ def check_curves_are_exported(start, folder):
     words = ("shape:trefoil,resolution=60", "--stripes", "24")
     window = start(*words)
     window.settled()
-    figures = figures_of(window, "curves", window.now())
+    metrics = metrics_of(window, "curves", window.now())
     told = folder / "told.json"
     subprocess.run([start.tool, "curves", *words, "--report", told, "--output", "tool.obj", "--output", "tool.vtp",
                     "--output", "tool.csv", "--output", "tool.ply"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
     u = json.loads(told.read_text())["u"]
-    expect([figures[name] for name in ("curves of u", "closed ones of u", "ends of u")] ==
-           [u["curves"], u["closed"], u["ends"]["total"]], f"the panel has {figures}, the report {u}")
+    expect([metrics[name] for name in ("curves of u", "closed ones of u", "ends of u")] ==
+           [u["curves"], u["closed"], u["ends"]["total"]], f"the panel has {metrics}, the report {u}")
     for name in ("shortest", "longest"):
-        expect(math.isclose(figures[f"  {name} (u)"], u["lengths"][name], rel_tol=1e-6), f"{name}: {figures}, {u}")
+        expect(math.isclose(metrics[f"  {name} (u)"], u["lengths"][name], rel_tol=1e-6), f"{name}: {metrics}, {u}")
     for name, value in (("gaps of u", u["gaps"]["mean"]), ("  least gap (u)", u["gaps"]["least"]),
                         ("  least, times f (u)", u["gaps"]["least_ratio"]),
                         ("spacing of u", u["spacing"]["mean"]),
                         *((f"winding {loop['name']} (u)", loop["winding"]) for loop in u["loops"])):
-        expect(math.isclose(figures[name], value, rel_tol=1e-5), f"{name}: {figures}, {u}")
+        expect(math.isclose(metrics[name], value, rel_tol=1e-5), f"{name}: {metrics}, {u}")
     expect(u["loops"], "the knot has no loops")
-    expect(abs(figures["length of u"] - u["length"]) < 1e-3 * u["length"], f"{figures['length of u']} is no length")
-    window.wait_until(lambda: "figure ends of u" in window.places, "ends in the panel")
+    expect(abs(metrics["length of u"] - u["length"]) < 1e-3 * u["length"], f"{metrics['length of u']} is no length")
+    window.wait_until(lambda: "metric ends of u" in window.places, "ends in the panel")
     save_session(window, folder / "session.json")
     for kind in ("obj", "vtp", "csv", "ply", "svg"):
         window.menu("File", "Export curves...")

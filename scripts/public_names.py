@@ -8,15 +8,19 @@ Writes docs/headers.md: all public headers, module by module in the order of doc
 import pathlib
 import re
 
-from check_rooms import read_table
+from check_rooms import UMBRELLAS, read_table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TITLES = {"gl": "OpenGL", "gpu": "GPU"}
 INTRODUCTION = """# The headers
 
+Programs include one of five headers, which stay: names in them change only with a new major version. The headers that
+they include may be split or joined.
+
+UMBRELLAS
 This page lists the declarations of all public headers of [the library](library.md), module by module. Comments in the
 headers describe parameters, results and errors; `./dev docs` makes a searchable reference of them
-(`build/docs/html/index.html`). `brindle/brindle.h` includes the headers for surfaces, fields, patterns and files.
+(`build/docs/html/index.html`).
 """
 
 TYPE = re.compile(r"\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum class|enum)\s+(?:BRINDLE_EXPORT\s+)?(\w+)")
@@ -68,9 +72,24 @@ def row(name):
     return f"| `{name}` | " + "".join(f"{cell} | " if cell else "| " for cell in cells).rstrip()
 
 
+def included(name):
+    text = (ROOT / f"include/brindle/{name}.h").read_text()
+    return set(re.findall(r'#include "brindle/(\w+).h"', text))
+
+
+def umbrella_list():
+    """A line per umbrella header. Every other public header must be in one."""
+    headers = {path.stem for path in (ROOT / "include/brindle").glob("*.h")}
+    left_out = headers.difference(UMBRELLAS, *map(included, UMBRELLAS))
+    if left_out:
+        raise SystemExit(f"no umbrella header includes {', '.join(sorted(left_out))}")
+    return "".join(f"- `brindle/{name}.h`: {purpose((ROOT / f'include/brindle/{name}.h').read_text())}\n"
+                   for name in UMBRELLAS)
+
+
 def page():
     """The text of docs/headers.md."""
-    parts = [INTRODUCTION]
+    parts = [INTRODUCTION.replace("UMBRELLAS\n", umbrella_list() + "\n")]
     for room, columns in read_table((ROOT / "docs/architecture.md").read_text()).items():
         if columns["public"]:
             rows = "\n".join(row(name) for name in sorted(columns["public"]))

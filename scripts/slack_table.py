@@ -30,9 +30,9 @@ def report(tool, mesh, options):
         return json.loads(path.read_text())
 
 
-def cell(figures):
-    return (f"{figures['branches']} · {figures['angle_error_mean_deg']:.2f}° · "
-            f"{1000 * figures['energy']:.2f}")
+def cell(metrics):
+    return (f"{metrics['branches']} · {metrics['angle_error_mean_deg']:.2f}° · "
+            f"{1000 * metrics['energy']:.2f}")
 
 
 def main():

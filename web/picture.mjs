@@ -13,7 +13,7 @@ const page = await browser.newPage();
 await page.setViewport({ width: 840, height: 560 });
 await page.goto(address + (process.argv[4] ?? ''));
 await page.waitForFunction(() => document.body.dataset.state === 'ready' &&
-  document.getElementById('figures').textContent !== '', { timeout: 60000 });
+  document.getElementById('metrics').textContent !== '', { timeout: 60000 });
 await new Promise((done) => setTimeout(done, 1500));
 writeFileSync(process.argv[3], await page.screenshot());
 await browser.close();

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -97,7 +99,9 @@ std::string explanation(const CLI::ParseError& error, const std::vector<Command>
     names += (names.empty() ? "" : ", ") + name;
   }
   std::string wrong = first.empty() ? "name a command" : "'" + first + "' is no command";
-  wrong += suggestion(first, known);
+  std::error_code ignored;
+  const bool is_mesh = first.starts_with("shape:") || std::filesystem::exists(first, ignored);
+  wrong += is_mesh ? "; did you mean 'stripe " + first + "'?" : suggestion(first, known);
   if (first.starts_with('-')) wrong = error.what() + option_suggestion(app, {first});
   return wrong + "; commands are: " + names + "\nbrindle: 'brindle --help' tells more";
 }

@@ -14,10 +14,10 @@ int main() {
     measured.directions.push_back({-p.y() + 0.3f * noise, p.x(), 0.5f});
   }
   const brindle::FrequencyField frequencies(measured.directions.size(), 12.0f);
-  brindle::FieldSmoothing detail(surface, {.periods = 1});
-  const brindle::SmoothedField field = detail.frame(measured, frequencies);
+  brindle::FieldSmoothing smoothing(surface, {.periods = 1});
+  const brindle::SmoothedField field = smoothing.frame(measured, frequencies);
   const brindle::StripePattern pattern =
       brindle::stripe_pattern(surface, field.directions, frequencies);
-  std::printf("turned by %.1f degrees, %zu branches\n", detail.figures().turned_median_deg,
+  std::printf("turned by %.1f degrees, %zu branches\n", smoothing.metrics().turned_median_deg,
               pattern.quality.branches);
 }

@@ -1,14 +1,13 @@
-/// The headers for surfaces, fields, patterns and files in one. It leaves out the headers for
-/// OpenGL (renderer.h, splats.h, styled_picture.h, gpu_solver.h, gpu_animator.h,
-/// headless_context.h), MPI (distributed_stripes.h), pictures, PNG files (image.h) and line
-/// drawings (line_drawing.h).
+/// Surfaces, fields, patterns, frames, curves and files. Pictures and drawings: pictures.h;
+/// OpenGL's device: gpu.h; surfaces over MPI ranks: ranks.h; programs with options of the tool:
+/// requests.h.
 ///
 /// Surfaces: `make_mesh` and `make_surface` from arrays, `split_at_creases` for sharp edges,
 /// `read_mesh` from files, `make_shape`. Fields: `smooth_direction_field`,
 /// `projected_direction_field`, `curvature_direction_field`, `tangent_directions`,
 /// `direction_field_of` arrays, `tensor_field_of`. Patterns: `stripe_pattern`, `texture_pattern`,
 /// `cross_pattern`, `pattern_warnings`. From patterns: `stripe_curves`, `stripe_samples`,
-/// `texture_coordinates`. Spacing tolerance alone: `YieldingFrequency`. Moving input:
+/// `texture_coordinates`. Spacing tolerance alone: `RelaxedFrequency`. Moving input:
 /// `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`,
 /// `matched_directions`, `carried_directions`.
 ///
@@ -36,14 +35,14 @@
 #include "brindle/files.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/frequency_field.h"
+#include "brindle/local_positions.h"
 #include "brindle/measured_field.h"
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
+#include "brindle/nearest.h"
 #include "brindle/normals.h"
-#include "brindle/option_table.h"
 #include "brindle/pattern_buffers.h"
 #include "brindle/pattern_frames.h"
-#include "brindle/pattern_of.h"
 #include "brindle/pattern_warnings.h"
 #include "brindle/phase_graph.h"
 #include "brindle/phase_shift.h"
@@ -55,8 +54,10 @@
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/solver.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/stripe_tracer.h"
 #include "brindle/strokes.h"
 #include "brindle/surface.h"
 #include "brindle/tensor_field.h"
@@ -67,7 +68,5 @@
 #include "brindle/threads.h"
 #include "brindle/types.h"
 #include "brindle/version.h"
-#include "brindle/wave_figures.h"
-#include "brindle/waves_of.h"
+#include "brindle/wave_metrics.h"
 #include "brindle/windings.h"
-#include "brindle/yielding_frequency.h"

@@ -29,7 +29,7 @@ enum class TileLayout : std::uint8_t {
 enum TileTurn : std::uint8_t { kTurnsV = 1, kTurnsU = 2, kSwapsUV = 4 };
 
 /// Motifs of a tile to keep whole.
-struct TileFigures {
+struct TileMotifs {
   TileLayout layout = TileLayout::single;
   /// Extents of the motifs around their centres, in sides of the tile: at most half a side along
   /// each axis. One for each motif of the layout.
@@ -42,7 +42,7 @@ struct TileFigures {
   /// broken.
   bool split = false;
 
-  bool operator==(const TileFigures& other) const;
+  bool operator==(const TileMotifs& other) const;
 
   static Eigen::AlignedBox2f whole_tile() {
     return {Eigen::Vector2f(-0.5f, -0.5f), Eigen::Vector2f(0.5f, 0.5f)};
@@ -50,13 +50,13 @@ struct TileFigures {
 };
 
 /// Throws Error for extents beyond half a tile and for a shift that is not finite.
-void check_tile_figures(const TileFigures& figures);
+void check_tile_motifs(const TileMotifs& motifs);
 
 /// Broken motifs, triangle by triangle.
 struct BrokenTiles {
   TileLayout layout = TileLayout::single;
   Eigen::Vector2f shift{0, 0};
-  bool split = false;  ///< as in TileFigures
+  bool split = false;  ///< as in TileMotifs
   /// Empty if all motifs are whole. Otherwise one word per triangle: 0 if its motifs are whole, 1
   /// if all are broken (with `split`: if it has a branch of U), else the index of its record. A
   /// record has U and then V of the triangle's corners (floats, lifted, `shift` subtracted), the
@@ -89,18 +89,18 @@ class BrokenTileFinder {
 
   /// `waves` has one entry per triangle. Throws Error for another number of entries or extents
   /// beyond half a tile; Cancelled if `progress` cancels.
-  BrokenTiles find(const TextureWaves& waves, const TileFigures& figures,
+  BrokenTiles find(const TextureWaves& waves, const TileMotifs& motifs,
                    const Progress& progress = {}) const;
 
   /// As above with given corner phases, computed by PhaseShiftKind::aligned.
   BrokenTiles find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
-                   const TileFigures& figures, const Progress& progress = {}) const;
+                   const TileMotifs& motifs, const Progress& progress = {}) const;
 
   /// As above with the corner phases of the vertices' own waves. `turned` states per triangle which
   /// corners' waves the texture reverses: bit m for U at corner m, bit 3 + m for V. Bit 6: they
   /// still do not run alike.
   BrokenTiles find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
-                   std::span<const std::uint8_t> turned, const TileFigures& figures,
+                   std::span<const std::uint8_t> turned, const TileMotifs& motifs,
                    const Progress& progress = {}) const;
 
  private:
@@ -110,6 +110,6 @@ class BrokenTileFinder {
 
 /// As `BrokenTileFinder::find`, for one texture.
 BrokenTiles broken_tiles(std::span<const Triangle> triangles, const TextureWaves& waves,
-                         const TileFigures& figures, const Progress& progress = {});
+                         const TileMotifs& motifs, const Progress& progress = {});
 
 }  // namespace brindle

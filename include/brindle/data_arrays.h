@@ -91,13 +91,13 @@ DataArray blended(const DataArray& array, std::span<const RowBlend> blends);
 std::vector<DataArray> blended(std::span<const DataArray> arrays, std::span<const RowBlend> blends);
 
 /// Statistics of an array.
-struct ArrayFigures {
+struct ArrayMetrics {
   double minimum = 0, maximum = 0;  ///< of all finite numbers, or of the magnitudes of rows with
                                     ///< several components; 0 if there are none
   std::size_t rows_nan = 0;         ///< rows with a component that is NaN
 };
 
-ArrayFigures measure_array(const DataArray& array);
+ArrayMetrics measure_array(const DataArray& array);
 
 /// The name of a type, such as "float32".
 std::string_view name_of(NumberType type);

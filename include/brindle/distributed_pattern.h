@@ -14,7 +14,7 @@
 #include "brindle/phase_graph.h"
 #include "brindle/progress.h"
 #include "brindle/samples.h"
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -22,7 +22,7 @@ namespace BRINDLE_EXPORT brindle {
 /// vertex of the partition; positions may be missing. The owner's values of a vertex count. Counts
 /// and extremes of frequencies equal those of one process with the same waves, other metrics up to
 /// rounding. Throws Error on all ranks for waves that do not match the partition.
-WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& waves);
+WaveMetrics measure_waves(const DistributedSurface& surface, const WaveSet& waves);
 
 /// A solved pattern, as from frames, with one entry per vertex of the partition. The owner's values
 /// of a vertex count. Referenced objects must outlive the call.

@@ -37,7 +37,7 @@ struct DistributedMeasures {
 };
 
 /// Statistics of frames, on this rank. All but `ghosts` are 0 before the first frame.
-struct DistributedFigures {
+struct DistributedMetrics {
   double topology_milliseconds = 0;    ///< of the first frame only
   std::size_t distributed_levels = 0;  ///< levels shared by all ranks; coarser ones are on rank 0
   int sweeps = 0;          ///< over the finest level in the last descent, cycles included
@@ -85,7 +85,7 @@ class DistributedStripeAnimator {
   /// count.
   void set_slack(const Slack& slack);
 
-  DistributedFigures figures() const;
+  DistributedMetrics metrics() const;
 
  private:
   struct State;

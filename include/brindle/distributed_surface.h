@@ -135,9 +135,9 @@ std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, floa
                                          double radius, double strength);
 
 /// A field smoothed at the scale of its stripes.
-struct DistributedDetail {
+struct DistributedSmoothedField {
   SmoothedField field;            ///< at the partition's vertices
-  FieldSmoothingFigures figures;  ///< of the whole, on every rank
+  FieldSmoothingMetrics metrics;  ///< of the whole, on every rank
 };
 
 /// Collective. The result of FieldSmoothing for the whole field. `measured` has one datum per
@@ -145,10 +145,12 @@ struct DistributedDetail {
 /// count. `frequencies` and `last` have one entry per vertex; `last` is given on all ranks or none.
 /// Throws on all ranks what FieldSmoothing throws, and Error for other numbers of entries;
 /// Cancelled if the `progress` of any rank cancels.
-DistributedDetail smoothed_field(const DistributedSurface& surface, const MeasuredField& measured,
-                                 std::span<const float> frequencies,
-                                 const FieldSmoothingOptions& options = {},
-                                 const MeasuredField& last = {}, const Progress& progress = {});
+DistributedSmoothedField smoothed_field(const DistributedSurface& surface,
+                                        const MeasuredField& measured,
+                                        std::span<const float> frequencies,
+                                        const FieldSmoothingOptions& options = {},
+                                        const MeasuredField& last = {},
+                                        const Progress& progress = {});
 
 /// Collective. `smoothed_frequencies` of measured_field.h for those of the whole.
 SmoothedFrequencies smoothed_frequencies(const DistributedSurface& surface,

@@ -27,10 +27,10 @@ class PieceSurface final : public WaveSurface {
   std::size_t opposite_edges() const override;
   /// The mean frequency and the number are over all ranks.
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
-  SmoothedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                            const FrequencySmoothingOptions& options,
-                                            const Progress& progress) const override;
-  std::pair<SmoothedField, FieldSmoothingFigures> field_at_detail(
+  SmoothedFrequencies smooth_frequencies(std::span<const float> frequencies,
+                                         const FrequencySmoothingOptions& options,
+                                         const Progress& progress) const override;
+  std::pair<SmoothedField, FieldSmoothingMetrics> smooth_field(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
       const FieldSmoothingOptions& options, const Progress& progress) const override;
 

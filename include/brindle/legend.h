@@ -14,7 +14,7 @@ namespace BRINDLE_EXPORT brindle {
 /// A tile of a texture and its meaning.
 struct LegendTile {
   TextureTile tile;
-  Color figure{0.110f, 0.196f, 0.353f};
+  Color motif{0.110f, 0.196f, 0.353f};
   std::string meaning;  ///< in characters that titles may have: "from 0.4"
 };
 

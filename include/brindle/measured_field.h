@@ -42,7 +42,7 @@ struct FieldSmoothingOptions {
 };
 
 /// Statistics of a smoothed field and its data.
-struct FieldSmoothingFigures {
+struct FieldSmoothingMetrics {
   std::size_t data = 0;    ///< vertices with a datum, of their own or of a triangle around them
   std::size_t filled = 0;  ///< vertices without a datum that got a direction
   /// Vertices with neighbours but without a direction: too far from all data.
@@ -99,7 +99,7 @@ class FieldSmoothing {
                       const MeasuredField& last = {}, const Progress& progress = {});
 
   /// Statistics of the last frame. Throws Error before the first one.
-  FieldSmoothingFigures figures() const;
+  FieldSmoothingMetrics metrics() const;
 
  private:
   struct State;

@@ -31,7 +31,7 @@ enum class PatternKind : std::uint8_t {
 };
 
 /// Options of fabrication: where stripes begin, wind and branch.
-struct MakingOptions {
+struct FabricationOptions {
   std::optional<float> anchor_boundary;  ///< periods from the rim to the first stripe
   std::vector<WantedWinding> windings;
   std::optional<float> cancel_branches;  ///< largest rise of the energy, as a share of it
@@ -43,7 +43,7 @@ struct MakingOptions {
 };
 
 /// Results of these options.
-struct MakingFigures {
+struct FabricationMetrics {
   std::vector<SurfaceLoop> loops;             ///< empty if windings were not measured
   std::vector<Winding> windings;              ///< one per loop
   std::vector<std::size_t> branches;          ///< of the component that the loop is on
@@ -60,9 +60,9 @@ struct MakingFigures {
 struct PatternRequest {
   PatternKind kind = PatternKind::stripes;
   StripeOptions solving = {};
-  MakingOptions making = {};          ///< only `cancel_branches` for textures and crosses
-  FrequencyField frequencies_v = {};  ///< of textures, as in TextureOptions
-  bool oriented = false;              ///< of textures, as in TextureOptions
+  FabricationOptions fabrication = {};  ///< only `cancel_branches` for textures and crosses
+  FrequencyField frequencies_v = {};    ///< of textures, as in TextureOptions
+  bool oriented = false;                ///< of textures, as in TextureOptions
 };
 
 /// A cross pattern with its texture.
@@ -74,7 +74,7 @@ struct CrossResult {
 /// A pattern of any kind.
 struct PatternResult {
   std::variant<StripePattern, TexturePattern, CrossResult> of;
-  MakingFigures making = {};
+  FabricationMetrics fabrication = {};
 };
 
 /// Solves for the pattern. `waves` has one entry per vertex. Throws what `stripe_pattern`,
@@ -84,7 +84,8 @@ PatternResult pattern_of(const Surface& surface, WaveSet waves, const PatternReq
                          const Progress& progress = {});
 
 /// Fills in the loops of the surface and their windings.
-void measure_windings(const Surface& surface, const StripePattern& pattern, MakingFigures& figures);
+void measure_windings(const Surface& surface, const StripePattern& pattern,
+                      FabricationMetrics& metrics);
 
 /// A frame of a StripeAnimator, or of another animator with the same result, as an independent
 /// pattern. It has no corners and quality; `measure_pattern` adds them. `waves` are those of the

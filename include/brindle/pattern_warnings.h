@@ -11,7 +11,7 @@
 #include "brindle/quality.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_pattern.h"
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -27,7 +27,7 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const TextureP
 /// Warns of branches in triangles with more than 10 % of the area; otherwise of stripes that run
 /// more than 5 degrees off their field on more than a quarter of the area, in triangles longer than
 /// half a period. Remedies name the subdivisions that give two mesh edges per period.
-std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
+std::vector<std::string> quality_warnings(const WaveMetrics& motifs, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words = {});
 
 /// The larger numbers and shares of the area of two patterns on one surface, for warnings.
@@ -46,7 +46,7 @@ std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t tr
 std::vector<std::string> turn_warnings(std::size_t turned_apart);
 
 /// Warns of more singularities than `FieldSmoothingOptions::singularities` allows.
-std::vector<std::string> detail_warnings(const FieldSmoothingFigures& figures,
-                                         const WarningWords& words = {});
+std::vector<std::string> smoothing_warnings(const FieldSmoothingMetrics& motifs,
+                                            const WarningWords& words = {});
 
 }  // namespace brindle

@@ -72,11 +72,11 @@ using TextureTile = std::variant<BuiltInTile, Image>;
 
 /// The motifs of a tile to keep whole: those of a built-in tile, or the part of a picture that is
 /// not transparent.
-TileFigures tile_figures(const TextureTile& tile);
+TileMotifs tile_motifs(const TextureTile& tile);
 
 /// As above for tiles that are moved by `shift`, and each shrunk about its middle to at most `size`
 /// of its cell. A shrunk tile is one motif.
-TileFigures figures_within(const TileFigures& figures, float size, const Eigen::Vector2f& shift);
+TileMotifs motifs_within(const TileMotifs& motifs, float size, const Eigen::Vector2f& shift);
 
 /// Whether a tile's motif has room around it: arrows, dots, signs, bricks, and pictures that are
 /// transparent all along their sides. Other tiles continue in the next one.
@@ -85,7 +85,7 @@ bool has_own_shape(const TextureTile& tile);
 /// The tile as an opaque picture: a motif with smooth edges in `side` x `side` pixels, or a picture
 /// over `ground`. U runs to the right, V up. Throws Error for sides that `check_image_size`
 /// rejects.
-Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground);
+Image tile_picture(const TextureTile& tile, int side, const Color& motif, const Color& ground);
 
 /// A pixel's linear light, premultiplied by alpha: red, green, blue and alpha.
 Eigen::Vector4f premultiplied_light(const Pixel& pixel);

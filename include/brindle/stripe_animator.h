@@ -8,9 +8,9 @@
 #include "brindle/export.h"
 #include "brindle/phase_shift.h"
 #include "brindle/progress.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/surface.h"
 #include "brindle/types.h"
-#include "brindle/yielding_frequency.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -32,7 +32,7 @@ struct AnimatorOptions {
   /// One per directed edge, symmetric, not negative: multiplies the paper's weight; empty: 1; not
   /// for GpuAnimator and DistributedStripeAnimator.
   std::vector<float> edge_weights;
-  Slack slack = 0;  ///< spacing tolerance (yielding_frequency.h); needs an animator of a surface
+  Slack slack = 0;  ///< spacing tolerance (spacing_tolerance.h); needs an animator of a surface
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -111,7 +111,7 @@ class StripeAnimator {
 
   /// Sets the spacing tolerance of all following frames. Frequencies continue from the last ones
   /// or, if `branch_penalty` changes, from those of the input. Throws Error for a slack that
-  /// YieldingFrequency rejects, and for an animator that was made without slack; then nothing
+  /// RelaxedFrequency rejects, and for an animator that was made without slack; then nothing
   /// changes.
   void set_slack(const Slack& slack);
 

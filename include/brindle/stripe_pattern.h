@@ -15,8 +15,8 @@
 #include "brindle/quality.h"
 #include "brindle/samples.h"
 #include "brindle/solver.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/surface.h"
-#include "brindle/yielding_frequency.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -40,7 +40,7 @@ struct StripeOptions {
   /// `carried_phases`; empty: none. For Solver::multilevel.
   std::vector<Complex> last_phases;
   float lambda = 0.025f;  ///< strength of `last_phases`, as in AnimatorOptions; 0: ignored
-  Slack slack = 0;        ///< spacing tolerance (yielding_frequency.h); 0: none
+  Slack slack = 0;        ///< spacing tolerance (spacing_tolerance.h); 0: none
   /// Fixed phases of the result: a unit number per vertex, 0 where free, as from `boundary_phases`;
   /// empty: none. For Solver::multilevel.
   std::vector<Complex> fixed_phases;

@@ -19,7 +19,7 @@ struct TextureAnimatorOptions {
   bool oriented = false;
   AnimatorOptions stripes;  ///< of both patterns
   /// Motifs to keep whole: frames then report which of them are broken. Empty: not checked.
-  std::optional<TileFigures> whole_tiles = std::nullopt;
+  std::optional<TileMotifs> whole_tiles = std::nullopt;
 };
 
 /// One frame's input, one entry per vertex each. Spans are read during the call only.
@@ -92,7 +92,7 @@ class TextureAnimator {
 
   /// Motifs to keep whole from the next frame on, as in TextureAnimatorOptions. Throws Error for
   /// extents beyond half a tile, and then changes nothing.
-  void set_whole_tiles(const std::optional<TileFigures>& figures);
+  void set_whole_tiles(const std::optional<TileMotifs>& metrics);
 
  private:
   struct State;

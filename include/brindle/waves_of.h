@@ -75,7 +75,7 @@ struct FrequencySmoothingReport {
 /// Options of waves.
 struct WaveRequest {
   float turn_deg = 0;                                              ///< of waves against their field
-  FieldSmoothingOptions detail = {.periods = 0};                   ///< periods 0: no smoothing
+  FieldSmoothingOptions smoothing = {.periods = 0};                ///< periods 0: no smoothing
   FrequencySmoothingOptions frequency_smoothing = {.periods = 0};  ///< periods 0: no smoothing
 };
 
@@ -107,7 +107,7 @@ struct WaveResult {
   /// Edges whose ends the turn rotates in opposite senses, as their normals point to opposite sides
   /// of the surface. 0 for turns that give the same waves in both senses.
   std::size_t turned_apart = 0;
-  std::optional<FieldSmoothingFigures> detail = {};  ///< of a smoothed field
+  std::optional<FieldSmoothingMetrics> smoothing = {};  ///< of a smoothed field
   std::optional<FrequencySmoothingReport> frequency_smoothing = {};
   FieldSupport support = {};  ///< of smoothed fields and frequencies
   /// The smoothed field before it is turned; empty without smoothing.
@@ -128,11 +128,11 @@ class WaveSurface {
   /// `drop_waves_without_frequency` of array_field.h for the whole surface.
   virtual std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const = 0;
   /// As `smoothed_frequencies` of measured_field.h.
-  virtual SmoothedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                                    const FrequencySmoothingOptions& options,
-                                                    const Progress& progress) const = 0;
+  virtual SmoothedFrequencies smooth_frequencies(std::span<const float> frequencies,
+                                                 const FrequencySmoothingOptions& options,
+                                                 const Progress& progress) const = 0;
   /// A frame of a `FieldSmoothing`; `places` are frequencies, 0 where there is no wave.
-  virtual std::pair<SmoothedField, FieldSmoothingFigures> field_at_detail(
+  virtual std::pair<SmoothedField, FieldSmoothingMetrics> smooth_field(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
       const FieldSmoothingOptions& options, const Progress& progress) const = 0;
 };
@@ -148,10 +148,10 @@ class WholeSurface final : public WaveSurface {
   bool any(bool here) const override { return here; }
   std::size_t opposite_edges() const override;
   std::size_t drop_waves(DirectionField& directions, FrequencyField& frequencies) const override;
-  SmoothedFrequencies frequencies_at_detail(std::span<const float> frequencies,
-                                            const FrequencySmoothingOptions& options,
-                                            const Progress& progress) const override;
-  std::pair<SmoothedField, FieldSmoothingFigures> field_at_detail(
+  SmoothedFrequencies smooth_frequencies(std::span<const float> frequencies,
+                                         const FrequencySmoothingOptions& options,
+                                         const Progress& progress) const override;
+  std::pair<SmoothedField, FieldSmoothingMetrics> smooth_field(
       const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
       const FieldSmoothingOptions& options, const Progress& progress) const override;
 

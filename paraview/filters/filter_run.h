@@ -17,7 +17,7 @@ struct vtkBrindleFilter::Run {
   brindle::WaveSet waves;
   brindle::FieldSupport support;  ///< of smoothed waves
   float turn_deg = 0;             ///< by which they are turned from their field
-  brindle::paraview::RunFigures figures;
+  brindle::paraview::RunMetrics metrics;
   brindle::paraview::SeriesOptions options;
   bool follows = false;  ///< whether this time continues the last one
   brindle::paraview::PatternSeries* series = nullptr;
@@ -37,7 +37,7 @@ struct vtkBrindleFilter::Run {
   const brindle::StripePattern& pattern() {
     const brindle::StripePattern& made =
         series->next(surface(), waves, options, follows, progress(0.4, 0.8));
-    figures.quality = made.quality;
+    metrics.quality = made.quality;
     return made;
   }
 };

@@ -70,7 +70,7 @@ std::vector<RowBlend> whole_rows(std::span<const Index> rows) {
   return blends;
 }
 
-void add_figures(const PatternQuality& quality, const WaveFigures& waves, vtkFieldData& data) {
+void add_metrics(const PatternQuality& quality, const WaveMetrics& waves, vtkFieldData& data) {
   const auto add = [&](const char* name, double value) {
     data.AddArray(vtk_array(make_data_array(name, 1, std::vector<double>{value})));
   };

@@ -8,7 +8,7 @@
 #include <brindle/data_arrays.h>
 #include <brindle/quality.h>
 #include <brindle/types.h>
-#include <brindle/wave_figures.h>
+#include <brindle/wave_metrics.h>
 #include <vtkSmartPointer.h>
 
 class vtkCellArray;
@@ -32,6 +32,6 @@ std::vector<RowBlend> whole_rows(std::span<const Index> rows);
 
 /// Adds branches, angle_error_mean_deg, spacing_error_mean, edges_per_period_min and
 /// edges_per_period_median of a whole pattern.
-void add_figures(const PatternQuality& quality, const WaveFigures& waves, vtkFieldData& data);
+void add_metrics(const PatternQuality& quality, const WaveMetrics& waves, vtkFieldData& data);
 
 }  // namespace brindle::paraview

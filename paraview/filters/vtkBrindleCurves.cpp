@@ -90,7 +90,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
     run.ranks.throw_on_all([&] {
       report();
       fill(*whole.points, whole.lines, output);
-      bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
+      bp::add_metrics(pattern.quality, run.metrics.waves, *output->GetFieldData());
       bp::carry(*whole.points->GetPointData(), bp::whole_rows(whole.rows), *output->GetPointData());
     });
     return;
@@ -100,7 +100,7 @@ void vtkBrindleCurves::Fill(Run& run, vtkPolyData* output) {
   run.ranks.throw_on_all([&] {
     report();
     fill(*input.triangles, lines, output);
-    bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
+    bp::add_metrics(pattern.quality, run.metrics.waves, *output->GetFieldData());
     bp::carry_to_places(input, lines.places, *output->GetPointData());
   });
 }

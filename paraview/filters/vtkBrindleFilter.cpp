@@ -96,7 +96,7 @@ struct vtkBrindleFilter::State {
   /// Collective. The last time's field on this surface, or empty at the start of a series.
   brindle::DirectionField remembered(const bp::PatternSurface& surface,
                                      const bp::WaveSettings& settings, const Step& step) {
-    if (settings.memory == 0 || settings.detail == 0 || memory.surface.surface == nullptr)
+    if (settings.memory == 0 || settings.smoothing == 0 || memory.surface.surface == nullptr)
       return {};
     if (step.repeats && memory.surface.surface == surface.surface) return memory.before;
     if (!step.goes_on || !bp::same_connectivity_everywhere(memory.surface, surface)) return {};
@@ -115,7 +115,7 @@ struct vtkBrindleFilter::State {
         static_cast<brindle::CurvatureDirection>(filter.CurvatureDirection);
     settings.tensor_axis = static_cast<brindle::TensorAxis>(filter.TensorAxis);
     for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
-    settings.detail = number(filter.FieldSmoothing);
+    settings.smoothing = number(filter.FieldSmoothing);
     settings.frequency_smoothing = number(filter.FrequencySmoothing);
     settings.memory = number(filter.TemporalSmoothing);
     settings.fill = number(filter.FillPeriods);
@@ -125,7 +125,7 @@ struct vtkBrindleFilter::State {
       if (periods >= 0 && periods <= 100) return;
       throw Error(name + " must be a number of periods from 0 to 100");
     };
-    check_periods(settings.detail, "Field Smoothing");
+    check_periods(settings.smoothing, "Field Smoothing");
     check_periods(settings.frequency_smoothing, "Frequency Smoothing");
     if (!std::isfinite(settings.memory) || settings.memory < 0) {
       throw Error("Temporal Smoothing must be 0 or above");
@@ -261,7 +261,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   bp::WaveSettings settings;
   run.ranks.throw_on_all([&] { settings = State::settings_of(*this); });
   ChosenArray vectors, frequencies, weights;
-  const bool is_seen = settings.detail > 0 && settings.field == bp::FieldSource::array;
+  const bool is_seen = settings.smoothing > 0 && settings.field == bp::FieldSource::array;
   if (settings.field == bp::FieldSource::array) {
     const auto order = static_cast<brindle::TensorOrder>(this->TensorOrder);
     vectors = chosen_array(*this, 0, *run.input, is_seen, order);
@@ -281,12 +281,12 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
       last, run.input->piece.get());
   run.waves = std::move(waves.waves);
   run.support = std::move(waves.support);
-  run.figures.turned_apart = waves.turned_apart;
-  run.figures.detail = waves.detail;
+  run.metrics.turned_apart = waves.turned_apart;
+  run.metrics.smoothing = waves.smoothing;
   state.memory = {std::move(waves.seen_field), std::move(last), run.surface()};
   run.turn_deg = settings.turn_deg;
-  run.figures.waves = bp::wave_figures(run.surface(), run.waves);
-  run.figures.measured = settings.field == bp::FieldSource::array && settings.detail == 0;
+  run.metrics.waves = bp::wave_metrics(run.surface(), run.waves);
+  run.metrics.measured = settings.field == bp::FieldSource::array && settings.smoothing == 0;
   run.options = {number(this->Slack), number(this->TimeAnchor)};
   run.series = &state.series;
   state.last_time = time;
@@ -304,7 +304,7 @@ void vtkBrindleFilter::WarnOf(const Run& run) {
                        "place are one vertex; apply Generate Global Ids, or leave the array out");
   }
   this->Internals->warned_surface = surfaces;
-  for (const std::string& sentence : bp::warnings_of(run.figures, run.surface()))
+  for (const std::string& sentence : bp::warnings_of(run.metrics, run.surface()))
     vtkWarningMacro(<< sentence);
   if (run.series->lost_track()) {
     vtkWarningMacro(<< "the stripes do not follow those of the time before: the surface has other "

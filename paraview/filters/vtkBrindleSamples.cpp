@@ -115,11 +115,11 @@ void vtkBrindleSamples::Fill(Run& run, vtkPolyData* output) {
     throw brindle::Error("Crossing Factor must be above 0");
   });
   brindle::WaveSet crossing = crossing_waves(*run.input->surface, run.waves, this->CrossingFactor);
-  if (this->CrossingFactor != 1) run.figures.crossing = bp::wave_figures(run.surface(), crossing);
+  if (this->CrossingFactor != 1) run.metrics.crossing = bp::wave_metrics(run.surface(), crossing);
   const brindle::StripePattern& u = run.pattern();
   const brindle::StripePattern& v = this->Second->series.next(
       run.surface(), std::move(crossing), run.options, run.follows, run.progress(0.7, 0.8));
-  run.figures.quality = worse_of(u.quality, v.quality);
+  run.metrics.quality = worse_of(u.quality, v.quality);
   run.begin(0.8, 0.9, "samples");
   const std::vector<Sample> samples = crossings_of(*run.input, u, v);
   run.ranks.throw_on_all([&] {

@@ -59,6 +59,6 @@ void vtkBrindleStripes::Fill(Run& run, vtkPolyData* output) {
                                           : bp::plain_surface(*run.input, pattern, notes);
     run.progress(0.9, 1).report("arrays", 0);
     fill(*run.input, surface, run.turn_deg, output);
-    bp::add_figures(pattern.quality, run.figures.waves, *output->GetFieldData());
+    bp::add_metrics(pattern.quality, run.metrics.waves, *output->GetFieldData());
   });
 }

@@ -19,16 +19,16 @@ WarningWords words_of_panels() {
       "length";
   words.subdivide = "apply the filter Subdivide before, Number of Subdivisions:";
   words.field = "Field";
-  words.detail = "Field Smoothing 1";
+  words.smoothing = "Field Smoothing 1";
   words.singularities = "Field Singularities";
   words.source = "the frequency is not finite, or the field";
   return words;
 }
 
 /// The finer waves of U and V, by edges per period.
-const WaveFigures& finest(const RunFigures& figures) {
-  if (!figures.crossing) return figures.waves;
-  return std::min(figures.waves, *figures.crossing, [](const auto& a, const auto& b) {
+const WaveMetrics& finest(const RunMetrics& metrics) {
+  if (!metrics.crossing) return metrics.waves;
+  return std::min(metrics.waves, *metrics.crossing, [](const auto& a, const auto& b) {
     return a.edges_per_period_median < b.edges_per_period_median;
   });
 }
@@ -41,27 +41,27 @@ std::size_t triangle_count(const PatternSurface& surface) {
 
 }  // namespace
 
-WaveFigures wave_figures(const PatternSurface& surface, const WaveSet& waves) {
+WaveMetrics wave_metrics(const PatternSurface& surface, const WaveSet& waves) {
   if (surface.piece) return measure_waves(surface.piece->surface(), waves);
   return measure_waves(*surface.surface, waves);
 }
 
-std::vector<std::string> warnings_of(const RunFigures& figures, const PatternSurface& surface) {
-  if (figures.waves.without_wave == figures.waves.used) return {kNoWave};
+std::vector<std::string> warnings_of(const RunMetrics& metrics, const PatternSurface& surface) {
+  if (metrics.waves.without_wave == metrics.waves.used) return {kNoWave};
   const WarningWords words = words_of_panels();
-  std::vector<std::string> sentences = wave_warnings(figures.waves, words);
+  std::vector<std::string> sentences = wave_warnings(metrics.waves, words);
   const auto add = [&](const std::vector<std::string>& more) {
     for (const std::string& sentence : more) {
       if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(sentence);
     }
   };
-  if (figures.crossing) add(wave_warnings(*figures.crossing, words));
-  add(quality_warnings(finest(figures), figures.quality, triangle_count(surface), words));
-  if (figures.measured) {
-    add(noise_warnings(figures.quality.field_singularities, triangle_count(surface), words));
+  if (metrics.crossing) add(wave_warnings(*metrics.crossing, words));
+  add(quality_warnings(finest(metrics), metrics.quality, triangle_count(surface), words));
+  if (metrics.measured) {
+    add(noise_warnings(metrics.quality.field_singularities, triangle_count(surface), words));
   }
-  add(turn_warnings(figures.turned_apart));
-  if (figures.detail) add(detail_warnings(*figures.detail, words));
+  add(turn_warnings(metrics.turned_apart));
+  if (metrics.smoothing) add(smoothing_warnings(*metrics.smoothing, words));
   return sentences;
 }
 

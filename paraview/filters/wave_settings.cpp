@@ -64,8 +64,8 @@ std::array<double, 2> own_extent(const Surface& surface, const DataArray& array,
   const DataArray counted = rows_of(array, rows);
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (nonfinite_rows(counted) == counted.rows()) return {kNone, -kNone};
-  const ArrayFigures figures = measure_array(counted);
-  return {figures.minimum, figures.maximum};
+  const ArrayMetrics metrics = measure_array(counted);
+  return {metrics.minimum, metrics.maximum};
 }
 
 Whole whole_of(const Surface& surface, const WaveSettings& settings, const DataArray* frequencies,
@@ -152,9 +152,9 @@ MeasuredField measured_data(const Surface& surface, const WaveArrays& arrays,
   return measured_field(data, directions, weight);
 }
 
-FieldSmoothingOptions detail_options(const WaveSettings& settings) {
+FieldSmoothingOptions smoothing_options(const WaveSettings& settings) {
   FieldSmoothingOptions options;
-  options.periods = settings.detail;
+  options.periods = settings.smoothing;
   options.fill = settings.fill;
   options.symmetry = settings.arrows ? 1 : 2;
   options.memory = settings.memory;
@@ -167,7 +167,7 @@ FieldSmoothingOptions detail_options(const WaveSettings& settings) {
 WaveRequest request_of(const WaveSettings& settings) {
   WaveRequest request;
   request.turn_deg = settings.turn_deg;
-  if (settings.field == FieldSource::array) request.detail = detail_options(settings);
+  if (settings.field == FieldSource::array) request.smoothing = smoothing_options(settings);
   if (settings.needs_frequency_array()) {
     request.frequency_smoothing.periods = settings.frequency_smoothing;
     request.frequency_smoothing.fill = settings.fill;
@@ -187,7 +187,7 @@ WaveInput found_waves(const Surface& surface, const WaveSettings& settings, cons
   found.frequencies =
       make_frequencies(surface, settings, whole, found.directions, arrays.frequencies);
   found.may_have_gaps = settings.needs_frequency_array();
-  if (settings.detail > 0 && settings.field == FieldSource::array) {
+  if (settings.smoothing > 0 && settings.field == FieldSource::array) {
     found.measured = measured_data(surface, arrays, found.directions);
   }
   return found;

@@ -109,8 +109,8 @@ def check_tool(tool, folder):
     with open(report) as file:
         told = json.load(file)
     for name in ("edges_per_period_min", "edges_per_period_median"):
-        figure = ours.GetFieldData().GetArray(name).GetValue(0)
-        check(abs(figure - told[name]) <= 1e-5 * figure, f"{name} is {figure:.3g}, as in the tool's report")
+        metric = ours.GetFieldData().GetArray(name).GetValue(0)
+        check(abs(metric - told[name]) <= 1e-5 * metric, f"{name} is {metric:.3g}, as in the tool's report")
 
 
 def check_series(folder):

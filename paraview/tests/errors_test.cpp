@@ -116,7 +116,7 @@ TEST(BrindleFilters, WarnOfStripesThatAreTooFine) {
     for (const float count : {8.0f, 3000.0f, 3001.0f, 9.0f}) {
       SCOPED_TRACE(count);
       const StripePattern pattern = expected(*data, surface, count, 0);
-      const WaveFigures figures = measure_waves(surface, pattern.waves);
+      const WaveMetrics metrics = measure_waves(surface, pattern.waves);
       warnings.messages.clear();
       filter->SetStripes(count);
       filter->Update();
@@ -126,9 +126,9 @@ TEST(BrindleFilters, WarnOfStripesThatAreTooFine) {
       if (count > 100) {
         EXPECT_TRUE(says_the_same(warnings.messages[0], of_library[0])) << warnings.messages[0];
       }
-      EXPECT_EQ(figure(*filter->GetOutput(), "edges_per_period_median"),
-                figures.edges_per_period_median);
-      EXPECT_EQ(figure(*filter->GetOutput(), "edges_per_period_min"), figures.edges_per_period_min);
+      EXPECT_EQ(metric(*filter->GetOutput(), "edges_per_period_median"),
+                metrics.edges_per_period_median);
+      EXPECT_EQ(metric(*filter->GetOutput(), "edges_per_period_min"), metrics.edges_per_period_min);
     }
   }
 }

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <brindle/direction_field.h>
 #include <brindle/stripe_pattern.h>
-#include <brindle/wave_figures.h>
+#include <brindle/wave_metrics.h>
 #include <vtkFieldData.h>
 
 #include "vtkBrindleStripes.h"
@@ -57,7 +57,7 @@ inline double area(vtkPolyData& data) {
   return sum;
 }
 
-inline double figure(vtkPolyData& output, const char* name) {
+inline double metric(vtkPolyData& output, const char* name) {
   return output.GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 

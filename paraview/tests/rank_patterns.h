@@ -58,9 +58,9 @@ inline void expect_one_pattern(const Mesh& whole, vtkPolyData& output) {
   for (std::size_t v = 0; v < branches.size(); ++v) wrong += told.values[v][0] != branches[v];
   EXPECT_EQ(wrong, 0u) << "branches";
   if (output.GetNumberOfPoints() == 0) return;
-  EXPECT_EQ(figure(output, "branches"), static_cast<double>(pattern.quality.branches));
-  EXPECT_NEAR(figure(output, "angle_error_mean_deg"), pattern.quality.angle_error_mean_deg, 1e-3);
-  EXPECT_NEAR(figure(output, "spacing_error_mean"), pattern.quality.spacing_error_mean, 1e-5);
+  EXPECT_EQ(metric(output, "branches"), static_cast<double>(pattern.quality.branches));
+  EXPECT_NEAR(metric(output, "angle_error_mean_deg"), pattern.quality.angle_error_mean_deg, 1e-3);
+  EXPECT_NEAR(metric(output, "spacing_error_mean"), pattern.quality.spacing_error_mean, 1e-5);
 }
 
 /// Stripes of a swirl, without texture coordinates.

@@ -34,7 +34,7 @@ TEST(RankGhosts, AreSeenAndNotCounted) {
         EXPECT_EQ(a.values, b.values) << name;
       }
       for (const char* name : {"branches", "angle_error_mean_deg", "spacing_error_mean"}) {
-        EXPECT_EQ(figure(output, name), figure(*plain->GetOutput(), name)) << name;
+        EXPECT_EQ(metric(output, name), metric(*plain->GetOutput(), name)) << name;
       }
       EXPECT_EQ(ghost_count(output), given) << "the output keeps ghosts";
       EXPECT_EQ(output.GetNumberOfCells(), more->GetNumberOfCells());
@@ -102,11 +102,11 @@ TEST(RankGrids, HaveExactStripesOnFlatFaces) {
     EXPECT_TRUE(warnings.messages.empty()) << warnings.messages[0];
     vtkPolyData& output = *filter->GetOutput();
     EXPECT_EQ(sum(own_cells(output)), 2 * 2.0 * (8 * 8 + 2 * 8 * 24));
-    EXPECT_EQ(figure(output, "branches"), 0);
-    EXPECT_LT(figure(output, "angle_error_mean_deg"), 0.01);
+    EXPECT_EQ(metric(output, "branches"), 0);
+    EXPECT_LT(metric(output, "angle_error_mean_deg"), 0.01);
     filter->SetCreaseAngle(180);
     filter->Update();
-    EXPECT_GT(figure(output, "angle_error_mean_deg"), 0.1);
+    EXPECT_GT(metric(output, "angle_error_mean_deg"), 0.1);
   }
 }
 
@@ -225,7 +225,7 @@ void expect_pattern_of_one(std::size_t vertices, vtkDataObject* own, vtkDataObje
   EXPECT_EQ(wrong, 0u);
   for (const char* name : {"branches", "angle_error_mean_deg", "spacing_error_mean"}) {
     if (many->GetOutput()->GetNumberOfPoints() == 0) continue;
-    EXPECT_NEAR(figure(*many->GetOutput(), name), figure(whole, name), 1e-6) << name;
+    EXPECT_NEAR(metric(*many->GetOutput(), name), metric(whole, name), 1e-6) << name;
   }
 }
 

@@ -135,7 +135,7 @@ TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
       SCOPED_TRACE(std::string(cut.name) + ", " + std::to_string(stripes));
       const Surface surface = make_surface(pieces.whole);
       const WaveSet waves = waves_of_swirl(surface, stripes);
-      const WaveFigures figures = measure_waves(surface, waves);
+      const WaveMetrics metrics = measure_waves(surface, waves);
       // Ranks have their own solution and branches; the beginning of the warning is common.
       const std::string warning = "stripes begin or end in";
       vtkNew<vtkBrindleStripes> filter;
@@ -148,25 +148,25 @@ TEST(RankWarnings, AreThoseOfOneProcessSaidOnce) {
         EXPECT_TRUE(says_the_same(warnings.messages[0], warning)) << warnings.messages[0];
       }
       for (const auto& [name, number] :
-           {std::pair("edges_per_period_min", figures.edges_per_period_min),
-            std::pair("edges_per_period_median", figures.edges_per_period_median)}) {
-        EXPECT_NEAR(figure(*filter->GetOutput(), name), number, 1e-5 * number) << name;
+           {std::pair("edges_per_period_min", metrics.edges_per_period_min),
+            std::pair("edges_per_period_median", metrics.edges_per_period_median)}) {
+        EXPECT_NEAR(metric(*filter->GetOutput(), name), number, 1e-5 * number) << name;
       }
     }
   }
 }
 
 /// The spacing tolerance equals the library's: phases, chosen and requested frequencies, metrics.
-void expect_yielding(vtkPolyData& output, Twin& twin, const StripePattern& pattern) {
+void expect_relaxed(vtkPolyData& output, Twin& twin, const StripePattern& pattern) {
   const PatternQuality quality = twin.measure().quality;
   if (output.GetNumberOfPoints() == 0) return;
   expect_phases(output, pattern.solution.z);
   EXPECT_EQ(numbers(output, "frequency"), pattern.waves.frequencies);
   EXPECT_EQ(numbers(output, "frequency_wanted"), pattern.frequencies_wanted);
   EXPECT_NE(pattern.waves.frequencies, pattern.frequencies_wanted);
-  EXPECT_EQ(figure(output, "branches"), static_cast<double>(quality.branches));
-  EXPECT_EQ(figure(output, "angle_error_mean_deg"), quality.angle_error_mean_deg);
-  EXPECT_EQ(figure(output, "spacing_error_mean"), quality.spacing_error_mean);
+  EXPECT_EQ(metric(output, "branches"), static_cast<double>(quality.branches));
+  EXPECT_EQ(metric(output, "angle_error_mean_deg"), quality.angle_error_mean_deg);
+  EXPECT_EQ(metric(output, "spacing_error_mean"), quality.spacing_error_mean);
 }
 
 TEST(RankSlack, IsTheLibrarysBitForBit) {
@@ -181,7 +181,7 @@ TEST(RankSlack, IsTheLibrarysBitForBit) {
       const float angle = 0.1f * static_cast<float>(step);
       set_time(*data, step);
       lay_swirl(*filter, data, angle);
-      expect_yielding(*filter->GetOutput(), twin, twin.pattern(angle));
+      expect_relaxed(*filter->GetOutput(), twin, twin.pattern(angle));
       expect_one_pattern(pieces.whole, *filter->GetOutput());
       const Gathered wanted(pieces.whole.vertex_count(), *filter->GetOutput(), "frequency_wanted");
       EXPECT_EQ(wanted.different, 0u);
@@ -193,13 +193,13 @@ TEST(RankSlack, IsTheLibrarysBitForBit) {
 // The purpose of slack.
 TEST(RankSlack, LeavesFewerBranches) {
   const Pieces pieces(kShape, cuts()[0]);
-  vtkNew<vtkBrindleStripes> stiff, yielding;
-  yielding->SetSlack(0.5);
+  vtkNew<vtkBrindleStripes> stiff, relaxed;
+  relaxed->SetSlack(0.5);
   lay_swirl(*stiff, pieces.polygons());
-  lay_swirl(*yielding, pieces.polygons());
+  lay_swirl(*relaxed, pieces.polygons());
   EXPECT_EQ(stiff->GetOutput()->GetPointData()->GetArray("frequency_wanted"), nullptr);
   if (pieces.ids.empty()) return;
-  EXPECT_LT(figure(*yielding->GetOutput(), "branches"), figure(*stiff->GetOutput(), "branches"));
+  EXPECT_LT(metric(*relaxed->GetOutput(), "branches"), metric(*stiff->GetOutput(), "branches"));
 }
 
 // Points shared by two ranks separate: the same cells, but another surface.

@@ -143,13 +143,13 @@ TEST(BrindleStripes, SeesMeasuredFieldsAtTheScaleOfTheirStripes) {
   EXPECT_TRUE(std::ranges::any_of(warnings.messages, [](const std::string& message) {
     return message.find("Field Smoothing 1") != std::string::npos;
   })) << "noise is warned of";
-  const double as_given = figure(*filter->GetOutput(), "branches");
+  const double as_given = metric(*filter->GetOutput(), "branches");
   filter->SetFieldSmoothing(1.5);
   filter->SetFieldSingularities(0);
   filter->SetTextureCoordinates(false);
   filter->Update();
   expect_phases(*filter->GetOutput(), pattern.solution.z);
-  EXPECT_EQ(figure(*filter->GetOutput(), "branches"),
+  EXPECT_EQ(metric(*filter->GetOutput(), "branches"),
             static_cast<double>(pattern.quality.branches));
   EXPECT_GT(as_given, 2 * static_cast<double>(pattern.quality.branches) + 10);
   filter->SetFieldSmoothing(101);

@@ -133,10 +133,10 @@ class TextureAnimator(Running):
                                 progress)
 
     @property
-    def figures(self) -> dict[str, Any]:
+    def metrics(self) -> dict[str, Any]:
         """Metrics of the last frame: branches, seams, distortion, change of phases, and the
         continuation of the orientation ("afresh", "kept", "continued", "shortened")."""
-        return dict(self._core.figures)
+        return dict(self._core.metrics)
 
     def restart(self) -> None:
         """Discards the last frame."""
@@ -210,7 +210,7 @@ class FieldSmoothing(Running):
     lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
     many are left. ``memory``: how much the field of the frame before counts beside the data, so that
     noise does not make it jump (0: not at all; 1: as much). ``hold_out``: a share of the data that
-    a check hides; ``figures`` has the mean angle to them."""
+    a check hides; ``metrics`` has the mean angle to them."""
 
     _INSTEAD = "pickle its surface and the last field; a new one goes on from it by frame(last=)"
 
@@ -244,8 +244,8 @@ class FieldSmoothing(Running):
         return self._core.filled()
 
     @property
-    def figures(self) -> dict[str, Any]:
+    def metrics(self) -> dict[str, Any]:
         """Metrics of the last frame, by the keys of reports: turn from the data in degrees,
         singularities of data and field, vertices with data, filled and not. Raises Error before
         the first frame."""
-        return json.loads(self._core.figures())
+        return json.loads(self._core.metrics())

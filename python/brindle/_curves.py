@@ -105,12 +105,12 @@ class Curves(Result):
         """The metrics of one family of curves in ``brindle curves --report``, without
         ``spacing``."""
         quality = self.stripes.report
-        closed, figures = int(self.closed.sum()), self._core.figures()
+        closed, metrics = int(self.closed.sum()), self._core.metrics()
         return {"energy": quality["energy"], "branches": quality["branches"],
                 "field_singularities": quality["field_singularities"], "curves": self.count,
                 "closed": closed, "open": self.count - closed,
-                "short_curves_left_out": figures.pop("short_curves_left_out"),
-                "points": len(self.points), "length": float(sum(self.lengths)), **figures,
+                "short_curves_left_out": metrics.pop("short_curves_left_out"),
+                "points": len(self.points), "length": float(sum(self.lengths)), **metrics,
                 **json.loads(self.stripes._core.making()),
                 **{key: quality[key] for key in ("frequency_change",) if key in quality}}
 

@@ -50,14 +50,14 @@ class Field:
         self.directions = (self._following(surface, previous, match)
                            if given is None and previous is not None
                            else self._directions(surface, given))
-        self.is_detailed = self._see_at_detail(surface, options or {}, symmetry)
+        self.is_detailed = self._smooth_data(surface, options or {}, symmetry)
         if along:
             if not self.is_detailed:  # smoothing comes before the turn
                 self.directions = surface.turned_field(self.directions, 90)
             self.origin.turn_deg = 90
         self.origin.milliseconds = 1000 * (perf_counter() - begin)
 
-    def _see_at_detail(self, surface: Surface, options: Mapping[str, Any], symmetry: int) -> bool:
+    def _smooth_data(self, surface: Surface, options: Mapping[str, Any], symmetry: int) -> bool:
         """Whether the options request smoothing. Raises Error for options without effect."""
         given = {name: options[name] for name in _DETAIL if options.get(name) is not None}
         if flag(given.pop("field_arrows", False), "field_arrows"):
@@ -65,7 +65,7 @@ class Field:
         for name in ("field_smoothing", "fill", "field_singularities", "hold_out",
                      "frequency_smoothing"):
             check_scalar(name, given.get(name))
-        request = _core.DetailArguments()
+        request = _core.SmoothingArguments()
         request.periods = number(given.get("field_smoothing", 0), "field_smoothing")
         request.frequency_periods = number(given.get("frequency_smoothing", 0), "frequency_smoothing")
         request.frequency_varies = not _is_number(options.get("frequency"))
@@ -78,7 +78,7 @@ class Field:
         if "hold_out" in given:
             request.hold_out = number(given["hold_out"], "hold_out")
         weight = given.get("field_weight")
-        self.origin.see_at_detail(options_of(given), request,
+        self.origin.smooth_data(options_of(given), request,
                                   self._weights(surface, weight) if request.periods else None)
         return request.periods > 0
 

@@ -146,7 +146,7 @@ py::array lengths_of(const CurvesData& data) {
   return owned(std::move(lengths));
 }
 
-py::dict figures_of(const CurvesData& data) {
+py::dict metrics_of(const CurvesData& data) {
   const auto end = [&](CurveEnd kind) { return data.ends[static_cast<std::size_t>(kind)]; };
   py::dict ends;
   std::size_t total = 0;
@@ -257,7 +257,7 @@ void bind_curve_properties(py::module_& module) {
       .def("places", places_of)
       .def("ends", ends_of)
       .def("lengths", lengths_of)
-      .def("figures", figures_of)
+      .def("metrics", metrics_of)
       .def("warnings", warnings_of_curves)
       .def("measures", measures_of, py::arg("stripes"), py::arg("path_width"))
       .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))

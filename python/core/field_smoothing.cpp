@@ -26,13 +26,13 @@ namespace {
 
 struct FieldSmoothingData {
   SurfacePointer surface;
-  FieldSmoothing detail;
+  FieldSmoothing smoothing;
   DirectionField last;  ///< of the frame before; empty in the first one
   std::vector<std::uint8_t> filled;
   std::atomic<bool> busy{false};
 
   FieldSmoothingData(SurfacePointer on, const FieldSmoothingOptions& options)
-      : surface(std::move(on)), detail(surface->surface, options) {}
+      : surface(std::move(on)), smoothing(surface->surface, options) {}
 };
 
 std::unique_ptr<FieldSmoothingData> make_field_smoothing(const SurfacePointer& surface,
@@ -80,7 +80,7 @@ MeasuredField measured_of(const SurfaceData& surface, py::handle vectors, py::ha
 py::tuple field_smoothing_frame(FieldSmoothingData& data, py::handle vectors,
                                 py::handle frequencies, py::handle confidence, py::handle last,
                                 const py::object& progress) {
-  const OneAtATime alone(data.busy, "this detail");
+  const OneAtATime alone(data.busy, "this smoothing");
   const Mesh& mesh = data.surface->surface.mesh;
   const MeasuredField measured = measured_of(*data.surface, vectors, confidence);
   const Table table = table_of(frequencies, "frequencies");
@@ -96,19 +96,20 @@ py::tuple field_smoothing_frame(FieldSmoothingData& data, py::handle vectors,
     before.directions.assign(rows.rows().begin(), rows.rows().end());
   }
   SmoothedField seen;
-  Job(progress).run(
-      [&](const Progress& reports) { seen = data.detail.frame(measured, waves, before, reports); });
+  Job(progress).run([&](const Progress& reports) {
+    seen = data.smoothing.frame(measured, waves, before, reports);
+  });
   data.last = seen.directions;
   data.filled = std::move(seen.filled);
   return py::make_tuple(owned(std::move(seen.directions)), owned(std::move(seen.coherence)));
 }
 
 /// As text that Python parses, with the keys of reports.
-std::string figures_of_detail(FieldSmoothingData& data) {
-  const OneAtATime alone(data.busy, "this detail");
-  const FieldSmoothingFigures figures = data.detail.figures();
-  nlohmann::ordered_json json = brindle::to_json(figures);
-  json["field_singularities"] = figures.singularities;
+std::string metrics_of_smoothing(FieldSmoothingData& data) {
+  const OneAtATime alone(data.busy, "this smoothing");
+  const FieldSmoothingMetrics metrics = data.smoothing.metrics();
+  nlohmann::ordered_json json = brindle::to_json(metrics);
+  json["field_singularities"] = metrics.singularities;
   return brindle::json_text(json);
 }
 
@@ -123,7 +124,7 @@ void bind_field_smoothing(py::module_& module) {
       .def("frame", field_smoothing_frame, py::arg("vectors"), py::arg("frequencies"),
            py::arg("confidence"), py::arg("last"), py::arg("progress"))
       .def("filled", [](const FieldSmoothingData& data) { return owned(std::vector(data.filled)); })
-      .def("figures", figures_of_detail);
+      .def("metrics", metrics_of_smoothing);
 }
 
 }  // namespace brindle::python

@@ -12,8 +12,8 @@
 
 #include "brindle/branch_pairs.h"
 #include "brindle/cross_texture.h"
+#include "brindle/recipe/fabrication_report.h"
 #include "brindle/recipe/field_data.h"
-#include "brindle/recipe/making_report.h"
 #include "brindle/recipe/report.h"
 #include "brindle/recipe/wave_report.h"
 #include "brindle/stripe_pattern.h"
@@ -27,7 +27,7 @@ namespace brindle::python {
 struct Solving {
   StripeOptions stripes;
   int threads = 0;
-  brindle::MakingOptions making;
+  brindle::FabricationOptions fabrication;
 };
 
 /// A number or an array of one per vertex, and where branches are unwelcome; None for nothing.
@@ -40,11 +40,11 @@ pybind11::object cancelled_branches_of(const std::optional<brindle::CancelledBra
 struct StripesData {
   SurfacePointer surface;
   StripePattern pattern;
-  brindle::PreparationFigures prepared;
+  brindle::PreparationMetrics prepared;
   Solver solver = Solver::multilevel;
   int threads = 0;  ///< threads used
   std::optional<brindle::FollowedReport> followed;
-  brindle::MakingFigures making;
+  brindle::FabricationMetrics fabrication;
 };
 using StripesPointer = std::shared_ptr<StripesData>;
 
@@ -57,7 +57,7 @@ struct TextureData {
   PhaseShiftKind phase_shift = PhaseShiftKind::aligned;
   std::vector<Index> triangle_origins;  ///< for a cross field: in the given surface
   std::vector<Index> singular;          ///< for a cross field: triangles of the given surface
-  brindle::WaveReport figures;
+  brindle::WaveReport metrics;
   brindle::PatternQuality quality;  ///< for warnings
   std::optional<brindle::CancelledBranches> cancelled_branches;
   nlohmann::ordered_json report;  ///< without the invocation
@@ -69,7 +69,7 @@ using TexturePointer = std::shared_ptr<TextureData>;
 /// Waves from arrays.
 struct WavesIn {
   WaveSet waves;
-  brindle::PreparationFigures prepared;
+  brindle::PreparationMetrics prepared;
 };
 
 /// The origin of waves, for messages, and properties of their array.
@@ -82,7 +82,7 @@ struct FieldOrigin {
   std::optional<double> field_turned_deg;  ///< of a smooth field that continues the last one
   bool measured = false;                   ///< given by the caller
   /// Smoothing of the field; 0: none. `turn_deg` is then applied later.
-  brindle::FieldSmoothingOptions detail = {.periods = 0};
+  brindle::FieldSmoothingOptions smoothing = {.periods = 0};
   /// Smoothing of frequencies from arrays.
   brindle::FrequencySmoothingOptions frequency_smoothing = {.periods = 0};
   brindle::FieldData data = {};

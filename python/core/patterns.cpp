@@ -81,10 +81,10 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
     }
     PatternResult pattern = saying_in_pythons_words([&] {
       return pattern_of(surface->surface, std::move(in.waves),
-                        {PatternKind::stripes, options, solving.making}, reports);
+                        {PatternKind::stripes, options, solving.fabrication}, reports);
     });
     made->pattern = std::get<StripePattern>(std::move(pattern.of));
-    made->making = std::move(pattern.making);
+    made->fabrication = std::move(pattern.fabrication);
     made->surface = surface;
     made->prepared = in.prepared;
     made->solver = options.solver.solver;
@@ -188,24 +188,24 @@ std::string report_of(const StripesData& data, const std::string& invocation) {
       brindle::make_report(data.surface->surface, data.prepared, data.pattern, data.solver);
   report.threads = data.threads;
   report.followed = data.followed;
-  brindle::add_to_json(data.making, report.making);
+  brindle::add_to_json(data.fabrication, report.fabrication);
   report.invocation = nlohmann::ordered_json::parse(invocation);
   return brindle::json_text(brindle::to_json(report));
 }
 
 // The loops, winding numbers and branches in the tool's report of curves.
-std::string making_of(const StripesData& data) {
-  MakingFigures figures = data.making;
-  without_lock([&] { brindle::measure_windings(data.surface->surface, data.pattern, figures); });
+std::string fabrication_of(const StripesData& data) {
+  FabricationMetrics metrics = data.fabrication;
+  without_lock([&] { brindle::measure_windings(data.surface->surface, data.pattern, metrics); });
   auto json = nlohmann::ordered_json::object();
-  brindle::add_to_json(figures, json);
+  brindle::add_to_json(metrics, json);
   return json.dump();
 }
 
 // Lines about likely mistakes.
 std::string warnings_of(const StripesData& data, const std::string& source) {
-  return brindle::warnings(data.prepared.figures, source) +
-         brindle::quality_warning(data.prepared.figures, data.pattern.quality,
+  return brindle::warnings(data.prepared.metrics, source) +
+         brindle::quality_warning(data.prepared.metrics, data.pattern.quality,
                                   data.surface->surface.mesh.triangle_count());
 }
 
@@ -227,12 +227,12 @@ py::object frequency_change_of(const StripesData& data) {
 }
 
 py::object turned_of(const StripesData& data) {
-  if (data.making.windings_before.empty()) return py::none();
+  if (data.fabrication.windings_before.empty()) return py::none();
   py::dict result;
-  result["energy_before"] = data.making.energy_before;
-  result["largest_deg"] = data.making.largest_turn_deg;
-  result["mean_deg"] = data.making.mean_turn_deg;
-  result["largest_frequency_change"] = data.making.largest_frequency_change;
+  result["energy_before"] = data.fabrication.energy_before;
+  result["largest_deg"] = data.fabrication.largest_turn_deg;
+  result["mean_deg"] = data.fabrication.mean_turn_deg;
+  result["largest_frequency_change"] = data.fabrication.largest_frequency_change;
   return result;
 }
 
@@ -266,7 +266,7 @@ void bind_stripes(py::module_& module) {
                              [](const StripesData& data) { return data.prepared.turn_deg; })
       .def("cancelled_branches",
            [](const StripesData& data) {
-             return cancelled_branches_of(data.making.cancelled_branches);
+             return cancelled_branches_of(data.fabrication.cancelled_branches);
            })
       .def_property_readonly(
           "directions",
@@ -280,7 +280,7 @@ void bind_stripes(py::module_& module) {
       .def("branch_indices", branch_indices_of)
       .def("angle_errors", angle_errors_of)
       .def("report", report_of, py::arg("invocation"))
-      .def("making", making_of)
+      .def("making", fabrication_of)
       .def("warnings", warnings_of, py::arg("source"));
 }
 
@@ -324,12 +324,12 @@ void check_solving(const Solving& solving, const std::set<std::string>& names, b
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   const SolverOptions& solver = solving.stripes.solver;
   saying_in_pythons_words([&] {
-    brindle::check_avoid_branches(given, solving.stripes.slack.yields());
+    brindle::check_avoid_branches(given, solving.stripes.slack.relaxes());
     brindle::check_solver_options(given, solver.solver, solver.cycles);
     brindle::check_following(given, given("--previous"), solver.solver);
-    brindle::check_making(solving.making, solver.solver);
+    brindle::check_fabrication(solving.fabrication, solver.solver);
     if (!points) return;
-    brindle::check_making_on_points(given);
+    brindle::check_fabrication_on_points(given);
     brindle::check_triangle_options(given);
   });
   if (solver.solver == Solver::global) use_unforkable(UnforkableWork::global_solver);
@@ -341,7 +341,7 @@ namespace {
 
 /// Given smoothing options, by the tool's names; the weight is a word for the data's own, or
 /// numbers.
-struct DetailArguments {
+struct SmoothingArguments {
   float periods = 0, frequency_periods = 0;
   int symmetry = 2;
   std::optional<float> fill;
@@ -350,27 +350,27 @@ struct DetailArguments {
   bool frequency_varies = false;
 };
 
-void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
-                   const DetailArguments& request, py::handle weight) {
+void smooth_data(FieldOrigin& origin, const std::set<std::string>& names,
+                 const SmoothingArguments& request, py::handle weight) {
   const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
   saying_in_pythons_words([&] {
     brindle::check_field_smoothing(
         given, {request.periods, request.frequency_periods, origin.measured, request.symmetry == 4,
                 request.frequency_varies});
   });
-  origin.detail.periods = request.periods;
-  origin.detail.symmetry = request.symmetry;
+  origin.smoothing.periods = request.periods;
+  origin.smoothing.symmetry = request.symmetry;
   origin.frequency_smoothing.periods = request.frequency_periods;
-  if (request.fill) origin.detail.fill = origin.frequency_smoothing.fill = *request.fill;
+  if (request.fill) origin.smoothing.fill = origin.frequency_smoothing.fill = *request.fill;
   if (request.singularities) {
-    origin.detail.singularities = static_cast<std::size_t>(*request.singularities);
+    origin.smoothing.singularities = static_cast<std::size_t>(*request.singularities);
   }
   saying_in_pythons_words([&] {
     if (request.hold_out != 0) {
       brindle::check_number("--hold-out", static_cast<double>(request.hold_out));
     }
   });
-  origin.detail.hold_out = request.hold_out;
+  origin.smoothing.hold_out = request.hold_out;
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
@@ -382,27 +382,27 @@ void see_at_detail(FieldOrigin& origin, const std::set<std::string>& names,
 }  // namespace
 
 void bind_solving(py::module_& module) {
-  py::class_<DetailArguments>(module, "DetailArguments")
+  py::class_<SmoothingArguments>(module, "SmoothingArguments")
       .def(py::init<>())
-      .def_readwrite("periods", &DetailArguments::periods)
-      .def_readwrite("frequency_periods", &DetailArguments::frequency_periods)
-      .def_readwrite("symmetry", &DetailArguments::symmetry)
-      .def_readwrite("fill", &DetailArguments::fill)
-      .def_readwrite("singularities", &DetailArguments::singularities)
-      .def_readwrite("hold_out", &DetailArguments::hold_out)
-      .def_readwrite("frequency_varies", &DetailArguments::frequency_varies);
+      .def_readwrite("periods", &SmoothingArguments::periods)
+      .def_readwrite("frequency_periods", &SmoothingArguments::frequency_periods)
+      .def_readwrite("symmetry", &SmoothingArguments::symmetry)
+      .def_readwrite("fill", &SmoothingArguments::fill)
+      .def_readwrite("singularities", &SmoothingArguments::singularities)
+      .def_readwrite("hold_out", &SmoothingArguments::hold_out)
+      .def_readwrite("frequency_varies", &SmoothingArguments::frequency_varies);
   py::class_<Solving>(module, "Solving")
       .def(py::init<>())
       .def_readwrite("threads", &Solving::threads)
       .def_property(
-          "anchor_boundary", [](const Solving& s) { return s.making.anchor_boundary; },
-          [](Solving& s, std::optional<float> periods) { s.making.anchor_boundary = periods; })
+          "anchor_boundary", [](const Solving& s) { return s.fabrication.anchor_boundary; },
+          [](Solving& s, std::optional<float> periods) { s.fabrication.anchor_boundary = periods; })
       .def_property(
-          "cancel_branches", [](const Solving& s) { return s.making.cancel_branches; },
-          [](Solving& s, std::optional<float> share) { s.making.cancel_branches = share; })
+          "cancel_branches", [](const Solving& s) { return s.fabrication.cancel_branches; },
+          [](Solving& s, std::optional<float> share) { s.fabrication.cancel_branches = share; })
       .def_property(
-          "cancel_distance", [](const Solving& s) { return s.making.cancel_distance; },
-          [](Solving& s, std::optional<float> periods) { s.making.cancel_distance = periods; })
+          "cancel_distance", [](const Solving& s) { return s.fabrication.cancel_distance; },
+          [](Solving& s, std::optional<float> periods) { s.fabrication.cancel_distance = periods; })
       .def(
           "set_slack",
           [](Solving& s, py::handle slack, py::handle branch_penalty, const SurfaceData& surface) {
@@ -412,7 +412,7 @@ void bind_solving(py::module_& module) {
       .def(
           "add_winding",
           [](Solving& s, const std::string& loop, int periods) {
-            s.making.windings.push_back({loop, periods});
+            s.fabrication.windings.push_back({loop, periods});
           },
           py::arg("loop"), py::arg("periods"))
       .def_property(
@@ -475,7 +475,7 @@ void bind_solving(py::module_& module) {
            [](FieldOrigin& origin, const std::string& name, py::handle array, bool of_triangles) {
              origin.data = {data_array_of(name, array), of_triangles};
            })
-      .def("see_at_detail", see_at_detail, py::arg("given"), py::arg("request"), py::arg("weight"))
+      .def("smooth_data", smooth_data, py::arg("given"), py::arg("request"), py::arg("weight"))
       .def(
           "see_frequencies_like",
           [](FieldOrigin& origin, const FieldOrigin& other) {

@@ -117,7 +117,7 @@ void check_crosses(py::handle tile, const Picture& picture) {
 std::optional<BrokenTiles> broken_tiles_of(const TextureData& texture, const TextureTile& tile,
                                            std::optional<bool> whole) {
   if (!whole.value_or(has_own_shape(tile))) return std::nullopt;
-  return broken_tiles(texture.surface->surface.mesh.triangles, texture.waves, tile_figures(tile));
+  return broken_tiles(texture.surface->surface.mesh.triangles, texture.waves, tile_motifs(tile));
 }
 
 // 1 in triangles that a broken motif covers, or None.

@@ -94,10 +94,10 @@ auto members(T& all) {
   return std::tie(coherence, filled);
 }
 
-template <Of<PreparationFigures> T>
+template <Of<PreparationMetrics> T>
 auto members(T& all) {
-  auto& [figures, nonfinite, step, turn_deg, coherence, joined, load, field, topology] = all;
-  return std::tie(figures, nonfinite, step, turn_deg, coherence, joined, load, field, topology);
+  auto& [metrics, nonfinite, step, turn_deg, coherence, joined, load, field, topology] = all;
+  return std::tie(metrics, nonfinite, step, turn_deg, coherence, joined, load, field, topology);
 }
 
 template <Of<FollowedReport> T>
@@ -118,7 +118,7 @@ auto members(T& all) {
   return std::tie(boundaries, periods);
 }
 
-template <Of<MakingFigures> T>
+template <Of<FabricationMetrics> T>
 auto members(T& all) {
   auto& [loops, windings, branches, centers, sums, before, energy_before, largest_turn, mean_turn,
          largest_change, cancelled_branches, fixed] = all;
@@ -156,15 +156,15 @@ auto members(T& all) {
 
 template <Of<StripesData> T>
 auto members(T& all) {
-  auto& [surface, pattern, prepared, solver, threads, followed, making] = all;
-  return std::tie(surface, pattern, prepared, solver, threads, followed, making);
+  auto& [surface, pattern, prepared, solver, threads, followed, fabrication] = all;
+  return std::tie(surface, pattern, prepared, solver, threads, followed, fabrication);
 }
 
 template <Of<TextureData> T>
 auto members(T& all) {
-  auto& [surface, u, v, cover, waves, phase_shift, triangle_origins, singular, figures, quality,
+  auto& [surface, u, v, cover, waves, phase_shift, triangle_origins, singular, metrics, quality,
          cancelled_branches, report] = all;
-  return std::tie(surface, u, v, cover, waves, phase_shift, triangle_origins, singular, figures,
+  return std::tie(surface, u, v, cover, waves, phase_shift, triangle_origins, singular, metrics,
                   quality, cancelled_branches, report);
 }
 

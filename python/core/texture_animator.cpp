@@ -22,7 +22,7 @@ struct TextureAnimatorData {
   PhaseShiftKind phase_shift;
   TextureAnimator animator;
   MovingNormals normals;
-  py::dict figures;
+  py::dict metrics;
   std::atomic<bool> busy{false};
 
   TextureAnimatorData(SurfacePointer on, const TextureAnimatorOptions& options)
@@ -46,19 +46,19 @@ std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer&
   return std::make_unique<TextureAnimatorData>(surface, options);
 }
 
-py::dict figures_of(const TextureFrameResult& result) {
-  py::dict figures;
-  figures["orientation"] = kOrientations[static_cast<std::size_t>(result.orientation)];
-  figures["phase_step_u"] = result.u.phase_step;
-  figures["phase_step_v"] = result.v.phase_step;
-  figures["branches_u"] = result.pattern.u.quality.branches;
-  figures["branches_v"] = result.pattern.v.quality.branches;
-  figures["turned_edges"] = result.pattern.seams.turned;
-  figures["mirrored_edges"] = result.pattern.seams.mirrored;
-  figures["unoriented_triangles"] = result.pattern.seams.unoriented_triangles;
-  figures["angle_distortion_mean_deg"] = result.pattern.quality.angle_mean_deg;
-  figures["area_distortion_mean"] = result.pattern.quality.area_mean;
-  return figures;
+py::dict metrics_of(const TextureFrameResult& result) {
+  py::dict metrics;
+  metrics["orientation"] = kOrientations[static_cast<std::size_t>(result.orientation)];
+  metrics["phase_step_u"] = result.u.phase_step;
+  metrics["phase_step_v"] = result.v.phase_step;
+  metrics["branches_u"] = result.pattern.u.quality.branches;
+  metrics["branches_v"] = result.pattern.v.quality.branches;
+  metrics["turned_edges"] = result.pattern.seams.turned;
+  metrics["mirrored_edges"] = result.pattern.seams.mirrored;
+  metrics["unoriented_triangles"] = result.pattern.seams.unoriented_triangles;
+  metrics["angle_distortion_mean_deg"] = result.pattern.quality.angle_mean_deg;
+  metrics["area_distortion_mean"] = result.pattern.quality.area_mean;
+  return metrics;
 }
 
 py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::handle frequencies,
@@ -81,7 +81,7 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
     result.emplace(data.animator.frame(input, reports));
     uv = corner_texture_coordinates(result->pattern.waves, data.phase_shift);
   });
-  data.figures = figures_of(*result);
+  data.metrics = metrics_of(*result);
   return owned<float>(std::move(uv), {static_cast<py::ssize_t>(mesh.triangle_count()), 3, 2});
 }
 
@@ -94,8 +94,8 @@ void bind_texture_animator(py::module_& module) {
            py::arg("avoid_branches"))
       .def_property_readonly("surface",
                              [](const TextureAnimatorData& data) { return data.surface; })
-      .def_property_readonly("figures",
-                             [](const TextureAnimatorData& data) { return data.figures; })
+      .def_property_readonly("metrics",
+                             [](const TextureAnimatorData& data) { return data.metrics; })
       .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
            py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"), py::arg("progress"))
       .def("restart", [](TextureAnimatorData& data) {

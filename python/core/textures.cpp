@@ -35,7 +35,7 @@ std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, p
 }
 
 StripesPointer stripes_data(const SurfacePointer& surface, StripePattern&& pattern,
-                            const brindle::PreparationFigures& prepared, Solver solver) {
+                            const brindle::PreparationMetrics& prepared, Solver solver) {
   auto made = std::make_shared<StripesData>();
   made->surface = surface;
   made->pattern = std::move(pattern);
@@ -51,7 +51,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
                        const py::object& progress) {
   if (surface->is_points()) throw Error("points have no triangles to lay a texture on");
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
-  PatternRequest request{PatternKind::texture, solving.stripes, solving.making};
+  PatternRequest request{PatternKind::texture, solving.stripes, solving.fabrication};
   request.frequencies_v =
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField());
   request.oriented = oriented;
@@ -69,8 +69,8 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
         brindle::make_report(surface->surface, in.prepared, laid, solver);
     made->report = brindle::to_json(report);
     made->surface = surface;
-    made->cancelled_branches = laid.making.cancelled_branches;
-    made->figures = in.prepared.figures;
+    made->cancelled_branches = laid.fabrication.cancelled_branches;
+    made->metrics = in.prepared.metrics;
     made->quality = report.quality;
     made->phase_shift = pattern.phase_shift;
     made->waves = std::move(pattern.waves);
@@ -127,14 +127,14 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
   return Job(progress, solving.threads).run([&](const Progress& reports) {
     const StripeOptions& options = solving.stripes;
     PatternResult laid = pattern_of(surface->surface, std::move(in.waves),
-                                    {PatternKind::crosses, options, solving.making}, reports);
+                                    {PatternKind::crosses, options, solving.fabrication}, reports);
     auto& [cross, texture] = std::get<CrossResult>(laid.of);
     auto made = std::make_shared<TextureData>();
     const brindle::Report report =
         brindle::make_report(surface->surface, in.prepared, laid, options.solver.solver);
     made->report = brindle::to_json(report);
-    made->cancelled_branches = laid.making.cancelled_branches;
-    made->figures = in.prepared.figures;
+    made->cancelled_branches = laid.fabrication.cancelled_branches;
+    made->metrics = in.prepared.metrics;
     made->quality = report.quality;
     made->phase_shift = options.phase_shift;
     made->waves = std::move(texture.pattern.waves);
@@ -149,7 +149,7 @@ TexturePointer crosses(const SurfacePointer& surface, py::handle directions, py:
     made->surface->partners = surface->partners;
     made->surface->original_ids = surface->original_ids;
     made->surface->original_ids.resize(made->surface->surface.mesh.vertex_count(), -1);
-    brindle::PreparationFigures on_cover = in.prepared;
+    brindle::PreparationMetrics on_cover = in.prepared;
     on_cover.support = {doubled(in.prepared.support.coherence),
                         doubled(in.prepared.support.filled)};
     made->cover = stripes_data(cover_data(*surface, cross.cover, std::move(cross.surface)),
@@ -300,8 +300,8 @@ void bind_textures(py::module_& module) {
       .def("mesh", textured_mesh)
       .def("warnings",
            [](const TextureData& data, const std::string& source) {
-             return brindle::warnings(data.figures, source) +
-                    brindle::quality_warning(data.figures, data.quality,
+             return brindle::warnings(data.metrics, source) +
+                    brindle::quality_warning(data.metrics, data.quality,
                                              data.surface->surface.mesh.triangle_count());
            })
       .def("report", [](const TextureData& data, const std::string& invocation) {

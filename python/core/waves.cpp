@@ -19,7 +19,7 @@ namespace brindle::python {
 namespace {
 
 DirectionField directions_of(const Surface& surface, py::handle given,
-                             brindle::PreparationFigures& prepared) {
+                             brindle::PreparationMetrics& prepared) {
   const DirectionsIn in(given, surface.mesh, surface.normals);
   if (in.nonfinite() > 0) prepared.field_rows_nonfinite = in.nonfinite();
   return {in.rows().begin(), in.rows().end()};
@@ -36,10 +36,10 @@ void drop_waves_without_phase(std::span<const Complex> phases, DirectionField& d
 
 float number_of(const Table& table) { return numbers_of(table.view, "a number").front(); }
 
-void tell_origin(const FieldOrigin& origin, brindle::PreparationFigures& prepared) {
+void tell_origin(const FieldOrigin& origin, brindle::PreparationMetrics& prepared) {
   prepared.turn_deg = origin.turn_deg;
   if (origin.rows_nonfinite) prepared.field_rows_nonfinite = origin.rows_nonfinite;
-  saying_in_pythons_words([&] { brindle::check_wave_report(prepared.figures, origin.source); });
+  saying_in_pythons_words([&] { brindle::check_wave_report(prepared.metrics, origin.source); });
 }
 
 /// The data of a field to smooth.
@@ -76,8 +76,8 @@ void find_frequencies(const Surface& surface, py::handle stripes, py::handle fre
 
 /// Frequency smoothing is for arrays only; fields without smoothing are turned here.
 brindle::WaveRequest request_of(const FieldOrigin& origin, bool array_of_frequencies) {
-  brindle::WaveRequest request{0, origin.detail, origin.frequency_smoothing};
-  if (origin.detail.periods > 0) request.turn_deg = origin.turn_deg;
+  brindle::WaveRequest request{0, origin.smoothing, origin.frequency_smoothing};
+  if (origin.smoothing.periods > 0) request.turn_deg = origin.turn_deg;
   if (!array_of_frequencies) request.frequency_smoothing.periods = 0;
   return request;
 }
@@ -110,20 +110,21 @@ WavesIn waves_of_arrays(const SurfaceData& data, py::handle directions, py::hand
   const brindle::WaveRequest request = request_of(origin, found.may_have_gaps);
   brindle::WaveResult made;
   saying_in_pythons_words([&] {
-    if (request.detail.periods > 0) found.measured = measured_of(surface, origin, found.directions);
+    if (request.smoothing.periods > 0)
+      found.measured = measured_of(surface, origin, found.directions);
     made = until_interrupted([&](const Progress& progress) {
       return brindle::waves_of(brindle::WholeSurface(surface), request, std::move(found), progress);
     });
   });
   in.waves = std::move(made.waves);
   in.prepared.support = std::move(made.support);
-  static_cast<WaveFigures&>(in.prepared.figures) = measure_waves(surface, in.waves);
-  in.prepared.figures.missing = made.missing;
-  in.prepared.figures.turned_apart = made.turned_apart;
-  in.prepared.figures.detail = made.detail;
-  in.prepared.figures.frequency_smoothing = made.frequency_smoothing;
-  in.prepared.figures.measured = origin.measured;
-  if (data.is_points()) in.prepared.figures.subdivided.reset();
+  static_cast<WaveMetrics&>(in.prepared.metrics) = measure_waves(surface, in.waves);
+  in.prepared.metrics.missing = made.missing;
+  in.prepared.metrics.turned_apart = made.turned_apart;
+  in.prepared.metrics.smoothing = made.smoothing;
+  in.prepared.metrics.frequency_smoothing = made.frequency_smoothing;
+  in.prepared.metrics.measured = origin.measured;
+  if (data.is_points()) in.prepared.metrics.subdivided.reset();
   tell_origin(origin, in.prepared);
   in.prepared.field_milliseconds = origin.milliseconds + watch.lap();
   return in;

@@ -1,4 +1,4 @@
-"""Requests that the tool and Python are asked alike: the same figures, bit for bit, or refusals in the
+"""Requests that the tool and Python are asked alike: the same metrics, bit for bit, or refusals in the
 same words. What a row of the tables asks of Python is a function of the surface; what it asks of the
 tool are words after the mesh."""
 

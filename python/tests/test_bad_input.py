@@ -285,14 +285,14 @@ def test_field_smoothing_keeps_its_last_frame(torus):
     detail, undisturbed = brindle.FieldSmoothing(torus, 0.3), brindle.FieldSmoothing(torus, 0.3)
     for each in (detail, undisturbed):
         each.frame(vectors, f)
-    figures, other = detail.figures, vectors[:, ::-1]
+    metrics, other = smoothing.metrics, vectors[:, ::-1]
     with pytest.raises(brindle.Error, match="there is no datum"):
-        detail.frame(np.full_like(vectors, np.nan), f)
+        smoothing.frame(np.full_like(vectors, np.nan), f)
     calls = []
     with pytest.raises(brindle.Cancelled):
-        detail.frame(other, f, progress=lambda *report: calls.append(report) or len(calls) < 3)
-    assert detail.figures == figures
-    for seen, expected in zip(detail.frame(other, f), undisturbed.frame(other, f)):
+        smoothing.frame(other, f, progress=lambda *report: calls.append(report) or len(calls) < 3)
+    assert smoothing.metrics == metrics
+    for seen, expected in zip(smoothing.frame(other, f), undisturbed.frame(other, f)):
         assert np.array_equal(seen, expected)
 
 

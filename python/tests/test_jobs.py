@@ -377,14 +377,14 @@ def test_measured_fields_frame_by_frame(torus):
 
     detail, remembers = brindle.FieldSmoothing(torus, 0.7), brindle.FieldSmoothing(torus, 0.7, memory=3)
     with pytest.raises(brindle.Error):
-        detail.figures
+        smoothing.metrics
     steps = []
     for animator in (detail, remembers):
         fields = [animator.frame(noisy(), frequency)[0] for _ in range(5)]
         steps.append(angle_between(fields[-1], fields[-2]))
         assert angle_between(fields[-1], truth) < 12  # of 23 in the data
     assert steps[1] < 0.7 * steps[0]
-    assert detail.figures["vertices_filled"] == len(truth[::9])
+    assert smoothing.metrics["vertices_filled"] == len(truth[::9])
     # One frame is what stripes see.
     data = noisy()
     p = brindle.stripes(torus, data, stripes=12, field_smoothing=0.7)
@@ -406,13 +406,13 @@ def test_measured_fields_frame_by_frame(torus):
     weights = (np.arange(len(truth)) % 9 != 0).astype(float)
     again, _ = brindle.FieldSmoothing(torus, 0.7).frame(wrong, frequency, confidence=weights)
     np.testing.assert_allclose(again, field, atol=1e-5)
-    of_triangles, _ = detail.frame(truth[np.array(torus.triangles)[:, 0]], frequency)
+    of_triangles, _ = smoothing.frame(truth[np.array(torus.triangles)[:, 0]], frequency)
     assert of_triangles.shape == truth.shape
     for wishes in ({"periods": 0}, {"fill": -1}, {"singularities": -1}, {"memory": -1}):
         with pytest.raises(brindle.Error):
             brindle.FieldSmoothing(torus, **wishes)
     with pytest.raises(brindle.Error, match=r"vectors: expected .* got the shape \(5, 3\)"):
-        detail.frame(truth[:5], frequency)
+        smoothing.frame(truth[:5], frequency)
 
 
 def test_vectors_on_a_globe():

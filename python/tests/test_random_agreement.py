@@ -1,5 +1,5 @@
 """Requests by chance, over the options that the doors share: the tool, Python, a session and one rank
-of MPI give the same figures, bit for bit, or refuse in the same words. BRINDLE_REQUESTS says how many
+of MPI give the same metrics, bit for bit, or refuse in the same words. BRINDLE_REQUESTS says how many
 (500)."""
 
 import json

@@ -1,4 +1,4 @@
-"""Results in notebooks and editors: texts with figures, pictures, types."""
+"""Results in notebooks and editors: texts with metrics, pictures, types."""
 
 import re
 import typing
@@ -18,7 +18,7 @@ def results(torus):
             "samples": brindle.samples(torus, stripes=10)}
 
 
-def test_texts_have_figures(torus, results):
+def test_texts_have_metrics(torus, results):
     n, m = torus.vertex_count, torus.triangle_count
     assert repr(torus) == f"<brindle.Surface {torus.name}: {n} vertices, {m} triangles, diagonal {torus.diagonal:.4g}>"
     p, curves, samples = results["stripes"], results["curves"], results["samples"]

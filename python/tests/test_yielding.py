@@ -49,10 +49,10 @@ def test_slack_and_avoid_branches_per_vertex(trefoil):
 def test_slack_of_textures_samples_and_frames(trefoil):
     d = crossed(trefoil)
     for make in (brindle.texture, brindle.crosses):
-        rigid, yielding = make(trefoil, d, stripes=20), make(trefoil, d, stripes=20, slack=0.25)
-        assert yielding.report["branches"] < rigid.report["branches"]
-        assert yielding.report["frequency_change"]["ratio_max"] > 1.01
-        assert np.isfinite(yielding.corner_uv).any()
+        rigid, relaxed = make(trefoil, d, stripes=20), make(trefoil, d, stripes=20, slack=0.25)
+        assert relaxed.report["branches"] < rigid.report["branches"]
+        assert relaxed.report["frequency_change"]["ratio_max"] > 1.01
+        assert np.isfinite(relaxed.corner_uv).any()
     samples = brindle.samples(trefoil, d, stripes=20, slack=0.25)
     assert samples.u.frequency_change["ratio_max"] > 1.01 and samples.count > 0
     animator = brindle.Animator(trefoil, slack=0.25)
@@ -61,13 +61,13 @@ def test_slack_of_textures_samples_and_frames(trefoil):
     np.testing.assert_array_equal(z, brindle.stripes(trefoil, d, stripes=40, slack=0.25).phases)
     assert animator.frequencies.min() >= f / 1.2501
     assert len(brindle.Animator(trefoil).frequencies) == 0
-    rigid, yielding = brindle.TextureAnimator(trefoil), brindle.TextureAnimator(trefoil, slack=0.25)
+    rigid, relaxed = brindle.TextureAnimator(trefoil), brindle.TextureAnimator(trefoil, slack=0.25)
     rigid.frame(d, f)
-    yielding.frame(d, f)
-    assert yielding.figures["branches_u"] < rigid.figures["branches_u"]
+    relaxed.frame(d, f)
+    assert relaxed.metrics["branches_u"] < rigid.metrics["branches_u"]
     texture = brindle.texture(trefoil, d, stripes=40, slack=0.25)
-    assert yielding.figures["branches_u"] == texture.u.report["branches"]
-    np.testing.assert_array_equal(yielding.frame(d, f).shape, texture.corner_uv.shape)
+    assert relaxed.metrics["branches_u"] == texture.u.report["branches"]
+    np.testing.assert_array_equal(relaxed.frame(d, f).shape, texture.corner_uv.shape)
 
 
 def test_strokes(torus, tmp_path):
@@ -170,12 +170,12 @@ def test_textures_from_frame_to_frame(torus):
     animator = brindle.TextureAnimator(torus)
     d = torus.smooth_field()
     first = animator.frame(d, 4)
-    assert first.shape == (torus.triangle_count, 3, 2) and animator.figures["orientation"] == "afresh"
+    assert first.shape == (torus.triangle_count, 3, 2) and animator.metrics["orientation"] == "afresh"
     t = brindle.texture(torus, d, frequency=4)
     np.testing.assert_array_equal(first[..., 0], t.corner_uv[..., 0])  # V shares U's aggregates
     kept = first.copy()
     animator.frame(torus.turned_field(d, 1), 4.05)
-    assert animator.figures["orientation"] in ("kept", "continued")
+    assert animator.metrics["orientation"] in ("kept", "continued")
     np.testing.assert_array_equal(first, kept)
     with pytest.raises(brindle.Error):
         animator.frame(d[:5], 4)

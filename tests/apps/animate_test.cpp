@@ -57,14 +57,14 @@ TEST_F(Animate, ReportsEveryFrameOfEveryScene) {
   }
 }
 
-TEST_F(Animate, FiguresDoNotDependOnThreads) {
-  const auto figures = [&](const char* threads, const char* scene) {
+TEST_F(Animate, MetricsDoNotDependOnThreads) {
+  const auto metrics = [&](const char* threads, const char* scene) {
     Json report = this->report({"--scene", scene, "--threads", threads, "--subdivide", "1"});
     EXPECT_EQ(report["threads"], std::stoi(threads));
     for (Json& frame : report["frames"]) frame.erase("milliseconds");
     return report["frames"];
   };
-  for (const char* scene : kScenes) EXPECT_EQ(figures("1", scene), figures("2", scene)) << scene;
+  for (const char* scene : kScenes) EXPECT_EQ(metrics("1", scene), metrics("2", scene)) << scene;
 }
 
 TEST_F(Animate, ComparesWithFramesFromScratch) {

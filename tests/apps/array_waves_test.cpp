@@ -460,13 +460,13 @@ TEST_F(ArrayWaves, MayBeTakenFromAnotherMesh) {
   write("coarse.vtp", coarse);
   write("fine.vtp", fine);
   const Arguments waves = {"--field", "array:velocity", "--frequency", "array:density"};
-  const auto figures = [&](Arguments files) {
+  const auto metrics = [&](Arguments files) {
     files.insert(files.end(), waves.begin(), waves.end());
     return report(files);
   };
   // A linear field is that of the finer mesh, and a mesh's own is the same, bit for bit.
-  const Json expected = figures({"fine.vtp"});
-  const Json carried = figures({"fine.vtp", "--field-mesh", "coarse.vtp"});
+  const Json expected = metrics({"fine.vtp"});
+  const Json carried = metrics({"fine.vtp", "--field-mesh", "coarse.vtp"});
   EXPECT_NEAR(carried.at("energy").get<double>(), expected.at("energy").get<double>(), 1e-6);
   EXPECT_EQ(carried.at("frequency_max"), expected.at("frequency_max"));
   EXPECT_EQ(carried.at("vertices_too_far"), 0);

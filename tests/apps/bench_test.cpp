@@ -43,9 +43,9 @@ TEST_F(BenchTest, MeasuresAllSolversAndFramesOfAMeshAndOfItsFinerCopy) {
     EXPECT_EQ(solvers_of(mesh), expected);
     for (const auto& solver : mesh["solvers"]) expect_positive(solver["milliseconds"]["solve"]);
     ASSERT_FALSE(mesh["surroundings"].empty());
-    for (const auto& figures : mesh["surroundings"]) {
+    for (const auto& metrics : mesh["surroundings"]) {
       for (const char* what : {"texture", "cross_frame", "cross", "smooth_field"}) {
-        expect_positive(figures["milliseconds"][what]);
+        expect_positive(metrics["milliseconds"][what]);
       }
     }
     ASSERT_FALSE(mesh["frames"].empty());

@@ -306,6 +306,9 @@ TEST_F(Options, ThatAreMistypedAreGuessed) {
   expect_refusal(2, "did you mean '--stripes'?", {"curves", kTorus16, "--stirpes=20"});
   expect_refusal(2, "did you mean '--version'?", {"--verison"});
   expect_refusal(2, "did you mean 'stripe'?", {"strip", kTorus16});
+  expect_refusal(2, "did you mean 'stripe shape:torus'?", {"shape:torus", "--stripes", "20"});
+  expect_refusal(2, "'wind.vtp' is a mesh; for an array of it, add --field array:NAME --field-mesh",
+                 {"stripe", kTorus16, "--field", "wind.vtp"});
   expect_refusal(2, "did you mean 'curvature'?", {"stripe", kTorus16, "--field", "curvatur"});
 }
 

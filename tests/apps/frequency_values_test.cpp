@@ -74,10 +74,10 @@ TEST_F(FrequencyValues, ReachTheEndsOfTheRange) {
   write_square("square", 0);
   const Arguments values = {"distance:0,0,0", "square.csv", "square.csv:x", "distance:0,-1e4,0"};
   for (const std::string& value : values) {
-    const Json figures =
+    const Json metrics =
         report({"square.obj", "--frequency", "10", "--frequency-by", value + "@0.5..2"});
-    EXPECT_NEAR(figures.at("frequency_min").get<double>(), 5, 1e-5) << value;
-    EXPECT_NEAR(figures.at("frequency_max").get<double>(), 20, 1e-5) << value;
+    EXPECT_NEAR(metrics.at("frequency_min").get<double>(), 5, 1e-5) << value;
+    EXPECT_NEAR(metrics.at("frequency_max").get<double>(), 20, 1e-5) << value;
   }
 }
 
@@ -115,8 +115,8 @@ TEST_F(FrequencyValues, ThatAreMissingLeaveNoWave) {
     column += (v == 7 || v == 40 ? "nan," : std::to_string(v) + ",") + "nan\n";
   }
   write_text(folder / "holes.csv", column);
-  const Json figures = report({"square.obj", "--frequency-by", "holes.csv:a"});
-  EXPECT_EQ(figures.at("vertices_without_frequency"), 2);
+  const Json metrics = report({"square.obj", "--frequency-by", "holes.csv:a"});
+  EXPECT_EQ(metrics.at("vertices_without_frequency"), 2);
   expect_refusal(1, "no finite number", {"stripe", "square.obj", "--frequency-by", "holes.csv:b"});
   expect_refusal(1, "several columns", {"stripe", "square.obj", "--frequency-by", "holes.csv"});
   expect_refusal(2, "X,Y,Z", {"stripe", "square.obj", "--frequency-by", "distance:1"});

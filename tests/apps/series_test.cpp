@@ -242,15 +242,15 @@ TEST_F(Series, WavesThatComeUpHaveNoLastPhase) {
   EXPECT_EQ(report["frames"][1]["vertices_unmatched"], 40);
 }
 
-TEST_F(Series, FiguresDoNotDependOnThreads) {
+TEST_F(Series, MetricsDoNotDependOnThreads) {
   write_changing_steps(3);
-  const auto figures = [&](const char* threads) {
+  const auto metrics = [&](const char* threads) {
     Json report = this->report({"animate", "--series", "c%04d.vtp", "--field", "array:velocity",
                                 "--subdivide", "1", "--threads", threads});
     for (Json& frame : report["frames"]) frame.erase("milliseconds");
     return report["frames"];
   };
-  EXPECT_EQ(figures("1"), figures("2"));
+  EXPECT_EQ(metrics("1"), metrics("2"));
 }
 
 TEST_F(Series, MeshesOfStepsKeepArraysAndCanBePlayedAgain) {

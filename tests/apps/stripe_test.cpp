@@ -132,17 +132,17 @@ std::ostream& operator<<(std::ostream& out, const Accepted& accepted) {
 }
 
 struct AcceptedOption : Stripe, testing::WithParamInterface<Accepted> {
-  Json figures(const Arguments& options) const {
-    Json figures = report(options);
+  Json metrics(const Arguments& options) const {
+    Json metrics = report(options);
     for (const char* key : {"milliseconds", "options", "threads", "solver", "iterations"}) {
-      figures.erase(key);
+      metrics.erase(key);
     }
-    return figures;
+    return metrics;
   }
 };
 
 TEST_P(AcceptedOption, GivesAPattern) {
-  const Json with = figures(GetParam().options), without = figures(GetParam().without);
+  const Json with = metrics(GetParam().options), without = metrics(GetParam().without);
   EXPECT_LT(with["energy"].get<double>(), 0.12);  // of phases by chance: 0.5
   EXPECT_EQ(with != without, GetParam().changes) << with;
 }

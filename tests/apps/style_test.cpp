@@ -166,7 +166,7 @@ TEST_F(OtherSurfaceTool, LooksAsTheFirstDoes) {
   EXPECT_EQ(other(torus, "@texture=dots@stripes=8@color-by=curvature").pixels,
             first(torus, {"--texture", "dots", "--color-by", "curvature"}).pixels);
   EXPECT_EQ(other(torus, "@discarded@texture=plus@stripes=8@color-by=height").pixels,
-            first(torus, {"--texture", "plus", "--color-by", "height", "--color-on", "figures",
+            first(torus, {"--texture", "plus", "--color-by", "height", "--color-on", "motifs",
                           "--between", "nothing"})
                 .pixels);
   EXPECT_EQ(other(torus, "@#f4efe6@outlined").pixels,
@@ -618,12 +618,12 @@ TEST_F(StyleTool, OptionsWithoutEffectAreRefused) {
       {"--outline", "none,hidden=dashed"},
       {"--outline", "none,width=2", "--flat"},
       {"--color-on", "surface", "--color-by", "height", "--between", "nothing"},
-      {"--color-on", "figures", "--color-by", "height"},
+      {"--color-on", "motifs", "--color-by", "height"},
       {"--color-on", "strokes", "--color-by", "height", "--texture", "dots"},
       {"--color-on", "surface", "--texture", "dots"},
       {"--color-by", "height", "--texture", "dots", "--between", "nothing"},
-      {"--color-on", "figures", "--color-by", "height", "--texture", "tile.png"},
-      {"--color-on", "figures", "--color-by", "height", "--texture", "dots", "--texture-by",
+      {"--color-on", "motifs", "--color-by", "height", "--texture", "tile.png"},
+      {"--color-on", "motifs", "--color-by", "height", "--texture", "dots", "--texture-by",
        "height,regions=0,plus@#ff0000"},
       {"--flat", "--view", "branches"},
       {"--width-by", "height", "--texture", "dots"},

@@ -224,19 +224,19 @@ TEST_F(Waves, OfScenesRunAlongTheirFieldIfAskedFor) {
 }
 
 TEST_F(Waves, AlongCurvatureAreSmooth) {
-  const auto figures = [&](const Arguments& more) {
+  const auto metrics = [&](const Arguments& more) {
     Arguments arguments = {"stripe", "shape:torus,resolution=32,noise=0.1", "--stripes", "20"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     Json report = this->report(arguments);
     for (const char* key : {"milliseconds", "options"}) report.erase(key);
     return report;
   };
-  const Json curvature = figures({"--field", "curvature"});
-  EXPECT_EQ(curvature, figures({"--curvature-anchor", "0.1"}));
-  EXPECT_EQ(figures({"--field", "curvature", "--curvature-anchor", "0.3"}),
-            figures({"--curvature-anchor", "0.3"}));
+  const Json curvature = metrics({"--field", "curvature"});
+  EXPECT_EQ(curvature, metrics({"--curvature-anchor", "0.1"}));
+  EXPECT_EQ(metrics({"--field", "curvature", "--curvature-anchor", "0.3"}),
+            metrics({"--curvature-anchor", "0.3"}));
   EXPECT_LT(2 * curvature.at("branches").get<int>(),
-            figures({"--field", "raw-curvature"}).at("branches").get<int>());
+            metrics({"--field", "raw-curvature"}).at("branches").get<int>());
 }
 
 TEST_F(Waves, AreReportedWithTheirOrigin) {

@@ -74,12 +74,12 @@ TEST(DataArrays, NumbersOfOppositeVectorsCancelAndTheirAxesDoNot) {
   EXPECT_EQ(rows_of(middle, std::vector<Index>{0, 0}).axis_bytes.size(), 4 * sizeof(double));
 }
 
-TEST(DataArrays, FiguresAreOfVectorLengthsAndCountNan) {
-  const ArrayFigures vectors = measure_array(velocities());
+TEST(DataArrays, MetricsAreOfVectorLengthsAndCountNan) {
+  const ArrayMetrics vectors = measure_array(velocities());
   EXPECT_EQ(vectors.minimum, 0);
   EXPECT_EQ(vectors.maximum, 5);
   EXPECT_EQ(vectors.rows_nan, 1u);
-  const ArrayFigures numbers = measure_array(make_data_array("p", 1, std::vector<float>{-3, 2}));
+  const ArrayMetrics numbers = measure_array(make_data_array("p", 1, std::vector<float>{-3, 2}));
   EXPECT_EQ(numbers.minimum, -3);
   EXPECT_EQ(numbers.maximum, 2);
   EXPECT_EQ(measure_array(make_data_array("n", 1, std::vector<double>{kNaN})).maximum, 0);

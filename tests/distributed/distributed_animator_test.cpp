@@ -27,7 +27,7 @@ WaveSet turned(const WavySurface& whole, float radians) {
 }
 
 /// Expects that what ranks say of their pattern is what the library says of the same phases.
-void expect_true_figures(const Parts& parts, const DistributedSurface& surface,
+void expect_true_metrics(const Parts& parts, const DistributedSurface& surface,
                          const DistributedStripeAnimator& animator, std::span<const Complex> z,
                          const WaveSet& waves) {
   const std::vector<Complex> all = parts.gathered(z, surface.is_own());
@@ -118,7 +118,7 @@ void expect_phases_of_one(const Parts& parts, const DistributedOptions& options)
     const std::vector<Complex> z = parts.gathered(frame.z, surface.is_own());
     EXPECT_EQ(parts.of_piece(z), std::vector<Complex>(frame.z.begin(), frame.z.end()));
     expect_frame_of_one(one, waves, z, frame, many.energy());
-    if (options.slack.yields()) continue;
+    if (options.slack.relaxes()) continue;
     const auto corners =
         corner_phases(parts.whole.mesh.triangles, waves, z, PhaseShiftKind::aligned);
     EXPECT_EQ(many.measure().quality.branches,
@@ -127,18 +127,17 @@ void expect_phases_of_one(const Parts& parts, const DistributedOptions& options)
 }
 
 TEST(DistributedAnimator, OfASmallSurfaceHasThePhasesOfOneProcessHoweverItIsCut) {
-  DistributedOptions relaxing, cycling, yielding;
+  DistributedOptions relaxing, cycling, relaxed;
   relaxing.solver = FrameSolver::relaxation;
   cycling.cycles = 2;
-  yielding.slack = 0.3f;
+  relaxed.slack = 0.3f;
   for (const Cut& cut : kCuts) {
     const WavySurface trefoil = wavy_surface("trefoil,resolution=48", kAxis, 30),
                       torn = wavy_surface(torn_mesh(), kAxis, 15);
     for (const WavySurface* whole : {&trefoil, &torn}) {
       SCOPED_TRACE(cut.name);
       const Parts parts(*whole, cut.rank_of_triangle(whole->mesh));
-      for (const DistributedOptions& options :
-           {DistributedOptions(), relaxing, cycling, yielding}) {
+      for (const DistributedOptions& options : {DistributedOptions(), relaxing, cycling, relaxed}) {
         expect_phases_of_one(parts, options);
       }
     }
@@ -195,7 +194,7 @@ TEST(DistributedAnimator, SaysOfItsPhasesWhatTheLibrarySaysHoweverASurfaceIsCut)
       for (const float angle : {0.0f, 0.05f}) {
         const WaveSet waves = turned(whole, angle), own = parts.of_piece(waves);
         const FrameResult frame = animator.frame(frame_of(own));
-        expect_true_figures(parts, surface, animator, frame.z, waves);
+        expect_true_metrics(parts, surface, animator, frame.z, waves);
       }
       const StripePattern alone = stripe_pattern(make_surface(whole.mesh), turned(whole, 0.05f));
       EXPECT_LT(animator.energy(), 1.15 * alone.solution.energy);
@@ -215,7 +214,7 @@ TEST(DistributedAnimator, WorksOnSurfacesThatAreTorn) {
     DistributedStripeAnimator animator(surface, options);
     const WaveSet own = parts.of_piece(whole.waves);
     const FrameResult frame = animator.frame(frame_of(own));
-    expect_true_figures(parts, surface, animator, frame.z, whole.waves);
+    expect_true_metrics(parts, surface, animator, frame.z, whole.waves);
     StripeOptions stripes;
     stripes.solver.cycles = 1;
     const StripePattern alone = stripe_pattern(make_surface(whole.mesh), whole.waves, stripes);
@@ -511,12 +510,12 @@ TEST(DistributedAnimator, SendsNoMoreThanItsHaloNeeds) {
     options.gather_below = 49000;  // the finest level alone is distributed
     DistributedStripeAnimator animator(surface, options);
     animator.frame(frame_of(parts.of_piece(parts.whole.waves)));
-    EXPECT_EQ(animator.figures().distributed_levels, 1u);
+    EXPECT_EQ(animator.metrics().distributed_levels, 1u);
     const WaveSet next = parts.of_piece(turned(parts.whole, 0.1f));
     const Traffic before = surface.traffic();
     animator.frame(frame_of(next));
     std::uint64_t bytes = surface.traffic().since(before).bytes, all = 0,
-                  ghosts = animator.figures().ghosts, all_ghosts = 0;
+                  ghosts = animator.metrics().ghosts, all_ghosts = 0;
     MPI_Allreduce(&bytes, &all, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
     MPI_Allreduce(&ghosts, &all_ghosts, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
     return std::pair(all, all_ghosts);

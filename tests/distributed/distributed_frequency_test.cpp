@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "brindle/distributed/levels/rank_rows.h"
-#include "brindle/distributed/rank_yielding.h"
+#include "brindle/distributed/rank_relaxed_frequency.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/threads.h"
 #include "brindle/waves/frequency_rows.h"
-#include "brindle/yielding_frequency.h"
 #include "ranks.h"
 #include "torn_mesh.h"
 #include "waves/least_squares_reference.h"
@@ -52,8 +52,8 @@ Eigen::VectorXd ratios(const Parts& parts, const DistributedSurface& surface,
 
 /// Of one process.
 Eigen::VectorXd ratios_alone(const WavySurface& whole, const WaveSet& waves, const Slack& slack) {
-  YieldingFrequency yielding({whole.mesh, whole.neighborhood, whole.normals}, slack);
-  const auto g = yielding.solve(waves.positions, waves.directions, waves.frequencies);
+  RelaxedFrequency relaxed({whole.mesh, whole.neighborhood, whole.normals}, slack);
+  const auto g = relaxed.solve(waves.positions, waves.directions, waves.frequencies);
   Eigen::VectorXd x(static_cast<Eigen::Index>(g.size()));
   for (std::size_t v = 0; v < g.size(); ++v) {
     x[static_cast<Eigen::Index>(v)] =
@@ -151,7 +151,7 @@ TEST(DistributedFrequency, CountsEveryTriangleAndVertexOnce) {
     own.exchange_all(std::span(directions));
     own.exchange_all(std::span(frequencies));
     RankRows peers(*own.ranks, own.graph, 200);
-    const auto setting = rank_yielding_setting(own, kSlack);
+    const auto setting = rank_relaxed_setting(own, kSlack);
     const Scale scale = scale_of(setting->triangles, *setting->adjacency,
                                  {own.mesh.positions, directions, frequencies}, &peers);
     EXPECT_NEAR(scale.unit, expected.unit, 1e-6 * expected.unit);
@@ -314,7 +314,7 @@ TEST(DistributedFrequency, FramesKeepUpWithFieldsThatTurn) {
 /// On surfaces with several blocks of rows and levels a rank: energies are those of one process,
 /// and as few stripes begin or end.
 TEST(DistributedFrequency, LeavesAsFewBranchesAsOneProcess) {
-  std::size_t alone = 0, plain = 0, yielding = 0;
+  std::size_t alone = 0, plain = 0, relaxed = 0;
   for (const char* shape : {"trefoil", "torus", "molecule"}) {
     const WavySurface whole = wavy_surface(shape, kAxis, 60);
     StripeOptions options;
@@ -332,15 +332,15 @@ TEST(DistributedFrequency, LeavesAsFewBranchesAsOneProcess) {
       distributed.gather_below = 1000;
       DistributedStripeAnimator animator(surface, distributed);
       const FrameResult frame = animator.frame(frame_of(parts.of_piece(whole.waves)));
-      (slack > 0 ? yielding : plain) += animator.measure().quality.branches;
+      (slack > 0 ? relaxed : plain) += animator.measure().quality.branches;
       if (slack == 0) continue;
       const auto x = ratios(parts, surface, frame.frequencies, whole.waves);
       EXPECT_NEAR(energy_of(x), energy, 0.02 * energy);
     }
   }
-  if (rank() == 0) std::printf("%zu branches, %zu in one process\n", yielding, alone);
-  EXPECT_LT(static_cast<double>(yielding), 0.7 * static_cast<double>(plain));
-  EXPECT_NEAR(static_cast<double>(yielding), static_cast<double>(alone),
+  if (rank() == 0) std::printf("%zu branches, %zu in one process\n", relaxed, alone);
+  EXPECT_LT(static_cast<double>(relaxed), 0.7 * static_cast<double>(plain));
+  EXPECT_NEAR(static_cast<double>(relaxed), static_cast<double>(alone),
               0.1 * static_cast<double>(alone));
 }
 
@@ -411,7 +411,7 @@ TEST(DistributedFrequency, SendsNoMoreThanItsHaloNeeds) {
   DistributedStripeAnimator animator(surface, options);
   animator.frame(frame_of(parts.of_piece(parts.whole.waves)));
   const FrameResult frame = animator.frame(frame_of(parts.of_piece(turned_by(parts.whole, 0.1f))));
-  const DistributedFigures own = animator.figures();
+  const DistributedMetrics own = animator.metrics();
   std::uint64_t of_rank[3] = {own.frequency_bytes, own.frequency_halo_bytes, own.ghosts}, all[3];
   MPI_Allreduce(of_rank, all, 3, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
   const auto cycles = static_cast<std::uint64_t>(frame.frequency_change.sweeps) / 2;

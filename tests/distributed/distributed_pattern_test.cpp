@@ -84,7 +84,7 @@ WavySurface with_uneven_waves(const char* shape, float stripes) {
   return surface;
 }
 
-void expect_figures(const WaveFigures& found, const WaveFigures& expected) {
+void expect_metrics(const WaveMetrics& found, const WaveMetrics& expected) {
   EXPECT_EQ(found.used, expected.used);
   EXPECT_EQ(found.without_wave, expected.without_wave);
   EXPECT_EQ(found.frequency_min, expected.frequency_min);
@@ -101,7 +101,7 @@ TEST(DistributedWaves, AreMeasuredAsTheWholesHoweverItIsCut) {
        {"torus,resolution=30", "mobius,resolution=12", "sphere,resolution=16"}) {
     for (const float stripes : {8.0f, 200.0f}) {
       const WavySurface whole = with_uneven_waves(shape, stripes);
-      const WaveFigures expected = measure_waves(make_surface(whole.mesh), whole.waves);
+      const WaveMetrics expected = measure_waves(make_surface(whole.mesh), whole.waves);
       ASSERT_GT(expected.without_wave, 0u);
       for (const Cut& cut : kCuts) {
         SCOPED_TRACE(std::string(shape) + ", " + cut.name);
@@ -112,18 +112,18 @@ TEST(DistributedWaves, AreMeasuredAsTheWholesHoweverItIsCut) {
         for (std::size_t p = 0; p < waves.directions.size(); ++p) {
           if (!surface.is_own()[p]) waves.frequencies[p] = 1e6f;
         }
-        const WaveFigures found = measure_waves(surface, waves);
-        expect_figures(found, expected);
+        const WaveMetrics found = measure_waves(surface, waves);
+        expect_metrics(found, expected);
         EXPECT_EQ(wave_warnings(found), wave_warnings(expected));
       }
     }
   }
 }
 
-TEST(DistributedWaves, OfNoWaveHaveNoFigures) {
+TEST(DistributedWaves, OfNoWaveHaveNoMetrics) {
   const WavySurface whole = with_hole(wavy_surface("torus,resolution=12", kAxis, 8), 100);
   const Parts parts(whole);
-  const WaveFigures found = measure_waves(parts.surface(), parts.of_piece(whole.waves));
+  const WaveMetrics found = measure_waves(parts.surface(), parts.of_piece(whole.waves));
   EXPECT_EQ(found.without_wave, whole.mesh.vertex_count());
   EXPECT_EQ(found.stripes, 0);
   EXPECT_EQ(found.edges_per_period_median, 0);

@@ -31,15 +31,15 @@ using testing_support::waves_of;
 
 constexpr double kClearance = 0.05;
 
-TileFigures figures_of(float half_u, float half_v, std::uint8_t symmetries) {
-  TileFigures figures;
-  figures.extents.fill({Eigen::Vector2f(-half_u, -half_v), Eigen::Vector2f(half_u, half_v)});
-  figures.symmetries = symmetries;
-  return figures;
+TileMotifs motifs_of(float half_u, float half_v, std::uint8_t symmetries) {
+  TileMotifs motifs;
+  motifs.extents.fill({Eigen::Vector2f(-half_u, -half_v), Eigen::Vector2f(half_u, half_v)});
+  motifs.symmetries = symmetries;
+  return motifs;
 }
 
-const TileFigures kDots = figures_of(0.29f, 0.29f, 0xff);
-const TileFigures kArrows = figures_of(0.42f, 0.21f, 0x03);
+const TileMotifs kDots = motifs_of(0.29f, 0.29f, 0xff);
+const TileMotifs kArrows = motifs_of(0.42f, 0.21f, 0x03);
 
 /// A mesh with waves of its triangles' corners.
 struct Textured {
@@ -104,8 +104,8 @@ std::vector<bool> answers(const Textured& on, const BrokenTiles& broken) {
   return result;
 }
 
-BrokenTiles find(const Textured& on, const TileFigures& figures) {
-  return broken_tiles(on.mesh.triangles, on.waves, figures);
+BrokenTiles find(const Textured& on, const TileMotifs& motifs) {
+  return broken_tiles(on.mesh.triangles, on.waves, motifs);
 }
 
 TEST(BrokenTiles, OfAPlaneAreThoseThatReachItsBorder) {
@@ -141,10 +141,10 @@ TEST(BrokenTiles, WithoutBorderSeamAndBranchThereAreNone) {
     }
   }
   EXPECT_TRUE(find(torus, kDots).words.empty());
-  EXPECT_TRUE(find(torus, figures_of(0.5f, 0.5f, 1)).words.empty());
+  EXPECT_TRUE(find(torus, motifs_of(0.5f, 0.5f, 1)).words.empty());
 }
 
-// ---- An oracle: all pieces of figures in triangles, and which of them are one.
+// ---- An oracle: all pieces of motifs in triangles, and which of them are one.
 
 using Point = Eigen::Vector2d;
 using Polygon = std::vector<Point>;
@@ -187,11 +187,11 @@ Point turned(Point p, unsigned turn) {
   return p;
 }
 
-/// Of one figure a tile, symmetric about its middle.
+/// Of one motif a tile, symmetric about its middle.
 class Oracle {
  public:
-  Oracle(const Textured& on, const TileFigures& figures)
-      : on_(on), figures_(figures), half_(figures.extents[0].max().cast<double>()) {
+  Oracle(const Textured& on, const TileMotifs& motifs)
+      : on_(on), motifs_(motifs), half_(motifs.extents[0].max().cast<double>()) {
     const auto u = corner_phases(on.waves.u, PhaseShiftKind::aligned);
     const auto v = corner_phases(on.waves.v, PhaseShiftKind::aligned);
     for (std::size_t t = 0; t < u.size(); ++t) {
@@ -213,7 +213,7 @@ class Oracle {
     }
   }
 
-  /// Calls `visit(share, clear share, triangle, middle)` for every piece: how much of its figure,
+  /// Calls `visit(share, clear share, triangle, middle)` for every piece: how much of its motif,
   /// and of what has to be clear around it, there is in all triangles.
   template <class Visit>
   void for_each_piece(const Visit& visit) {
@@ -264,7 +264,7 @@ class Oracle {
     for (unsigned turn = 0; turn < 8; ++turn) {
       // All meshes here are wound alike and run along their waves: nothing is mirrored.
       if (turn != 0 && turn != (kTurnsU | kTurnsV)) continue;
-      if ((figures_.symmetries >> turn & 1) == 0) continue;
+      if ((motifs_.symmetries >> turn & 1) == 0) continue;
       const Point away = place(edge.from[1]) - turned(place(edge.from[0]), turn);
       const Point away_to = place(edge.to[1]) - turned(place(edge.to[0]), turn);
       const Point whole(std::round(away.x()), std::round(away.y()));
@@ -297,7 +297,7 @@ class Oracle {
   }
 
   const Textured& on_;
-  const TileFigures& figures_;
+  const TileMotifs& motifs_;
   Point half_;
   std::vector<bool> closed_;
   std::vector<std::array<Point, 3>> places_;
@@ -317,10 +317,10 @@ std::optional<Vec3> barycentric_at(const std::array<Point, 3>& p, const Point& a
 }
 
 /// What is kept is whole, and nothing is left out without a reason. Returns how many pieces of
-/// figures were kept and left out.
-std::array<int, 2> check_with_oracle(const Textured& on, const TileFigures& figures) {
-  const BrokenTiles broken = find(on, figures);
-  Oracle oracle(on, figures);
+/// motifs were kept and left out.
+std::array<int, 2> check_with_oracle(const Textured& on, const TileMotifs& motifs) {
+  const BrokenTiles broken = find(on, motifs);
+  Oracle oracle(on, motifs);
   std::array<int, 2> seen{};
   oracle.for_each_piece(
       [&](double share, double clear_share, std::size_t t, const Point& middle, double area) {
@@ -328,7 +328,7 @@ std::array<int, 2> check_with_oracle(const Textured& on, const TileFigures& figu
         // A point of the piece: the middle, or what of the triangle's middle is nearest to it.
         const auto& p = oracle.places(t);
         const Point centre = (p[0] + p[1] + p[2]) / 3;
-        const Point half = figures.extents[0].max().cast<double>();
+        const Point half = motifs.extents[0].max().cast<double>();
         const Point at = centre.cwiseMax(middle - 0.98 * half).cwiseMin(middle + 0.98 * half);
         const auto b = barycentric_at(p, at);
         if (!b) return;
@@ -350,13 +350,13 @@ TEST(BrokenTiles, AtABranchOfAPlaneAreThoseThatItTouches) {
   const Textured whole = plane(41, 6, {0.31f, 0.83f});
   const auto branches = corner_phases(torn.waves.u, PhaseShiftKind::aligned);
   EXPECT_EQ(std::ranges::count(branches, TriangleKind::branch, &CornerPhases::kind), 1);
-  for (const TileFigures& figures : {kDots, kArrows}) {
-    const auto [kept, left_out] = check_with_oracle(torn, figures);
-    check_with_oracle(whole, figures);
+  for (const TileMotifs& motifs : {kDots, kArrows}) {
+    const auto [kept, left_out] = check_with_oracle(torn, motifs);
+    check_with_oracle(whole, motifs);
     EXPECT_GT(kept, 1000);
     EXPECT_GT(left_out, 100);
   }
-  // The branch is a figure's, or is between figures; no other is touched.
+  // The branch is a motif's, or is between motifs; no other is touched.
   const BrokenTiles broken = find(torn, kDots), of_whole = find(whole, kDots);
   int touched = 0;
   for (std::size_t t = 0; t < torn.mesh.triangle_count(); ++t) {
@@ -384,8 +384,8 @@ TEST(BrokenTiles, OfTexturesOnSurfacesAreThoseThatAreNotWhole) {
     const Surface surface = make_surface(make_shape(shape));
     const TexturePattern pattern = texture_along(surface, Vec3(0.3f, 0.9f, 0.2f), 12);
     const Textured textured{surface.mesh, pattern.waves};
-    for (const TileFigures& figures : {kDots, kArrows}) {
-      const auto [kept, left_out] = check_with_oracle(textured, figures);
+    for (const TileMotifs& motifs : {kDots, kArrows}) {
+      const auto [kept, left_out] = check_with_oracle(textured, motifs);
       EXPECT_GT(kept, 1000);
       EXPECT_GT(left_out, 20);
     }
@@ -401,16 +401,16 @@ TEST(BrokenTiles, ASeamBreaksWhatHasNoSymmetry) {
       texture_pattern(surface, waves_of(surface, singular_field(surface.mesh, 0.5f), 16));
   ASSERT_GT(pattern.seams.turned, 10U);
   const Textured textured{surface.mesh, pattern.waves};
-  const auto count = [&](const TileFigures& figures) {
-    const std::vector<bool> all = answers(textured, find(textured, figures));
+  const auto count = [&](const TileMotifs& motifs) {
+    const std::vector<bool> all = answers(textured, find(textured, motifs));
     return std::ranges::count(all, true);
   };
-  const TileFigures as_large = figures_of(0.29f, 0.29f, 0x03);
+  const TileMotifs as_large = motifs_of(0.29f, 0.29f, 0x03);
   EXPECT_GT(count(as_large), count(kDots));
   // Shifted tiles do not fit beyond a seam, but for half tiles.
-  TileFigures shifted = kDots;
+  TileMotifs shifted = kDots;
   shifted.shift = {0.3f, 0};
-  TileFigures by_halves = kDots;
+  TileMotifs by_halves = kDots;
   by_halves.shift = {0.5f, 0.5f};
   EXPECT_GT(count(shifted), count(by_halves));
 }
@@ -437,8 +437,8 @@ TEST(BrokenTiles, DoNotDependOnWhichWayTrianglesRun) {
 
 TEST(BrokenTiles, DoNotDependOnTheOrderOfTrianglesAndCorners) {
   const Textured sphere = sphere_texture();
-  for (const TileFigures& figures : {kDots, kArrows}) {
-    const BrokenTiles expected = find(sphere, figures);
+  for (const TileMotifs& motifs : {kDots, kArrows}) {
+    const BrokenTiles expected = find(sphere, motifs);
     std::vector<std::size_t> order(sphere.mesh.triangle_count());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::shuffle(order, std::mt19937(3));
@@ -452,7 +452,7 @@ TEST(BrokenTiles, DoNotDependOnTheOrderOfTrianglesAndCorners) {
         other.waves.v[i][m] = sphere.waves.v[t][from];
       }
     }
-    const BrokenTiles found = find(other, figures);
+    const BrokenTiles found = find(other, motifs);
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (const Vec3& b : weights()) {
         Vec3 turned_weights;
@@ -472,12 +472,12 @@ TEST(BrokenTiles, AreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(find(sphere, kArrows).words, expected.words);
 }
 
-TEST(BrokenTiles, SignsInCornersAreFiguresOfTheirOwn) {
+TEST(BrokenTiles, SignsInCornersAreMotifsOfTheirOwn) {
   const Textured square = plane(40, 4, {0.25f, 0.25f});
-  TileFigures signs = figures_of(0.1f, 0.1f, 0xff);
+  TileMotifs signs = motifs_of(0.1f, 0.1f, 0xff);
   signs.layout = TileLayout::middle_and_corner;
   const BrokenTiles broken = find(square, signs);
-  // At x = 0.25 and y = 0.25 are middles of whole figures; at x = -0.25 there would be corners.
+  // At x = 0.25 and y = 0.25 are middles of whole motifs; at x = -0.25 there would be corners.
   for (std::size_t t = 0; t < square.mesh.triangle_count(); ++t) {
     Vec3 at = Vec3::Zero();
     for (const Index v : square.mesh.triangles[t]) at += square.mesh.positions[v] / 3;
@@ -492,7 +492,7 @@ TEST(BrokenTiles, SignsInCornersAreFiguresOfTheirOwn) {
 }
 
 TEST(BrokenTiles, OfBricksAreSplitWhereJointsEnd) {
-  TileFigures bricks = figures_of(0.5f, 0.25f, 0x0f);
+  TileMotifs bricks = motifs_of(0.5f, 0.25f, 0x0f);
   bricks.layout = TileLayout::courses;
   bricks.split = true;
   EXPECT_TRUE(find(plane(20, 4, {0.3f, 0.1f}), bricks).words.empty());
@@ -546,30 +546,30 @@ TEST(BrokenTiles, AnimatorsFindThoseOfTheirTextures) {
 TEST(BrokenTiles, RefuseWhatDoesNotFit) {
   const Textured square = plane(4, 4, {0, 0});
   EXPECT_THROW(broken_tiles(square.mesh.triangles, TextureWaves(), kDots), Error);
-  EXPECT_THROW(find(square, figures_of(0.6f, 0.2f, 1)), Error);
-  TileFigures shifted = kDots;
+  EXPECT_THROW(find(square, motifs_of(0.6f, 0.2f, 1)), Error);
+  TileMotifs shifted = kDots;
   shifted.shift.x() = std::nanf("");
   EXPECT_THROW(find(square, shifted), Error);
 }
 
-TEST(BrokenTiles, FramesLookAfterTheFiguresThatAreAskedForLast) {
+TEST(BrokenTiles, FramesLookAfterTheMotifsThatAreAskedForLast) {
   const Surface surface = make_surface(make_shape("torus,resolution=60"));
   const WaveSet waves =
       waves_of(surface, projected_direction_field(Vec3(0.3f, 0.9f, 0.2f), surface.normals), 14);
   const TextureFrameInput input{{waves.positions, waves.directions, waves.frequencies, {}}, {}, {}};
   TextureAnimator animator(surface);
   EXPECT_EQ(animator.frame(input).broken, nullptr);
-  TileFigures shifted = kArrows;
+  TileMotifs shifted = kArrows;
   shifted.shift = {0.3f, 0.1f};
-  for (const TileFigures& figures : {kArrows, shifted}) {
-    animator.set_whole_tiles(figures);
+  for (const TileMotifs& motifs : {kArrows, shifted}) {
+    animator.set_whole_tiles(motifs);
     const TextureFrameResult frame = animator.frame(input);
     ASSERT_NE(frame.broken, nullptr);
     EXPECT_FALSE(frame.broken->words.empty());
     const Textured textured{surface.mesh, frame.pattern.waves};
-    EXPECT_EQ(answers(textured, *frame.broken), answers(textured, find(textured, figures)));
+    EXPECT_EQ(answers(textured, *frame.broken), answers(textured, find(textured, motifs)));
   }
-  TileFigures too_large = kArrows;
+  TileMotifs too_large = kArrows;
   too_large.extents[0].max().x() = 0.6f;
   EXPECT_THROW(animator.set_whole_tiles(too_large), Error);
   EXPECT_NE(animator.frame(input).broken, nullptr);

@@ -19,12 +19,12 @@
 #include "brindle/points/point_tree.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/strokes.h"
 #include "brindle/texture_pattern.h"
 #include "brindle/windings.h"
-#include "brindle/yielding_frequency.h"
 #include "progress_reports.h"
 
 namespace brindle {
@@ -132,11 +132,11 @@ std::vector<std::pair<std::string, Job>> jobs() {
     options.slack = 0.2f;
     stripe_pattern(torus(), field(), 8, options, progress);
   });
-  add("YieldingFrequency", [](const Progress& progress) {
+  add("RelaxedFrequency", [](const Progress& progress) {
     JobStages stages(progress, {{"setting", 1}, {"solve", 9}});
-    YieldingFrequency yielding(torus(), 0.2f, stages.begin("setting"));
+    RelaxedFrequency relaxed(torus(), 0.2f, stages.begin("setting"));
     const std::vector<float> wanted(torus().mesh.vertex_count(), 8);
-    yielding.solve(torus().mesh.positions, field(), wanted, stages.begin("solve"));
+    relaxed.solve(torus().mesh.positions, field(), wanted, stages.begin("solve"));
     stages.finish();
   });
   add("texture_pattern",
@@ -281,7 +281,7 @@ TEST(Cancelling, ReportsAreNeverFarApart) {
       {"make_shape_box", 0.1},
       {"make_shape_with_noise", 0.4},
       {"feature_strokes", 0.1},
-      {"YieldingFrequency", 0.5},
+      {"RelaxedFrequency", 0.5},
       {"stripe_pattern_averaged", 0.3},
       {"stripe_pattern_with_slack", 0.25},
       {"cancel_branches", 0.25},

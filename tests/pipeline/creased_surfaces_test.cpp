@@ -73,9 +73,9 @@ class CreasedPart : public testing::TestWithParam<int> {
 // Its edges are longer than a period, and its waves exact along them.
 TEST_P(CreasedPart, IsNotWarnedOf) {
   const StripePattern pattern = stripes_along(surface, {1, 0, 0}, 40);
-  const WaveFigures figures = measure_waves(surface, pattern.waves);
-  EXPECT_LT(figures.edges_per_period_median, 2);
-  EXPECT_EQ(quality_warnings(figures, pattern.quality, surface.mesh.triangle_count()),
+  const WaveMetrics metrics = measure_waves(surface, pattern.waves);
+  EXPECT_LT(metrics.edges_per_period_median, 2);
+  EXPECT_EQ(quality_warnings(metrics, pattern.quality, surface.mesh.triangle_count()),
             std::vector<std::string>{});
 }
 

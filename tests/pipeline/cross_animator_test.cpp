@@ -203,14 +203,14 @@ TEST(CrossAnimator, SlackLowersTheEnergy) {
   const CrossedSurface c = crossed("sphere,resolution=20", 40);
   AnimatorOptions options;
   options.slack = Slack(0.25f);
-  CrossAnimator plain(c.surface), yielding(c.surface, options);
+  CrossAnimator plain(c.surface), relaxed(c.surface, options);
   for (int k = 0; k < 3; ++k) {
     const WaveSet waves = turned(c, 0.02f * static_cast<float>(k));
     plain.frame(cross_input_of(waves));
-    const CrossFrameResult frame = yielding.frame(cross_input_of(waves));
+    const CrossFrameResult frame = relaxed.frame(cross_input_of(waves));
     EXPECT_EQ(frame.stripes.frequencies.size(), 2 * waves.frequencies.size());
   }
-  EXPECT_LT(yielding.energy(), 0.8 * plain.energy());
+  EXPECT_LT(relaxed.energy(), 0.8 * plain.energy());
 }
 
 TEST(CrossAnimator, BadFramesLeaveItAsItWas) {

@@ -126,16 +126,16 @@ TEST(FieldSmoothing, FillsHolesAsFarAsItIsTold) {
       some(truth.surface, {.fill = 3});
   const SmoothedField filled = all.frame({data, {}}, truth.frequencies);
   EXPECT_LT(mean_angle(filled.directions, truth.field), 12);  // half of the torus is guessed
-  EXPECT_EQ(all.figures().filled, holes);
-  EXPECT_EQ(all.figures().unfilled, 0u);
-  EXPECT_EQ(all.figures().data, data.size() - holes);
+  EXPECT_EQ(all.metrics().filled, holes);
+  EXPECT_EQ(all.metrics().unfilled, 0u);
+  EXPECT_EQ(all.metrics().data, data.size() - holes);
 
   const SmoothedField empty = none.frame({data, {}}, truth.frequencies);
-  EXPECT_EQ(none.figures().filled, 0u);
-  EXPECT_EQ(none.figures().unfilled, holes);
+  EXPECT_EQ(none.metrics().filled, 0u);
+  EXPECT_EQ(none.metrics().unfilled, holes);
   some.frame({data, {}}, truth.frequencies);
-  EXPECT_GT(some.figures().filled, 0u);
-  EXPECT_GT(some.figures().unfilled, 0u);
+  EXPECT_GT(some.metrics().filled, 0u);
+  EXPECT_GT(some.metrics().unfilled, 0u);
   for (std::size_t i = 0; i < data.size(); ++i) {
     if (!empty.directions[i].isZero(0)) continue;
     EXPECT_GE(truth.surface.mesh.positions[i].x(), 0);
@@ -152,11 +152,11 @@ TEST(FieldSmoothing, CountsDataByTheirConfidence) {
     data[i] = truth.surface.normals[i].cross(truth.field[i]);  // wrong by 90 degrees
     confidence[i] = 0;
   }
-  FieldSmoothing detail(truth.surface);
-  const SmoothedField weighted = detail.frame({data, confidence}, truth.frequencies);
+  FieldSmoothing smoothing(truth.surface);
+  const SmoothedField weighted = smoothing.frame({data, confidence}, truth.frequencies);
   EXPECT_LT(mean_angle(weighted.directions, truth.field), 1);
   for (float& c : confidence) c *= 4096;
-  EXPECT_EQ(detail.frame({data, confidence}, truth.frequencies).directions, weighted.directions);
+  EXPECT_EQ(smoothing.frame({data, confidence}, truth.frequencies).directions, weighted.directions);
 }
 
 TEST(FieldSmoothing, IsTheSameOnAFinerMesh) {
@@ -253,9 +253,10 @@ TEST(FieldSmoothing, TakesDataOfTrianglesAndPoints) {
     of_triangles.directions.push_back(d +
                                       std::copysign(1.0f, d.dot(truth.field[b])) * truth.field[b]);
   }
-  FieldSmoothing detail(truth.surface);
-  EXPECT_LT(mean_angle(detail.frame(of_triangles, truth.frequencies).directions, truth.field), 1.5);
-  EXPECT_LT(detail.figures().turned_median_deg, 2);
+  FieldSmoothing smoothing(truth.surface);
+  EXPECT_LT(mean_angle(smoothing.frame(of_triangles, truth.frequencies).directions, truth.field),
+            1.5);
+  EXPECT_LT(smoothing.metrics().turned_median_deg, 2);
 
   PointCloud cloud;
   cloud.positions = truth.surface.mesh.positions;
@@ -271,26 +272,26 @@ TEST(FieldSmoothing, TakesDataOfTrianglesAndPoints) {
 TEST(FieldSmoothing, FollowsTheLastFieldAsFarAsItIsTold) {
   const Truth truth("torus,resolution=80");
   FieldSmoothing alone(truth.surface), following(truth.surface, {.memory = 3});
-  const auto step_of = [&](FieldSmoothing& detail) {
-    SmoothedField last = detail.frame({noisy(truth, 40, 1), {}}, truth.frequencies);
-    const SmoothedField next = detail.frame({noisy(truth, 40, 2), {}}, truth.frequencies,
-                                            {last.directions, last.coherence});
+  const auto step_of = [&](FieldSmoothing& smoothing) {
+    SmoothedField last = smoothing.frame({noisy(truth, 40, 1), {}}, truth.frequencies);
+    const SmoothedField next = smoothing.frame({noisy(truth, 40, 2), {}}, truth.frequencies,
+                                               {last.directions, last.coherence});
     return mean_angle(last.directions, next.directions);
   };
   EXPECT_LT(step_of(following), step_of(alone) / 2);
 }
 
-TEST(FieldSmoothing, FiguresTellWhatWasTurned) {
+TEST(FieldSmoothing, MetricsTellWhatWasTurned) {
   const Truth truth("torus,resolution=80");
-  FieldSmoothing detail(truth.surface, {.periods = 2});
-  EXPECT_THROW(detail.figures(), Error);
+  FieldSmoothing smoothing(truth.surface, {.periods = 2});
+  EXPECT_THROW(smoothing.metrics(), Error);
   const DirectionField data = noisy(truth, 20);
-  const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
-  const FieldSmoothingFigures figures = detail.figures();
-  EXPECT_NEAR(figures.turned_mean_deg, mean_angle(data, field.directions), 1.5);  // by area
-  EXPECT_LT(figures.turned_median_deg, figures.turned_p95_deg);
-  EXPECT_GT(figures.turned_share_over_20deg, 0.1);
-  EXPECT_GT(figures.singularities_of_data, figures.singularities);
+  const SmoothedField field = smoothing.frame({data, {}}, truth.frequencies);
+  const FieldSmoothingMetrics metrics = smoothing.metrics();
+  EXPECT_NEAR(metrics.turned_mean_deg, mean_angle(data, field.directions), 1.5);  // by area
+  EXPECT_LT(metrics.turned_median_deg, metrics.turned_p95_deg);
+  EXPECT_GT(metrics.turned_share_over_20deg, 0.1);
+  EXPECT_GT(metrics.singularities_of_data, metrics.singularities);
 }
 
 TEST(FieldSmoothing, RefusesWhatItCannotTake) {
@@ -303,47 +304,47 @@ TEST(FieldSmoothing, RefusesWhatItCannotTake) {
   EXPECT_THROW(with({.symmetry = 0}), Error);
   EXPECT_THROW(with({.fill = -1}), Error);
   EXPECT_THROW(with({.memory = -1}), Error);
-  FieldSmoothing detail(truth.surface);
-  const auto frame = [&](const MeasuredField& field) { detail.frame(field, truth.frequencies); };
+  FieldSmoothing smoothing(truth.surface);
+  const auto frame = [&](const MeasuredField& field) { smoothing.frame(field, truth.frequencies); };
   EXPECT_THROW(frame({DirectionField(count - 1), {}}), Error);
   EXPECT_THROW(frame({truth.field, std::vector<float>(count, -1.0f)}), Error);
   EXPECT_THROW(frame({truth.field, std::vector<float>(count - 1, 1.0f)}), Error);
   EXPECT_THROW(frame({DirectionField(count, Vec3::Zero()), {}}), Error);  // no datum
-  EXPECT_THROW(detail.frame({truth.field, {}}, std::vector<float>(count, -1.0f)), Error);
+  EXPECT_THROW(smoothing.frame({truth.field, {}}, std::vector<float>(count, -1.0f)), Error);
   EXPECT_NO_THROW(frame({truth.field, {}}));
   const Progress stop([](const ProgressReport&) { return false; });
-  EXPECT_THROW(detail.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
+  EXPECT_THROW(smoothing.frame({truth.field, {}}, truth.frequencies, {}, stop), Cancelled);
 }
 
 TEST(FieldSmoothing, MarksWhatItFills) {
   const Truth truth("torus,resolution=60");
   DirectionField data = truth.field;
   for (std::size_t i = 0; i < data.size(); i += 7) data[i] = Vec3::Zero();
-  FieldSmoothing detail(truth.surface);
-  const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
+  FieldSmoothing smoothing(truth.surface);
+  const SmoothedField field = smoothing.frame({data, {}}, truth.frequencies);
   std::size_t filled = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
     EXPECT_EQ(field.filled[i] != 0, data[i].isZero(0) && !field.directions[i].isZero(0)) << i;
     filled += field.filled[i];
   }
-  EXPECT_EQ(filled, detail.figures().filled);
+  EXPECT_EQ(filled, smoothing.metrics().filled);
   EXPECT_GT(filled, 0u);
 }
 
 TEST(FieldSmoothing, SaysHowMuchDataAgreeOnAverage) {
   const Truth truth("torus,resolution=100");
-  const auto figures = [&](float degrees) {
+  const auto metrics = [&](float degrees) {
     DirectionField data = noisy(truth, degrees);
     for (std::size_t i = 0; i < data.size(); i += 7) data[i] = Vec3::Zero();
-    FieldSmoothing detail(truth.surface);
-    detail.frame({data, {}}, truth.frequencies);
-    return detail.figures();
+    FieldSmoothing smoothing(truth.surface);
+    smoothing.frame({data, {}}, truth.frequencies);
+    return smoothing.metrics();
   };
-  EXPECT_GT(figures(0).coherence_mean, 0.98);
-  EXPECT_GT(figures(0).coherence_filled_mean, 0.98);
+  EXPECT_GT(metrics(0).coherence_mean, 0.98);
+  EXPECT_GT(metrics(0).coherence_filled_mean, 0.98);
   const double expected = std::exp(-2 * 0.349 * 0.349);  // as above
-  EXPECT_NEAR(figures(20).coherence_mean, expected, 0.03);
-  EXPECT_NEAR(figures(20).coherence_filled_mean, expected, 0.05);
+  EXPECT_NEAR(metrics(20).coherence_mean, expected, 0.03);
+  EXPECT_NEAR(metrics(20).coherence_filled_mean, expected, 0.05);
 }
 
 // Of a scale too small, the noise remains; of one too large, true turns are lost.
@@ -358,13 +359,13 @@ TEST(FieldSmoothing, DataHeldOutPreferTheScaleThatIsBestInTruth) {
     const DirectionField data = noisy(truth, 25);
     std::vector<double> held_out, true_angle;
     for (const float periods : {0.1f, 0.2f, 0.4f, 0.8f, 1.6f, 3.2f, 6.4f}) {
-      FieldSmoothing detail(truth.surface, {.periods = periods, .hold_out = 0.1f});
-      const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
+      FieldSmoothing smoothing(truth.surface, {.periods = periods, .hold_out = 0.1f});
+      const SmoothedField field = smoothing.frame({data, {}}, truth.frequencies);
       true_angle.push_back(mean_angle(field.directions, truth.field));
-      const FieldSmoothingFigures figures = detail.figures();
-      const double share = static_cast<double>(figures.held_out) / static_cast<double>(data.size());
+      const FieldSmoothingMetrics metrics = smoothing.metrics();
+      const double share = static_cast<double>(metrics.held_out) / static_cast<double>(data.size());
       EXPECT_NEAR(share, 0.1, 0.02);
-      held_out.push_back(figures.held_out_turned_mean_deg);
+      held_out.push_back(metrics.held_out_turned_mean_deg);
     }
     const auto least = [](const std::vector<double>& values) {
       return std::ranges::min_element(values) - values.begin();
@@ -388,20 +389,20 @@ TEST(FieldSmoothing, HoldingOutDataLeavesTheField) {
   EXPECT_THROW(seen(truth, data, {.fill = 0, .hold_out = 0.1f}), Error);
 }
 
-/// What is seen of the next frame, and of figures.
-struct SeenDetail {
+/// What is seen of the next frame, and of metrics.
+struct SmoothedData {
   DirectionField directions;
   std::vector<float> coherence;
   double turned;
   std::size_t singularities_of_data;
-  bool operator==(const SeenDetail&) const = default;
+  bool operator==(const SmoothedData&) const = default;
 };
 
-SeenDetail see(FieldSmoothing& detail, const Truth& truth, const DirectionField& data) {
-  const SmoothedField field = detail.frame({data, {}}, truth.frequencies);
-  const FieldSmoothingFigures figures = detail.figures();
-  return {field.directions, field.coherence, figures.turned_mean_deg,
-          figures.singularities_of_data};
+SmoothedData see(FieldSmoothing& smoothing, const Truth& truth, const DirectionField& data) {
+  const SmoothedField field = smoothing.frame({data, {}}, truth.frequencies);
+  const FieldSmoothingMetrics metrics = smoothing.metrics();
+  return {field.directions, field.coherence, metrics.turned_mean_deg,
+          metrics.singularities_of_data};
 }
 
 TEST(FieldSmoothing, AFrameThatFailsLeavesNothingBehind) {
@@ -411,29 +412,29 @@ TEST(FieldSmoothing, AFrameThatFailsLeavesNothingBehind) {
     const FieldSmoothingOptions options{.periods = 0.3f, .singularities = singularities};
     const DirectionField first = noisy(truth, 10, 1), second = noisy(truth, 60, 2);
     FieldSmoothing undisturbed(truth.surface, options);
-    const SeenDetail a = see(undisturbed, truth, first);
-    const double turned = undisturbed.figures().turned_mean_deg;
-    const SeenDetail b = see(undisturbed, truth, noisy(truth, 10, 3));
+    const SmoothedData a = see(undisturbed, truth, first);
+    const double turned = undisturbed.metrics().turned_mean_deg;
+    const SmoothedData b = see(undisturbed, truth, noisy(truth, 10, 3));
     testing_support::Reports all;
     FieldSmoothing(truth.surface, options)
         .frame({second, {}}, truth.frequencies, {}, all.progress());
     for (const int k : testing_support::reports_to_cancel(all.count())) {
       SCOPED_TRACE(k);
-      FieldSmoothing detail(truth.surface, options);
+      FieldSmoothing smoothing(truth.surface, options);
       testing_support::Reports of_first(k), of_later(k);
-      EXPECT_THROW(detail.frame({second, {}}, truth.frequencies, {}, of_first.progress()),
+      EXPECT_THROW(smoothing.frame({second, {}}, truth.frequencies, {}, of_first.progress()),
                    Cancelled);
-      EXPECT_THROW(detail.figures(), Error);
-      EXPECT_EQ(see(detail, truth, first), a);
+      EXPECT_THROW(smoothing.metrics(), Error);
+      EXPECT_EQ(see(smoothing, truth, first), a);
       try {
-        detail.frame({second, {}}, truth.frequencies, {}, of_later.progress());
+        smoothing.frame({second, {}}, truth.frequencies, {}, of_later.progress());
         break;  // it goes on from the last field, and may make fewer reports
       } catch (const Cancelled&) {
       }
       const DirectionField nothing(truth.field.size(), Vec3::Zero());
-      EXPECT_THROW(detail.frame({nothing, {}}, truth.frequencies), Error);
-      EXPECT_EQ(detail.figures().turned_mean_deg, turned);
-      EXPECT_EQ(see(detail, truth, noisy(truth, 10, 3)), b);
+      EXPECT_THROW(smoothing.frame({nothing, {}}, truth.frequencies), Error);
+      EXPECT_EQ(smoothing.metrics().turned_mean_deg, turned);
+      EXPECT_EQ(see(smoothing, truth, noisy(truth, 10, 3)), b);
     }
   }
 }
@@ -443,13 +444,13 @@ TEST(FieldSmoothingSingularities, AreUndoneInPairsWhereTheyAreAlone) {
   const MeasuredField measured{noisy(truth, 45), {}};
   FieldSmoothing all(truth.surface, {.periods = 0.3f});
   const SmoothedField before = all.frame(measured, truth.frequencies);
-  const std::size_t many = all.figures().singularities;
+  const std::size_t many = all.metrics().singularities;
   ASSERT_GT(many, 24U);
 
   FieldSmoothing half(truth.surface, {.periods = 0.3f, .singularities = many / 2});
   const SmoothedField some = half.frame(measured, truth.frequencies);
-  EXPECT_LE(half.figures().singularities, many / 2);
-  EXPECT_GT(half.figures().singularities, 4U) << "no more than were asked for";
+  EXPECT_LE(half.metrics().singularities, many / 2);
+  EXPECT_GT(half.metrics().singularities, 4U) << "no more than were asked for";
   std::size_t same = 0;
   for (std::size_t i = 0; i < some.directions.size(); ++i) {
     same += std::abs(some.directions[i].dot(before.directions[i])) > std::cos(2 * kDegree) ? 1 : 0;
@@ -459,8 +460,8 @@ TEST(FieldSmoothingSingularities, AreUndoneInPairsWhereTheyAreAlone) {
   // A field of lines on a sphere has four or more, of which no two undo each other.
   FieldSmoothing few(truth.surface, {.periods = 0.3f, .singularities = 0});
   few.frame(measured, truth.frequencies);
-  EXPECT_EQ(few.figures().singularities, 4U);
-  EXPECT_EQ(few.figures().singularities_too_many, 4U);
+  EXPECT_EQ(few.metrics().singularities, 4U);
+  EXPECT_EQ(few.metrics().singularities_too_many, 4U);
 }
 
 /// Data without a scale of their own: pair after pair is undone until rounding is all that holds.
@@ -469,11 +470,11 @@ TEST(FieldSmoothingSingularities, OfPureNoiseStayAField) {
   FieldSmoothing few(truth.surface, {.periods = 3, .singularities = 0});
   const SmoothedField field = few.frame({noisy(truth, 300), {}}, truth.frequencies);
   for (const Vec3& direction : field.directions) ASSERT_NEAR(direction.norm(), 1, 1e-4f);
-  const FieldSmoothingFigures figures = few.figures();
-  EXPECT_EQ(figures.singularities, figures.singularities_too_many);
+  const FieldSmoothingMetrics metrics = few.metrics();
+  EXPECT_EQ(metrics.singularities, metrics.singularities_too_many);
   FieldSmoothing all(truth.surface, {.periods = 3});
   all.frame({noisy(truth, 300), {}}, truth.frequencies);
-  EXPECT_LE(figures.singularities, all.figures().singularities);
+  EXPECT_LE(metrics.singularities, all.metrics().singularities);
 }
 
 TEST(FieldSmoothingSingularities, ChangeNothingWhereThereAreFewEnough) {

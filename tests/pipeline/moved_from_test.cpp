@@ -8,10 +8,10 @@
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_animator.h"
-#include "brindle/yielding_frequency.h"
 
 namespace brindle {
 namespace {
@@ -48,7 +48,7 @@ TEST_F(MovedFrom, AnimatorsSaySo) {
   check_animator(TextureAnimator(surface), [&](TextureAnimator& a) { a.frame({input}); });
   check_animator(CrossAnimator(surface), [&](CrossAnimator& a) { a.frame({input}); });
   check_animator(SmoothFieldAnimator(surface), [](SmoothFieldAnimator& a) { a.frame({}); });
-  check_animator(YieldingFrequency(surface, 0.1f), [&](YieldingFrequency& y) {
+  check_animator(RelaxedFrequency(surface, 0.1f), [&](RelaxedFrequency& y) {
     y.solve(input.positions, input.directions, input.frequencies);
   });
 }

@@ -66,9 +66,9 @@ TEST(PatternWarnings, RemediesNameTheTotalOfSubdivisions) {
   words.subdivided = 2;
   words.fewer = "ask for less";
   const auto warned = [&](const PatternQuality& quality, double edges) {
-    WaveFigures figures;
-    figures.edges_per_period_median = edges;
-    const std::vector<std::string> found = quality_warnings(figures, quality, 722, words);
+    WaveMetrics metrics;
+    metrics.edges_per_period_median = edges;
+    const std::vector<std::string> found = quality_warnings(metrics, quality, 722, words);
     EXPECT_EQ(found.size(), 1u);
     EXPECT_TRUE(has(found.at(0), "ask for less")) << found[0];
     return found.at(0);

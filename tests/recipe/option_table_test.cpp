@@ -162,7 +162,7 @@ TEST(OptionTable, StandardsAreValuesThatTheOptionTakes) {
   }
 }
 
-TEST(OptionTable, HelpHasTheFiguresOfTheRow) {
+TEST(OptionTable, HelpHasTheMetricsOfTheRow) {
   for (const OptionInfo& info : option_table()) {
     SCOPED_TRACE(info.name);
     const std::string_view words = "(default ";

@@ -35,7 +35,7 @@ void expect_same(const StripePattern& a, const StripePattern& b) {
 TEST_F(PatternOf, IsWhatItsKindMakes) {
   const PatternResult stripes = pattern_of(surface, waves, {});
   expect_same(std::get<StripePattern>(stripes.of), stripe_pattern(surface, waves));
-  EXPECT_TRUE(stripes.making.loops.empty());
+  EXPECT_TRUE(stripes.fabrication.loops.empty());
 
   const FrequencyField denser(count, 8);
   const PatternResult texture = pattern_of(
@@ -56,33 +56,33 @@ TEST_F(PatternOf, MeasuresWindingsWhereAsked) {
   const Surface torus = make_surface(make_shape("torus,resolution=40"));
   const WaveSet round{torus.mesh.positions, smooth_direction_field(torus),
                       FrequencyField(torus.mesh.vertex_count(), 5)};
-  MakingOptions making;
-  making.measure_windings = true;
-  const PatternResult measured = pattern_of(torus, round, {.making = making});
-  EXPECT_FALSE(measured.making.loops.empty());
-  EXPECT_EQ(measured.making.windings.size(), measured.making.loops.size());
-  EXPECT_TRUE(measured.making.windings_before.empty());
-  MakingFigures again = measured.making;
+  FabricationOptions fabrication;
+  fabrication.measure_windings = true;
+  const PatternResult measured = pattern_of(torus, round, {.fabrication = fabrication});
+  EXPECT_FALSE(measured.fabrication.loops.empty());
+  EXPECT_EQ(measured.fabrication.windings.size(), measured.fabrication.loops.size());
+  EXPECT_TRUE(measured.fabrication.windings_before.empty());
+  FabricationMetrics again = measured.fabrication;
   measure_windings(torus, std::get<StripePattern>(measured.of), again);
-  EXPECT_EQ(again.centers.size(), again.loops.size()) << "figures of before are gone";
+  EXPECT_EQ(again.centers.size(), again.loops.size()) << "metrics of before are gone";
 }
 
 TEST_F(PatternOf, MergesBranchesOfEveryKind) {
-  MakingOptions making;
-  making.cancel_branches = 0.1f;
+  FabricationOptions fabrication;
+  fabrication.cancel_branches = 0.1f;
   for (const PatternKind kind :
        {PatternKind::stripes, PatternKind::texture, PatternKind::crosses}) {
-    EXPECT_FALSE(pattern_of(surface, waves, {.kind = kind}).making.cancelled_branches);
-    EXPECT_TRUE(
-        pattern_of(surface, waves, {.kind = kind, .making = making}).making.cancelled_branches);
+    EXPECT_FALSE(pattern_of(surface, waves, {.kind = kind}).fabrication.cancelled_branches);
+    EXPECT_TRUE(pattern_of(surface, waves, {.kind = kind, .fabrication = fabrication})
+                    .fabrication.cancelled_branches);
   }
 }
 
 TEST_F(PatternOf, RefusesWhatTheKindDoesNotHave) {
-  MakingOptions making;
-  making.measure_windings = true;
+  FabricationOptions fabrication;
+  fabrication.measure_windings = true;
   for (const PatternKind kind : {PatternKind::texture, PatternKind::crosses}) {
-    EXPECT_THROW(pattern_of(surface, waves, {.kind = kind, .making = making}), Error);
+    EXPECT_THROW(pattern_of(surface, waves, {.kind = kind, .fabrication = fabrication}), Error);
   }
   for (const PatternKind kind : {PatternKind::stripes, PatternKind::crosses}) {
     EXPECT_THROW(pattern_of(surface, waves, {.kind = kind, .oriented = true}), Error);

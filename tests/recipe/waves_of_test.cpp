@@ -44,7 +44,7 @@ TEST_F(WavesOf, LeavesWhatNobodyWishesToChange) {
   EXPECT_EQ(made.waves.directions, before.directions);
   EXPECT_EQ(made.waves.frequencies, before.frequencies);
   EXPECT_TRUE(made.support.coherence.empty() && made.support.filled.empty());
-  EXPECT_FALSE(made.detail || made.frequency_smoothing || made.missing.without_frequency);
+  EXPECT_FALSE(made.smoothing || made.frequency_smoothing || made.missing.without_frequency);
 }
 
 TEST_F(WavesOf, TurnsWavesAgainstTheirField) {
@@ -106,10 +106,10 @@ TEST_F(WavesOf, TakesWavesWithoutAFrequencyAndCountsThem) {
 }
 
 TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
-  const FieldSmoothingOptions detail{.periods = 1, .memory = 1};
-  const WaveResult plain = waves_of(whole, {.detail = detail}, measured());
-  const WaveResult turned = waves_of(whole, {.turn_deg = 30, .detail = detail}, measured());
-  ASSERT_TRUE(plain.detail.has_value());
+  const FieldSmoothingOptions smoothing{.periods = 1, .memory = 1};
+  const WaveResult plain = waves_of(whole, {.smoothing = smoothing}, measured());
+  const WaveResult turned = waves_of(whole, {.turn_deg = 30, .smoothing = smoothing}, measured());
+  ASSERT_TRUE(plain.smoothing.has_value());
   EXPECT_EQ(plain.support.coherence.size(), count);
   EXPECT_EQ(plain.seen_field, plain.waves.directions);
   EXPECT_EQ(turned.seen_field, plain.seen_field);
@@ -121,7 +121,7 @@ TEST_F(WavesOf, SeesTheFieldAtItsDetailBeforeItIsTurned) {
 TEST_F(WavesOf, HasNoWaveWhereTheFieldIsTooFar) {
   WaveInput near = measured();
   near.is_near = [](Index v) { return v >= 5; };
-  const WaveResult made = waves_of(whole, {.detail = {.periods = 1}}, near);
+  const WaveResult made = waves_of(whole, {.smoothing = {.periods = 1}}, near);
   for (Index v = 0; v < count; ++v) {
     EXPECT_EQ(made.waves.directions[v].isZero(0), v < 5) << v;
   }
@@ -144,7 +144,7 @@ TEST_F(WavesOf, SaysWhatIsMissingOnceForEachReason) {
   WaveInput gaps = measured();
   gaps.frequencies[3] = kNone;
   gaps.may_have_gaps = true;
-  const WaveResult made = waves_of(whole, {.detail = {.periods = 1}}, gaps);
+  const WaveResult made = waves_of(whole, {.smoothing = {.periods = 1}}, gaps);
   EXPECT_EQ(made.missing.without_frequency, 1U);
   EXPECT_EQ(made.missing.unfilled, 0U);
   EXPECT_EQ(made.missing.total(), 1U);
@@ -152,7 +152,7 @@ TEST_F(WavesOf, SaysWhatIsMissingOnceForEachReason) {
 
 TEST_F(WavesOf, CanBeCancelled) {
   const Progress stop([](std::string_view, double) { return false; });
-  EXPECT_THROW(waves_of(whole, {.detail = {.periods = 1}}, measured(), stop), Cancelled);
+  EXPECT_THROW(waves_of(whole, {.smoothing = {.periods = 1}}, measured(), stop), Cancelled);
 }
 
 }  // namespace

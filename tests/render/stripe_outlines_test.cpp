@@ -313,7 +313,7 @@ TEST(StripeOutlines, LeaveOutBrokenTilesAsPicturesDo) {
   const TiledSurface tiled(u, plane_wave(saddle(16), Vec3::UnitY(), 8));
   const BrokenTileFinder finder(tiled.mesh.triangles);
   for (const BuiltInTile tile : {BuiltInTile::dots, BuiltInTile::bricks, BuiltInTile::arrows}) {
-    const BrokenTiles broken = finder.find(tiled.waves, tile_figures(tile));
+    const BrokenTiles broken = finder.find(tiled.waves, tile_motifs(tile));
     const StyledSurface cut = tiled.styled({{.tile = tile}});
     const StyledSurface whole = tiled.styled({{.tile = tile, .broken = &broken}});
     EXPECT_LT(area_of(outlines_of({whole}, view)[1]), area_of(outlines_of({cut}, view)[1]));

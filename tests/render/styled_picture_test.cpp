@@ -405,8 +405,8 @@ TEST(StyledPicture, BesideDiscardedTilesIsExactlyWhatLiesBehind) {
   EXPECT_LT(mixed, all / 12);
 }
 
-// A figure has the colour of the value in its tile's middle, wherever in it one looks.
-TEST(StyledPicture, FiguresHaveOneColorEach) {
+// A motif has the colour of the value in its tile's middle, wherever in it one looks.
+TEST(StyledPicture, MotifsHaveOneColorEach) {
   const Mesh mesh = square(16);
   const TextureWaves waves = grid_waves(mesh, 4);
   RegionTexture texture{.waves = &waves};
@@ -455,12 +455,12 @@ TEST(StyledPicture, QuadsShowTheirPictureUprightAndBeyondTheSilhouette) {
   Mesh small = square(1);  // half as wide as the opaque part
   for (Vec3& p : small.positions) p = 0.5f * (p - Vec3(0.5f, 0.5f, p.z()));
   const StyledSurface ground{.mesh = small, .color = {0, 0, 1}, .shading = false};
-  const StyledSurface figure{.mesh = quads.mesh,
-                             .normals = quads.normals,
-                             .between = BetweenStrokes::discarded,
-                             .shading = false,
-                             .texture = texture};
-  const Image image = draw_styled({ground, figure}, styled_options(200, 200));
+  const StyledSurface motif{.mesh = quads.mesh,
+                            .normals = quads.normals,
+                            .between = BetweenStrokes::discarded,
+                            .shading = false,
+                            .texture = texture};
+  const Image image = draw_styled({ground, motif}, styled_options(200, 200));
   const auto is_red = [&](int x, int y) {
     return image.at(x, y).red > 200 && image.at(x, y).green < 50;
   };

@@ -138,7 +138,7 @@ TEST(Texture, AtASlantTilesStaySharpAcrossAndSmoothAlong) {
   EXPECT_GT(std::sqrt(squares / count - mean * mean), 0.3);
 }
 
-TEST(Texture, EdgesOfAFigureStaySharpAtAnyMagnification) {
+TEST(Texture, EdgesOfAMotifStaySharpAtAnyMagnification) {
   for (const float frequency : {1.0f, 0.05f, 0.01f}) {
     TexturedDrawing drawing = plane_texture(square(1), frequency, BuiltInTile::stripes);
     // The border of the stripe, a quarter of a period from its crest, in the middle of the picture.
@@ -232,7 +232,7 @@ TexturedDrawing with_branch(int n, float frequency, TextureTile tile) {
 }
 
 BrokenTiles broken_in(const TexturedDrawing& drawing) {
-  return broken_tiles(drawing.surface.mesh.triangles, drawing.waves, tile_figures(drawing.tile));
+  return broken_tiles(drawing.surface.mesh.triangles, drawing.waves, tile_motifs(drawing.tile));
 }
 
 Image draw_whole(const TexturedDrawing& drawing, const BrokenTiles& broken,
@@ -242,7 +242,7 @@ Image draw_whole(const TexturedDrawing& drawing, const BrokenTiles& broken,
   return Studio::shared().draw(whole, options);
 }
 
-/// A picture with room around its figure, which is not in the middle.
+/// A picture with room around its motif, which is not in the middle.
 Image own_picture() {
   Image image(32, 32);
   std::ranges::fill(image.pixels, Pixel{0, 0, 0, 0});
@@ -266,7 +266,7 @@ TEST(WholeTiles, PicturesLeaveOutWhatTheProcessorDoes) {
     for (std::size_t p = 0; p < cut.pixels.size(); ++p) {
       const Index t = fragments.triangle[p];
       if (t == FragmentImage::kNoTriangle || cut.pixels[p].alpha < 255) continue;
-      if (cut.pixels[p].red < 250) continue;  // beside figures, or on their borders
+      if (cut.pixels[p].red < 250) continue;  // beside motifs, or on their borders
       const Vec3& b = fragments.barycentric[p];
       const TextureFragment f = texture_fragment(drawing.waves.u[t], drawing.waves.v[t], b);
       const bool is =
@@ -280,8 +280,8 @@ TEST(WholeTiles, PicturesLeaveOutWhatTheProcessorDoes) {
   }
 }
 
-/// Pixels of every figure in a picture of white ones on black.
-std::vector<int> figure_sizes(const Image& image) {
+/// Pixels of every motif in a picture of white ones on black.
+std::vector<int> motif_sizes(const Image& image) {
   std::vector<std::uint8_t> seen(image.pixels.size());
   std::vector<int> sizes;
   for (std::size_t start = 0; start < image.pixels.size(); ++start) {
@@ -311,13 +311,13 @@ TEST(WholeTiles, AtABranchAndABorderNoTileIsShownInPart) {
     const TexturedDrawing drawing = with_branch(60, 9.3f, tile);
     const BrokenTiles broken = broken_in(drawing);
     const RenderOptions options = plain_options(700, 700);
-    std::vector<int> cut = figure_sizes(drawing.draw(options));
-    std::vector<int> whole = figure_sizes(draw_whole(drawing, broken, options));
+    std::vector<int> cut = motif_sizes(drawing.draw(options));
+    std::vector<int> whole = motif_sizes(draw_whole(drawing, broken, options));
     ASSERT_GT(whole.size(), 40U);
     EXPECT_GT(cut.size(), whole.size());
     const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2);
     std::ranges::nth_element(whole, middle);
-    // Next to a branch figures are out of shape, but all there.
+    // Next to a branch motifs are out of shape, but all there.
     const double full = *middle;
     const auto [least, most] = std::ranges::minmax(whole);
     EXPECT_GT(least, 0.6 * full) << static_cast<int>(tile);
@@ -341,7 +341,7 @@ TEST(WholeTiles, JointsOfBricksGoOnAtABranch) {
   EXPECT_GT(less, 20U);
   EXPECT_LT(less, 300U);
   // The brick that went round the end of a joint has become two.
-  EXPECT_EQ(figure_sizes(split).size(), figure_sizes(cut).size() + 1);
+  EXPECT_EQ(motif_sizes(split).size(), motif_sizes(cut).size() + 1);
 }
 
 TEST(WholeTiles, WhatHasAShapeOfItsOwnHasRoomAroundIt) {
@@ -355,22 +355,22 @@ TEST(WholeTiles, WhatHasAShapeOfItsOwnHasRoomAroundIt) {
                                   {BuiltInTile::stripes, false},
                                   {BuiltInTile::hatch, false}}) {
     EXPECT_EQ(has_own_shape(tile), own) << static_cast<int>(tile);
-    const TileFigures figures = tile_figures(tile);
-    if (figures.layout == TileLayout::courses) continue;
-    const bool corner = figures.layout == TileLayout::middle_and_corner;
+    const TileMotifs motifs = tile_motifs(tile);
+    if (motifs.layout == TileLayout::courses) continue;
+    const bool corner = motifs.layout == TileLayout::middle_and_corner;
     for (int i = 0; i < 10000; ++i) {
       const Eigen::Vector2f uv(0.01f * static_cast<float>(i % 100),
                                0.01f * static_cast<float>(i / 100));
       if (tile_distance(tile, uv.x(), uv.y()) > 0) continue;
       const Eigen::Vector2f from_middle = uv - Eigen::Vector2f(0.5f, 0.5f);
       const Eigen::Vector2f from_corner = (uv.array() - uv.array().round()).matrix();
-      EXPECT_TRUE(figures.extents[0].contains(from_middle) ||
-                  (corner && figures.extents[1].contains(from_corner)))
+      EXPECT_TRUE(motifs.extents[0].contains(from_middle) ||
+                  (corner && motifs.extents[1].contains(from_corner)))
           << static_cast<int>(tile) << ": " << uv.transpose();
     }
   }
   EXPECT_TRUE(has_own_shape(own_picture()));
-  const auto& extent = tile_figures(own_picture()).extents[0];
+  const auto& extent = tile_motifs(own_picture()).extents[0];
   EXPECT_EQ(extent.min(), Eigen::Vector2f(8 / 32.0f - 0.5f, 14 / 32.0f - 0.5f));
   EXPECT_EQ(extent.max(), Eigen::Vector2f(28 / 32.0f - 0.5f, 28 / 32.0f - 0.5f));
   Image up_to_the_side = own_picture();

@@ -77,7 +77,7 @@ TEST(TextureTile, ArrowsPointAlongU) {
   EXPECT_GT(tile_distance(BuiltInTile::arrows, 0.20f, 0.64f), 0);
 }
 
-TEST(TextureTile, PicturesShowTheFigureWithSmoothEdges) {
+TEST(TextureTile, PicturesShowTheMotifWithSmoothEdges) {
   const Image image = tile_picture(BuiltInTile::checker, 64, {0, 0, 0}, {1, 1, 1});
   EXPECT_EQ(image.at(32, 32), (Pixel{0, 0, 0, 255}));
   EXPECT_EQ(image.at(8, 32), (Pixel{255, 255, 255, 255}));

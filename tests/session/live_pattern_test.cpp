@@ -34,7 +34,7 @@ SessionDocument with(SessionDocument document, const std::string& name, const st
 
 std::set<std::string> stages(const LivePattern& pattern) {
   std::set<std::string> names;
-  for (const auto& [name, time] : pattern.state()->figures.milliseconds) names.insert(name);
+  for (const auto& [name, time] : pattern.state()->metrics.milliseconds) names.insert(name);
   return names;
 }
 
@@ -55,7 +55,7 @@ TEST(LivePattern, CurvesAndSamplesAreOfTheStripesThatWereShown) {
   ASSERT_NE(pattern.state()->curves, nullptr);
   EXPECT_EQ(pattern.state()->curves->families.size(), 2);
   EXPECT_EQ(pattern.state()->samples, nullptr);
-  EXPECT_EQ(pattern.state()->figures.shown.front().first, "curves of u");
+  EXPECT_EQ(pattern.state()->metrics.shown.front().first, "curves of u");
 
   const std::uint64_t drawn = pattern.state()->pattern;
   document.camera.azimuth_deg = 77;
@@ -98,11 +98,11 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
     for (int step = 1; step <= 12; ++step) {
       moved.options["stripes"] = {formatted("%.2f", 20 + 0.08 * step)};
       pattern.update(moved, Follow::loosely);
-      steps.push_back(pattern.state()->figures.phase_step);
+      steps.push_back(pattern.state()->metrics.phase_step);
     }
     std::ranges::sort(steps);
     EXPECT_LT(steps[steps.size() / 2], 0.1) << kind << ": tiles glide, but where rows come and go";
-    const LiveFigures& followed = pattern.state()->figures;
+    const LiveMetrics& followed = pattern.state()->metrics;
     EXPECT_GT(followed.phase_step, 0) << kind;
     EXPECT_GT(followed.energy, 0) << kind;
     EXPECT_EQ(pattern.state()->phases, nullptr) << "no document can keep them";
@@ -110,8 +110,8 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
     const std::size_t triangles = pattern.state()->job->surface->mesh.triangle_count();
 
     pattern.update(moved, Follow::last);
-    EXPECT_EQ(pattern.state()->figures.phase_step, 0) << "made of the document alone";
-    EXPECT_EQ(pattern.state()->figures.singularities, singularities);
+    EXPECT_EQ(pattern.state()->metrics.phase_step, 0) << "made of the document alone";
+    EXPECT_EQ(pattern.state()->metrics.singularities, singularities);
     EXPECT_EQ(pattern.state()->job->surface->mesh.triangle_count(), triangles);
     LivePattern afresh;
     afresh.update(moved, Follow::afresh);
@@ -119,7 +119,7 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
       return of.state()->job->result.texture()->pattern.waves;
     };
     ASSERT_EQ(waves(pattern).u.size(), waves(afresh).u.size());
-    EXPECT_EQ(pattern.state()->figures.energy, afresh.state()->figures.energy);
+    EXPECT_EQ(pattern.state()->metrics.energy, afresh.state()->metrics.energy);
     EXPECT_EQ(waves(pattern).u[7][0].z, waves(afresh).u[7][0].z);
   }
 }
@@ -213,17 +213,17 @@ TEST(LivePattern, MeasuresCurvesWhileNothingMoves) {
   SessionDocument document = torus();
   document.shown = Shown::curves;
   document.curves = {{"lines", {"both"}}, {"join", {}}};
-  LivePattern few, all(CurveFigures::all);
-  const auto figures = [](const LivePattern& pattern) {
+  LivePattern few, all(CurveMetrics::all);
+  const auto metrics = [](const LivePattern& pattern) {
     std::map<std::string, double> named;
-    for (const auto& [name, value] : pattern.state()->figures.shown) {
+    for (const auto& [name, value] : pattern.state()->metrics.shown) {
       EXPECT_TRUE(named.emplace(name, value).second) << name << " is there twice";
     }
     return named;
   };
   few.update(document, Follow::afresh);
   all.update(document, Follow::afresh);
-  const auto quick = figures(few), whole = figures(all);
+  const auto quick = metrics(few), whole = metrics(all);
   for (const auto& [name, value] : quick) EXPECT_EQ(whole.at(name), value) << name;
   for (const char* family : {" of u", " of v"}) {
     for (const std::string name : {"gaps", "spacing"}) {
@@ -235,23 +235,23 @@ TEST(LivePattern, MeasuresCurvesWhileNothingMoves) {
   // A draft has what was measured of the same curves, and measures no others.
   document.camera.azimuth_deg = 77;
   all.update(document, Follow::loosely);
-  EXPECT_EQ(figures(all), whole);
+  EXPECT_EQ(metrics(all), whole);
   EXPECT_TRUE(stages(all).empty());
   document.curves["min-length"] = {"5%"};
   all.update(document, Follow::loosely);
-  EXPECT_FALSE(figures(all).contains("gaps of u"));
+  EXPECT_FALSE(metrics(all).contains("gaps of u"));
   all.update(document, Follow::last);
-  EXPECT_TRUE(figures(all).contains("gaps of u"));
+  EXPECT_TRUE(metrics(all).contains("gaps of u"));
   EXPECT_EQ(stages(all), std::set<std::string>{"curves"});
 }
 
 TEST(LivePattern, MeasuresNoMoreCurvesThanOneWaitsFor) {
   SessionDocument document = torus();
   document.shown = Shown::curves;
-  LivePattern brief(CurveFigures::brief);
+  LivePattern brief(CurveMetrics::brief);
   const auto has_gaps = [&] {
-    return std::ranges::any_of(brief.state()->figures.shown,
-                               [](const auto& figure) { return figure.first == "gaps of u"; });
+    return std::ranges::any_of(brief.state()->metrics.shown,
+                               [](const auto& metric) { return metric.first == "gaps of u"; });
   };
   const auto says_so = [&] {
     return std::ranges::any_of(brief.state()->notes, [](const std::string& note) {
@@ -269,7 +269,7 @@ TEST(LivePattern, MeasuresNoMoreCurvesThanOneWaitsFor) {
 
 TEST(LivePattern, WarnsOfMotifsThatAreLeftOut) {
   SessionDocument document = with(torus(), "texture", "arrows");
-  LivePattern pattern(CurveFigures::brief);
+  LivePattern pattern(CurveMetrics::brief);
   const auto warns = [&] {
     return std::ranges::any_of(pattern.state()->notes, [](const std::string& note) {
       return note.find("the others are left out") != note.npos;
@@ -379,16 +379,16 @@ TEST(LivePattern, FollowsCalmlyAndIsThenGivenByItsAngles) {
   afresh.update(next, Follow::afresh);
   pattern.update(next, Follow::last);
   ASSERT_NE(pattern.state()->phases, nullptr);
-  EXPECT_TRUE(pattern.state()->figures.followed);
+  EXPECT_TRUE(pattern.state()->metrics.followed);
 
   SessionDocument kept = next;
   kept.phases = pattern.state()->phases;
   LivePattern loaded;
   loaded.update(kept, Follow::afresh);
   EXPECT_EQ(z_of(loaded), z_of(pattern)) << "bit for bit";
-  EXPECT_EQ(loaded.state()->figures.branches, pattern.state()->figures.branches);
-  EXPECT_NEAR(loaded.state()->figures.energy, pattern.state()->figures.energy,
-              1e-5 * std::abs(pattern.state()->figures.energy) + 1e-7);
+  EXPECT_EQ(loaded.state()->metrics.branches, pattern.state()->metrics.branches);
+  EXPECT_NEAR(loaded.state()->metrics.energy, pattern.state()->metrics.energy,
+              1e-5 * std::abs(pattern.state()->metrics.energy) + 1e-7);
   // Asked for of the document alone, it is that of the document alone.
   pattern.update(next, Follow::afresh);
   EXPECT_EQ(z_of(pattern), z_of(afresh));
@@ -417,7 +417,7 @@ TEST(LivePattern, StaysNearToTheLastPattern) {
   EXPECT_LT(followed, 0.3);
   EXPECT_GT(distance_of(z_of(afresh), before), 3 * followed)
       << "the document alone says nothing of where stripes were";
-  EXPECT_NEAR(pattern.state()->figures.phase_step, followed, 1e-3);
+  EXPECT_NEAR(pattern.state()->metrics.phase_step, followed, 1e-3);
 }
 
 SessionDocument lit(float azimuth) {
@@ -446,7 +446,7 @@ TEST(LivePattern, PhasesThatNoLongerFitAreSolvedAnew) {
   afresh.update(lit(150), Follow::afresh);
   EXPECT_EQ(z_of(pattern), z_of(afresh)) << "bit for bit";
   EXPECT_EQ(pattern.state()->phases, nullptr) << "it is made of the document alone";
-  EXPECT_FALSE(pattern.state()->figures.followed);
+  EXPECT_FALSE(pattern.state()->metrics.followed);
   ASSERT_EQ(pattern.state()->notes.size(), 1);
   EXPECT_TRUE(pattern.state()->notes.front().starts_with("solved again: "));
   EXPECT_TRUE(stages(pattern).contains("solve"));
@@ -470,13 +470,13 @@ TEST(LivePattern, AtRestWhatFollowedIsNoWorseThanTheBound) {
     for (const char* stripes : {"50", "40", "30", "22", "15", "12", "15", "20"}) {
       document.options["stripes"] = {stripes};
       pattern.update(document, Follow::loosely);
-      const LiveFigures draft = pattern.state()->figures;
+      const LiveMetrics draft = pattern.state()->metrics;
       EXPECT_TRUE(draft.followed) << "while it moves, it follows";
       LivePattern resting;
       resting.update(document, Follow::afresh);
-      const LiveFigures alone = resting.state()->figures;
+      const LiveMetrics alone = resting.state()->metrics;
       pattern.update(document, Follow::last);
-      const LiveFigures& rest = pattern.state()->figures;
+      const LiveMetrics& rest = pattern.state()->metrics;
       EXPECT_LE(rest.energy, kMostEnergyTimes * alone.energy + kMostEnergyMore + 1e-5);
       EXPECT_LE(rest.mean_spacing_error, alone.mean_spacing_error + kMostSpacingErrorMore);
       EXPECT_EQ(rest.followed,
@@ -559,7 +559,7 @@ TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
   pattern.update(first, Follow::afresh);
   pattern.update(next, Follow::loosely);
   const StripePattern& draft = pattern.state()->job->result.stripes();
-  EXPECT_TRUE(pattern.state()->figures.followed);
+  EXPECT_TRUE(pattern.state()->metrics.followed);
   EXPECT_TRUE(stages(pattern).contains("spacing"));
   ASSERT_TRUE(draft.frequency_change);
   for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
@@ -580,7 +580,7 @@ TEST(LivePattern, FollowsWhileSlackIsMoved) {
   for (const char* slack : {"0.28", "0.1"}) {
     pattern.update(with(turned, "slack", slack), Follow::loosely);
     const StripePattern& draft = pattern.state()->job->result.stripes();
-    EXPECT_TRUE(pattern.state()->figures.followed);
+    EXPECT_TRUE(pattern.state()->metrics.followed);
     const float most = 1 + std::stof(slack);
     float greatest = 0;
     for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
@@ -592,7 +592,7 @@ TEST(LivePattern, FollowsWhileSlackIsMoved) {
   }
   // Without any, what follows is another animator's.
   pattern.update(turned, Follow::loosely);
-  EXPECT_TRUE(pattern.state()->figures.followed);
+  EXPECT_TRUE(pattern.state()->metrics.followed);
   EXPECT_FALSE(pattern.state()->job->result.stripes().frequency_change);
 }
 

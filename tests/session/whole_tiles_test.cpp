@@ -29,7 +29,7 @@ TEST(WholeTiles, AreThoseThatTheTileOrTheAskerWants) {
   const auto broken = textured.broken(WholeTiles(), BuiltInTile::arrows);
   ASSERT_NE(broken, nullptr);
   EXPECT_EQ(broken->words, broken_tiles(textured.surface.mesh.triangles, textured.pattern.waves,
-                                        tile_figures(BuiltInTile::arrows))
+                                        tile_motifs(BuiltInTile::arrows))
                                .words);
 }
 
@@ -51,7 +51,7 @@ TEST(WholeTiles, OfAnotherTextureAreFoundAnew) {
   WholeTiles next = whole.of_next_texture(std::nullopt);
   BrokenTiles known;
   known.shift = {7, 7};
-  next.know(next.figures_of(BuiltInTile::arrows).value(), known);
+  next.know(next.motifs_of(BuiltInTile::arrows).value(), known);
   EXPECT_EQ(textured.broken(next, BuiltInTile::arrows)->shift, Eigen::Vector2f(7, 7));
   const auto again = textured.broken(next, BuiltInTile::dots);
   EXPECT_NE(again, first);

@@ -12,7 +12,7 @@
 
 #include "brindle/mesh.h"
 #include "brindle/phase_graph.h"
-#include "brindle/yielding_frequency.h"
+#include "brindle/spacing_tolerance.h"
 
 namespace brindle::testing_support {
 

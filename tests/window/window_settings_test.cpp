@@ -15,7 +15,7 @@ TEST_F(WindowSettingsTest, WhatIsWrittenIsReadAgain) {
   WindowSettings settings;
   settings.recent = {"/a/horse.ply", "shape:torus,minor=0.2"};
   settings.dark = false;
-  settings.show_figures = false;
+  settings.show_metrics = false;
   settings.folder = "/a";
   const auto path = folder / "deep" / "below" / "window.json";
   write_settings(path, settings);
@@ -23,7 +23,7 @@ TEST_F(WindowSettingsTest, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(read.recent, settings.recent);
   EXPECT_EQ(read.dark, settings.dark);
   EXPECT_EQ(read.show_options, settings.show_options);
-  EXPECT_EQ(read.show_figures, settings.show_figures);
+  EXPECT_EQ(read.show_metrics, settings.show_metrics);
   EXPECT_EQ(read.folder, settings.folder);
 }
 

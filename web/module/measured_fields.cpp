@@ -19,8 +19,8 @@ val smoothed_field(const SurfaceObject& object, val directions, val frequencies,
     MeasuredField measured;
     measured.directions = vectors_of(directions);
     measured.confidence = floats_of(given["confidence"]);
-    FieldSmoothing detail(object.surface, options);
-    const SmoothedField field = detail.frame(measured, floats_of(frequencies));
+    FieldSmoothing smoothing(object.surface, options);
+    const SmoothedField field = smoothing.frame(measured, floats_of(frequencies));
     val result = val::object();
     put(result, "directions", array_of(std::span<const Vec3>(field.directions)));
     put(result, "coherence", array_of(std::span<const float>(field.coherence)));

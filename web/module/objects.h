@@ -14,7 +14,7 @@
 #include "brindle/stripe_pattern.h"
 #include "brindle/surface.h"
 #include "brindle/texture_pattern.h"
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 #include "values.h"
 
 namespace brindle::web {

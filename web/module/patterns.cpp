@@ -17,33 +17,33 @@ std::shared_ptr<PatternObject> stripes(std::shared_ptr<SurfaceObject> surface, v
   });
 }
 
-val figures_of(const PatternObject& object) {
+val metrics_of(const PatternObject& object) {
   const StripePattern& p = object.pattern;
-  val figures = val::object();
-  put(figures, "energy", p.solution.energy);
-  put(figures, "branches", p.quality.branches);
-  put(figures, "fieldSingularities", p.quality.field_singularities);
-  put(figures, "angleErrorMean", p.quality.angle_error_mean_deg);
-  put(figures, "spacingErrorMean", p.quality.spacing_error_mean);
-  put(figures, "verticesWithoutWave", p.quality.vertices_without_wave);
+  val metrics = val::object();
+  put(metrics, "energy", p.solution.energy);
+  put(metrics, "branches", p.quality.branches);
+  put(metrics, "fieldSingularities", p.quality.field_singularities);
+  put(metrics, "angleErrorMean", p.quality.angle_error_mean_deg);
+  put(metrics, "spacingErrorMean", p.quality.spacing_error_mean);
+  put(metrics, "verticesWithoutWave", p.quality.vertices_without_wave);
   val milliseconds = val::object();
   put(milliseconds, "topology", p.milliseconds.topology);
   put(milliseconds, "frequency", p.milliseconds.frequency);
   put(milliseconds, "couple", p.milliseconds.couple);
   put(milliseconds, "solve", p.milliseconds.solve);
   put(milliseconds, "pattern", p.milliseconds.pattern);
-  put(figures, "milliseconds", milliseconds);
+  put(metrics, "milliseconds", milliseconds);
   if (p.frequency_change) {
     val change = val::object();
     put(change, "ratioMin", p.frequency_change->ratio_min);
     put(change, "ratioMax", p.frequency_change->ratio_max);
-    put(figures, "frequencyChange", change);
+    put(metrics, "frequencyChange", change);
   }
   if (const auto slip = crease_slip(object.surface->surface, p.waves, p.solution.z)) {
-    put(figures, "creaseSlipMean", slip->mean_deg);
-    put(figures, "creaseSlipShare", slip->share);
+    put(metrics, "creaseSlipMean", slip->mean_deg);
+    put(metrics, "creaseSlipShare", slip->share);
   }
-  return figures;
+  return metrics;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void bind_patterns() {
   using namespace emscripten;
   class_<PatternObject>("PatternObject")
       .smart_ptr<std::shared_ptr<PatternObject>>("PatternPointer")
-      .function("figures", &figures_of)
+      .function("metrics", &metrics_of)
       .function("kinds", optional_override(
                              [](const PatternObject& p) { return kinds_of(p.pattern.corners); }))
       .function("phases", optional_override([](const PatternObject& p) {

@@ -107,12 +107,12 @@ val textured_mesh_of(const TextureObject& object) {
   });
 }
 
-val texture_figures_of(const TextureObject& object) {
+val texture_metrics_of(const TextureObject& object) {
   const StripePattern &u = object.pattern.u, &v = object.pattern.v;
-  val figures = val::object();
-  put(figures, "branches", u.quality.branches + (object.crosses ? 0 : v.quality.branches));
-  put(figures, "energy", (u.solution.energy + v.solution.energy) / 2);
-  return figures;
+  val metrics = val::object();
+  put(metrics, "branches", u.quality.branches + (object.crosses ? 0 : v.quality.branches));
+  put(metrics, "energy", (u.solution.energy + v.solution.energy) / 2);
+  return metrics;
 }
 
 /// The broken motifs of a tile that is drawn whole.
@@ -122,7 +122,7 @@ val broken_tiles_of(const TextureObject& object, std::string name) {
     BrokenTiles broken;
     if (has_own_shape(tile)) {
       broken = broken_tiles(object.surface->surface.mesh.triangles, object.pattern.waves,
-                            tile_figures(tile));
+                            tile_motifs(tile));
     }
     return value_of(broken);
   });
@@ -166,8 +166,8 @@ std::shared_ptr<TextureAnimatorObject> texture_animator(std::shared_ptr<SurfaceO
     options.oriented = given["oriented"].as<bool>();
     const std::string tile = text_of(given, "tile");
     if (!tile.empty()) {
-      const TextureTile figures = tile_named(tile);
-      if (has_own_shape(figures)) options.whole_tiles = tile_figures(figures);
+      const TextureTile metrics = tile_named(tile);
+      if (has_own_shape(metrics)) options.whole_tiles = tile_motifs(metrics);
     }
     return std::make_shared<TextureAnimatorObject>(
         TextureAnimatorObject{surface, TextureAnimator(surface->surface, options)});
@@ -215,7 +215,7 @@ void bind_textures() {
       .function("kinds", optional_override([](const TextureObject& t) {
                   return kinds_shown(t.pattern.u.corners, t.pattern.v.corners);
                 }))
-      .function("figures", &texture_figures_of)
+      .function("metrics", &texture_metrics_of)
       .function("warnings", optional_override([](const TextureObject& t) {
                   return guarded([&] {
                     return array_of(

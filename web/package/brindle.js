@@ -103,7 +103,7 @@ export class Pattern extends RealtimePattern {
 export class Texture extends Owned {
   constructor(module, raw, tile) {
     super('Texture', module, raw);
-    Object.assign(this, raw.figures());
+    Object.assign(this, raw.metrics());
     this.warnings = raw.warnings();
     this.tile = tile;
   }

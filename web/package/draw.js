@@ -175,7 +175,7 @@ export class StripeDrawing {
     this.#upload('texture_v', v);
     this.#upload('broken_words', words);
     if (this.uploadedTile !== tile.distances) this.#uploadTile(tile);
-    this.tile = { has_broken_tiles: words.length > 0, tile_layout: layout, splits_broken_tiles: split, tile_is_figure: true, wave_count: 2 };
+    this.tile = { has_broken_tiles: words.length > 0, tile_layout: layout, splits_broken_tiles: split, tile_is_motif: true, wave_count: 2 };
   }
 
   // Distances, and the motif's coverage of each texel, with mipmaps.

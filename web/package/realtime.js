@@ -126,7 +126,7 @@ export class Surface extends Owned {
 export class Pattern extends Owned {
   constructor(module, raw) {
     super('Pattern', module, raw);
-    Object.assign(this, raw.figures());
+    Object.assign(this, raw.motifs());
     this.warnings = raw.warnings();
   }
 

@@ -82,11 +82,11 @@ function loop(now) {
 const number = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
 let live = null;
 
-function showFigures({ pattern, milliseconds }) {
-  const figures = [[number.format(live.surface.triangleCount), 'triangles'],
+function showMetrics({ pattern, milliseconds }) {
+  const metrics = [[number.format(live.surface.triangleCount), 'triangles'],
                    [number.format(pattern.branches), pattern.branches === 1 ? 'branch' : 'branches'],
                    [pattern.energy.toFixed(4), 'energy'], [number.format(milliseconds), 'ms']];
-  $('figures').replaceChildren(...figures.map(([value, what]) => {
+  $('metrics').replaceChildren(...metrics.map(([value, what]) => {
     const span = document.createElement('span'), strong = document.createElement('b');
     strong.textContent = value;
     span.append(strong, ` ${what}`);
@@ -103,7 +103,7 @@ function shown(result) {
   else if (result.vertices) drawing.setVertices(result.vertices);
   else drawing.setPattern(result);
   if (result.kinds) drawing.setKinds(result.kinds);
-  if (result.pattern) showFigures(result);
+  if (result.pattern) showMetrics(result);
   wanted = true;
 }
 

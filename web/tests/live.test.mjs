@@ -44,7 +44,7 @@ test('a texture follows while a slider moves, and rests where it was', async () 
     assert.equal(draft.kinds.length, solved.kinds.length);
     assert.notDeepEqual(draft.waves, solved.waves);
   }
-  // The same input: nothing jumps, and there are figures and coordinates again.
+  // The same input: nothing jumps, and there are metrics and coordinates again.
   assert.deepEqual(rest.waves, last.waves);
   assert.deepEqual(rest.broken, last.broken);
   assert.ok(rest.pattern.energy > 0);

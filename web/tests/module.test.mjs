@@ -245,7 +245,7 @@ test('texture coordinates at corners and at vertices agree up to whole tiles', (
   assert.ok(Math.abs(back.diagonal - sphere.diagonal) < 1e-5);
 });
 
-test('textures have what shaders draw, and figures that branches cut', () => {
+test('textures have what shaders draw, and metrics that branches cut', () => {
   assert.deepEqual(brindle.tiles().slice(0, 3), ['stripes', 'checker', 'dots']);
   const { side, distances } = brindle.tile('dots');
   assert.equal(distances.length, side * side);

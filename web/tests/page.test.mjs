@@ -44,13 +44,13 @@ async function ready() {
   const failed = await page.evaluate(() => document.querySelector('#message:not(.note):not([hidden])')?.textContent);
   assert.equal(failed ?? null, null);
   await page.waitForFunction(() => document.body.dataset.state === 'ready' &&
-    (document.getElementById('figures').textContent !== '' || !document.getElementById('message').hidden), { timeout: 30000 });
+    (document.getElementById('metrics').textContent !== '' || !document.getElementById('message').hidden), { timeout: 30000 });
   await page.evaluate(() => new Promise((done) => setTimeout(done, 400)));
   await page.waitForFunction(() => document.body.dataset.state === 'ready', { timeout: 30000 });
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-const figures = () => page.$eval('#figures', (e) => e.textContent);
+const metrics = () => page.$eval('#metrics', (e) => e.textContent);
 const without = (text) => text.replace(/[\d,]+ ms/, '');
 // The browser may have thrown away what was drawn by the time it is asked: a screenshot has not.
 const screenshot = async (name) => {
@@ -131,20 +131,20 @@ function noisySheet(n) {
 
 test('the page opens on a striped surface, without a complaint', async () => {
   await visit({ hash: '', width: 1200, height: 800 });
-  assert.match(await figures(), /64,960 triangles.*branches.*energy.*ms/);
+  assert.match(await metrics(), /64,960 triangles.*branches.*energy.*ms/);
   await screenshot('light');
   const shot = await canvasShot();
   assert.ok(shot.length > 40000, 'the picture is not empty');
   assert.deepEqual(complaints, []);
 });
 
-test('a slider changes picture, figures and link', async () => {
+test('a slider changes picture, metrics and link', async () => {
   await visit();
-  const seen = await canvasShot(), said = without(await figures());
+  const seen = await canvasShot(), said = without(await metrics());
   await slide('stripes', 90);
   await ready();
   assert.notEqual(await canvasShot(), seen);
-  assert.notEqual(without(await figures()), said);
+  assert.notEqual(without(await metrics()), said);
   assert.match(page.url(), /#.*stripes=90/);
   await slide('slack', 50);
   await ready();
@@ -160,7 +160,7 @@ test('warnings name the controls, and subdividing helps', async () => {
   const warnings = () => page.$eval('#warnings', (e) => e.textContent);
   assert.equal(await warnings(), '');
   await drop(ball(6), 'ball.obj');
-  await page.waitForFunction(() => /144 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await page.waitForFunction(() => /144 triangles/.test(document.getElementById('metrics').textContent), { timeout: 30000 });
   await slide('stripes', 24);
   await ready();
   const said = await warnings();
@@ -168,7 +168,7 @@ test('warnings name the controls, and subdividing helps', async () => {
   await screenshot('warned');
   const times = Number(/Subdivide (\d)/.exec(said)[1]);
   await slide('subdivide', times);
-  await page.waitForFunction((count) => document.getElementById('figures').textContent.replaceAll(',', '').includes(`${count} triangles`),
+  await page.waitForFunction((count) => document.getElementById('metrics').textContent.replaceAll(',', '').includes(`${count} triangles`),
                              { timeout: 30000 }, 144 * 4 ** times);
   await ready();
   assert.equal(await warnings(), '');
@@ -181,18 +181,18 @@ test('a link carries the settings', async () => {
   await visit({ hash: '#shape=torus&field=x&stripes=60&rotate=30&nonsense=1&width=abc' });
   const values = await page.$$eval('[name]', (inputs) => Object.fromEntries(inputs.map((i) => [i.name, i.value])));
   assert.deepEqual([values.shape, values.field, values.stripes, values.rotate, values.width], ['torus', 'x', '60', '30', '50']);
-  const first = without(await figures());
+  const first = without(await metrics());
   await visit({ hash: new URL(page.url()).hash });
-  assert.equal(without(await figures()), first);
+  assert.equal(without(await metrics()), first);
   assert.deepEqual(complaints, []);
 });
 
 test('a mesh is dropped, and a damaged one refused with nothing lost', async () => {
   await visit();
   await drop(sheet(40), 'sheet.obj');
-  await page.waitForFunction(() => /3,200 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await page.waitForFunction(() => /3,200 triangles/.test(document.getElementById('metrics').textContent), { timeout: 30000 });
   await ready();
-  const said = await figures(), seen = await canvasShot();
+  const said = await metrics(), seen = await canvasShot();
   await screenshot('dropped');
   await drop('v 0 0 0\nv 1 x 0\n', 'damaged.obj');
   await page.waitForFunction(() => !document.getElementById('message').hidden);
@@ -200,20 +200,20 @@ test('a mesh is dropped, and a damaged one refused with nothing lost', async () 
   await screenshot('refused');
   await page.click('#message button');
   await page.evaluate(() => new Promise((done) => setTimeout(done, 700)));  // the bar of work fades
-  assert.equal(await figures(), said);
+  assert.equal(await metrics(), said);
   assert.equal(await canvasShot(), seen);
   await slide('stripes', 20);
   await ready();
-  assert.notEqual(await figures(), said);
+  assert.notEqual(await metrics(), said);
   assert.deepEqual(complaints, []);
 });
 
 test('a part that is dropped has straight stripes on every face', async () => {
   await visit({ hash: '#shape=torus&stripes=16' });
   await drop(objOf(box(8)), 'box.obj');
-  await page.waitForFunction(() => /2,816 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await page.waitForFunction(() => /2,816 triangles/.test(document.getElementById('metrics').textContent), { timeout: 30000 });
   await ready();
-  assert.match(await figures(), /(^|\D)0 branches/);
+  assert.match(await metrics(), /(^|\D)0 branches/);
   await screenshot('part');
   assert.deepEqual(complaints, []);
 });
@@ -222,14 +222,14 @@ test('vectors of a dropped mesh are directions, seen as finely as one likes', as
   await visit({ width: 1200, height: 800 });
   assert.equal(await page.$eval('#detailed', (e) => e.hidden), true);
   await drop(noisySheet(60), 'flow.vtk');
-  await page.waitForFunction(() => /7,200 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await page.waitForFunction(() => /7,200 triangles/.test(document.getElementById('metrics').textContent), { timeout: 30000 });
   await ready();
   assert.deepEqual(await page.$$eval('#field optgroup option', (options) => options.map((o) => o.value)), ['array:flow']);
   assert.equal(await page.$eval('[name="detail"]', (e) => e.disabled), true);
   await page.select('#field', 'array:flow');
   await slide('stripes', 30);
   await ready();
-  const branches = async () => Number(/([\d,]+) branch/.exec(await figures())[1].replace(',', ''));
+  const branches = async () => Number(/([\d,]+) branch/.exec(await metrics())[1].replace(',', ''));
   const noisy = await branches();
   await screenshot('data');
   await slide('detail', 2);
@@ -242,11 +242,11 @@ test('vectors of a dropped mesh are directions, seen as finely as one likes', as
   await screenshot('data_arrows');
   // Another mesh with an array of this name keeps the choice, one without it does not.
   await drop(noisySheet(20), 'coarse.vtk');
-  await page.waitForFunction(() => /800 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await page.waitForFunction(() => /800 triangles/.test(document.getElementById('metrics').textContent), { timeout: 30000 });
   await ready();
   assert.equal(await page.$eval('#field', (e) => e.value), 'array:flow');
   await drop(noisySheet(30).replace('VECTORS flow', 'VECTORS wind'), 'wind.vtk');
-  await page.waitForFunction(() => /1,800 triangles/.test(document.getElementById('figures').textContent), { timeout: 30000 });
+  await page.waitForFunction(() => /1,800 triangles/.test(document.getElementById('metrics').textContent), { timeout: 30000 });
   await ready();
   assert.equal(await page.$eval('#field', (e) => e.value), 'smooth');
   await page.select('#shape', 'torus');
@@ -281,7 +281,7 @@ test('strokes end where the surface ends', async () => {
 
 test('a stroke changes the field, and can be taken back', async () => {
   await visit({ hash: '#shape=sphere&stripes=30', width: 900, height: 640 });
-  const said = without(await figures());
+  const said = without(await metrics());
   await page.click('#brush');
   assert.equal(await page.$eval('#brush', (e) => e.getAttribute('aria-pressed')), 'true');
   const box = await (await page.$('#canvas')).boundingBox();
@@ -294,7 +294,7 @@ test('a stroke changes the field, and can be taken back', async () => {
   await page.mouse.up();
   await page.waitForFunction(() => !document.getElementById('unbrush').disabled);
   await ready();
-  const combed = without(await figures());
+  const combed = without(await metrics());
   assert.notEqual(combed, said);
   await screenshot('stroked');
   const link = await page.evaluate(() => location.hash);
@@ -305,8 +305,8 @@ test('a stroke changes the field, and can be taken back', async () => {
   await visit({ hash: link, width: 900, height: 640 });
   // What was there before the stroke does not travel: the pattern follows the one that was seen last.
   const energy = (text) => Number(/([\d.]+) energy/.exec(text)[1]);
-  assert.notEqual(without(await figures()), said);
-  assert.ok(Math.abs(energy(await figures()) / energy(combed) - 1) < 0.25);
+  assert.notEqual(without(await metrics()), said);
+  assert.ok(Math.abs(energy(await metrics()) / energy(combed) - 1) < 0.25);
   assert.equal(await page.evaluate(() => location.hash), link);
   assert.equal(await page.$eval('#unbrush', (e) => e.disabled), false);
   // Strokes are those of one shape.
@@ -316,7 +316,7 @@ test('a stroke changes the field, and can be taken back', async () => {
   assert.equal(await page.$eval('#unbrush', (e) => e.disabled), true);
   for (const strokes of ['1.2.3.4.5', '1.2.x.4.5.6', '~~', '1e9.0.0.1.1.1']) {
     await visit({ hash: `#shape=sphere&stripes=30&strokes=${strokes}` });
-    assert.equal(without(await figures()), said);
+    assert.equal(without(await metrics()), said);
     assert.deepEqual(complaints, []);
   }
 });
@@ -340,7 +340,7 @@ test('downloads are whole files', async () => {
 
 test('tiles are drawn in the place of stripes, and travel in links', async () => {
   await visit({ hash: '#shape=torus&field=z&stripes=24' });
-  const ofStripes = without(await figures()), drawn = new Set([await canvasShot()]);
+  const ofStripes = without(await metrics()), drawn = new Set([await canvasShot()]);
   for (const tile of ['checker', 'dots', 'arrows', 'bricks', 'hatch', 'plus', 'plusminus']) {
     await page.select('#tile', tile);
     await ready();
@@ -351,15 +351,15 @@ test('tiles are drawn in the place of stripes, and travel in links', async () =>
   }
   assert.equal(drawn.size, 8);
   assert.match(await page.$eval('#canvas', (e) => e.getAttribute('aria-label')), /rows of plus and minus/);
-  const link = await page.evaluate(() => location.hash), said = without(await figures());
+  const link = await page.evaluate(() => location.hash), said = without(await metrics());
   await slide('stripes', 12);
   await ready();
-  assert.notEqual(without(await figures()), said);
+  assert.notEqual(without(await metrics()), said);
   await visit({ hash: link });
-  assert.equal(without(await figures()), said);
+  assert.equal(without(await metrics()), said);
   await page.select('#tile', 'stripes');
   await ready();
-  assert.equal(without(await figures()), ofStripes);
+  assert.equal(without(await metrics()), ofStripes);
   assert.equal(await page.$eval('[name="width"]', (e) => e.disabled), false);
   assert.deepEqual(complaints, []);
 });
@@ -403,11 +403,11 @@ test('keys alone reach and change everything', async () => {
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     assert.notEqual(await canvasShot(), seen, key);
   }
-  const said = without(await figures());
+  const said = without(await metrics());
   await page.focus('[name="stripes"]');
   for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowRight');
   await ready();
-  assert.notEqual(without(await figures()), said);
+  assert.notEqual(without(await metrics()), said);
 });
 
 test('every control has a name that is read out', async () => {

@@ -74,23 +74,23 @@ bool is_left_out(const SolverCase& solver, const Subject& subject, int global_li
          subject.vertex_count() > static_cast<std::size_t>(global_limit);
 }
 
-MeshFigures empty_figures(const Subject& subject) {
+MeshMetrics empty_metrics(const Subject& subject) {
   const Adjacency& neighborhood = *subject.surface.neighborhood;
-  MeshFigures figures;
-  figures.mesh = subject.name;
-  figures.subdivided = subject.subdivided;
-  figures.vertices = subject.vertex_count();
-  figures.triangles = subject.surface.mesh.triangle_count();
-  figures.edges = neighborhood.edge_count();
-  figures.luby_colors = luby_coloring(neighborhood).color_count;
-  figures.greedy_colors = greedy_coloring(neighborhood).color_count;
-  figures.fields = subject.fields.size();
-  figures.neighborhood_milliseconds = subject.neighborhood_milliseconds;
-  return figures;
+  MeshMetrics metrics;
+  metrics.mesh = subject.name;
+  metrics.subdivided = subject.subdivided;
+  metrics.vertices = subject.vertex_count();
+  metrics.triangles = subject.surface.mesh.triangle_count();
+  metrics.edges = neighborhood.edge_count();
+  metrics.luby_colors = luby_coloring(neighborhood).color_count;
+  metrics.greedy_colors = greedy_coloring(neighborhood).color_count;
+  metrics.fields = subject.fields.size();
+  metrics.neighborhood_milliseconds = subject.neighborhood_milliseconds;
+  return metrics;
 }
 
 /// Empty, with a note, if pictures cannot be drawn.
-std::optional<DrawFigures> draw_figures(const Subject& subject, const BenchPlan& plan,
+std::optional<DrawMetrics> draw_metrics(const Subject& subject, const BenchPlan& plan,
                                         const Progress& progress, std::vector<std::string>& notes) {
   try {
     return measure_draw(subject, plan.picture_width, plan.picture_height, plan.repetitions,
@@ -103,10 +103,10 @@ std::optional<DrawFigures> draw_figures(const Subject& subject, const BenchPlan&
   }
 }
 
-MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Device& device,
+MeshMetrics metrics_of(const Subject& subject, const BenchPlan& plan, const Device& device,
                        int global_limit, ProgressDisplay& display,
                        std::vector<std::string>& notes) {
-  MeshFigures figures = empty_figures(subject);
+  MeshMetrics metrics = empty_metrics(subject);
   // Progress while solvers report their own stages.
   const auto progress = [&](const std::string& name) {
     return Progress(
@@ -117,22 +117,22 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
         });
   };
   // First, before anything is freed and reused unnoticed.
-  if (plan.memory) figures.memory = measure_memory(subject);
+  if (plan.memory) metrics.memory = measure_memory(subject);
   if (device.gpu() != nullptr) {
-    figures.gpu_frames = measure_gpu_frames(device, subject, plan.repetitions, progress("frames"));
+    metrics.gpu_frames = measure_gpu_frames(device, subject, plan.repetitions, progress("frames"));
   }
   for (const int threads : device.gpu() != nullptr ? std::vector<int>() : plan.threads) {
     const ThreadLimit limit(threads);
-    figures.frames.push_back(measure_frames(subject, plan.repetitions, progress("frames")));
+    metrics.frames.push_back(measure_frames(subject, plan.repetitions, progress("frames")));
   }
   for (const int threads : plan.surroundings ? plan.threads : std::vector<int>()) {
     const ThreadLimit limit(threads);
-    figures.surroundings.push_back(
+    metrics.surroundings.push_back(
         measure_surroundings(subject, plan.repetitions, progress("textures and fields")));
   }
   if (plan.slack && device.gpu() == nullptr) {
     const ThreadLimit limit(plan.threads.back());
-    figures.slack = measure_slack(subject, plan.repetitions, progress("slack"));
+    metrics.slack = measure_slack(subject, plan.repetitions, progress("slack"));
   }
   for (const SolverCase& solver : plan.solvers) {
     if (is_left_out(solver, subject, global_limit)) continue;
@@ -140,14 +140,14 @@ MeshFigures figures_of(const Subject& subject, const BenchPlan& plan, const Devi
       // Brindle cannot limit CHOLMOD's threads.
       if (solver.options.solver == Solver::global && threads != plan.threads.back()) continue;
       const ThreadLimit limit(threads);
-      figures.solvers.push_back(
+      metrics.solvers.push_back(
           measure_solver(subject, solver, device, plan.repetitions, progress(solver.name)));
     }
   }
   if (plan.picture_width > 0 && device.gpu() == nullptr) {
-    figures.draw = draw_figures(subject, plan, progress("pictures"), notes);
+    metrics.draw = draw_metrics(subject, plan, progress("pictures"), notes);
   }
-  return figures;
+  return metrics;
 }
 
 /// Leaves only measurements with a GPU version; threads and resident memory do not apply.
@@ -174,7 +174,7 @@ BenchReport report_of(const Arguments& arguments) {
   ProgressDisplay display(arguments.quiet);
   const int limit = arguments.bench.global_limit;
   for (const Subject& subject : subjects_of(arguments, plan, display)) {
-    report.meshes.push_back(figures_of(subject, plan, device, limit, display, report.notes));
+    report.meshes.push_back(metrics_of(subject, plan, device, limit, display, report.notes));
     if (std::ranges::any_of(plan.solvers, [&](const SolverCase& solver) {
           return is_left_out(solver, subject, limit);
         })) {
@@ -197,7 +197,7 @@ void check(const CLI::App& command, const Arguments& arguments) {
   if (!arguments.json.empty()) check_files(inputs, {{"--json", arguments.json}});
   check_field_options(command, arguments.waves);
   if (arguments.bench.figure != 0) {
-    refuse_given(command, {"--subdivide"}, "figures have no finer copies");
+    refuse_given(command, {"--subdivide"}, "metrics have no finer copies");
   }
   const int figure = arguments.bench.figure;
   if (arguments.device == DeviceKind::gpu || figure == 14 || figure == 16) {

@@ -24,15 +24,15 @@ std::string processor_name() {
   return "";
 }
 
-std::string title_of(const MeshFigures& mesh) {
+std::string title_of(const MeshMetrics& mesh) {
   std::string title = mesh.mesh;
   if (mesh.subdivided > 0) title += formatted(", subdivided %d", mesh.subdivided);
   return title;
 }
 
-const SolverFigures* find_solver(const MeshFigures& mesh, const std::string& name) {
-  const SolverFigures* found = nullptr;
-  for (const SolverFigures& solver : mesh.solvers) {
+const SolverMetrics* find_solver(const MeshMetrics& mesh, const std::string& name) {
+  const SolverMetrics* found = nullptr;
+  for (const SolverMetrics& solver : mesh.solvers) {
     if (solver.name == name) found = &solver;  // the last one has the most threads
   }
   return found;
@@ -46,15 +46,15 @@ Spread later_by(const Spread& spread, double milliseconds) {
   return {spread.min + milliseconds, spread.median + milliseconds, spread.repetitions};
 }
 
-void add_ratios_of_mesh(const MeshFigures& mesh, std::vector<Ratio>& ratios) {
-  const FrameFigures& frame = mesh.frames.back();
+void add_ratios_of_mesh(const MeshMetrics& mesh, std::vector<Ratio>& ratios) {
+  const FrameMetrics& frame = mesh.frames.back();
   const std::string where = formatted(" (%s, threads: %d)", title_of(mesh).c_str(), frame.threads);
   for (const char* name : {"global 20", "global 1", "relaxation 0.02"}) {
-    if (const SolverFigures* solver = find_solver(mesh, name)) {
+    if (const SolverMetrics* solver = find_solver(mesh, name)) {
       ratios.push_back(ratio_of(name + (" / frame" + where), solver->solve, frame.total));
     }
   }
-  const SolverFigures* const global = find_solver(mesh, "global 20");
+  const SolverMetrics* const global = find_solver(mesh, "global 20");
   if (global != nullptr && mesh.draw) {
     ratios.push_back(
         ratio_of("interactive picture / global 20" + where, mesh.draw->interactive, global->solve));
@@ -81,11 +81,11 @@ void add_ratios_of_mesh(const MeshFigures& mesh, std::vector<Ratio>& ratios) {
   }
 }
 
-double per_vertex_ns(double milliseconds, const MeshFigures& mesh) {
+double per_vertex_ns(double milliseconds, const MeshMetrics& mesh) {
   return 1e6 * milliseconds / static_cast<double>(mesh.vertices);
 }
 
-void add_ratios_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
+void add_ratios_of_sizes(const MeshMetrics& coarse, const MeshMetrics& fine,
                          std::vector<Ratio>& ratios) {
   for (std::size_t i = 0; i < coarse.frames.size(); ++i) {
     const Spread &of_fine = fine.frames[i].total, &of_coarse = coarse.frames[i].total;
@@ -98,7 +98,7 @@ void add_ratios_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
   }
 }
 
-void add_slack_of_sizes(const MeshFigures& coarse, const MeshFigures& fine,
+void add_slack_of_sizes(const MeshMetrics& coarse, const MeshMetrics& fine,
                         std::vector<Ratio>& ratios) {
   if (!coarse.slack || !fine.slack) return;
   const auto add = [&](const char* name, const Spread& of_fine, const Spread& of_coarse) {
@@ -129,7 +129,7 @@ Json to_json(const Quality& quality) {
           {"angle_error_mean_deg", quality.angle_error_mean_deg}};
 }
 
-Json to_json(const SolverFigures& solver) {
+Json to_json(const SolverMetrics& solver) {
   Json json = {{"solver", solver.name},
                {"threads", solver.threads},
                {"iterations", solver.iterations},
@@ -141,7 +141,7 @@ Json to_json(const SolverFigures& solver) {
   return json;
 }
 
-Json to_json(const FrameFigures& frame) {
+Json to_json(const FrameMetrics& frame) {
   Json json = {{"threads", frame.threads},
                {"milliseconds",
                 {{"topology", to_json(frame.topology)},
@@ -154,7 +154,7 @@ Json to_json(const FrameFigures& frame) {
   return json;
 }
 
-Json to_json(const MeshFigures& mesh) {
+Json to_json(const MeshMetrics& mesh) {
   Json json = {{"mesh", mesh.mesh},
                {"subdivided", mesh.subdivided},
                {"kind", mesh.triangles == 0 ? "points" : "mesh"},
@@ -166,8 +166,8 @@ Json to_json(const MeshFigures& mesh) {
                {"neighborhood_milliseconds", mesh.neighborhood_milliseconds},
                {"solvers", Json::array()},
                {"frames", Json::array()}};
-  for (const SolverFigures& solver : mesh.solvers) json["solvers"].push_back(to_json(solver));
-  for (const FrameFigures& frame : mesh.frames) json["frames"].push_back(to_json(frame));
+  for (const SolverMetrics& solver : mesh.solvers) json["solvers"].push_back(to_json(solver));
+  for (const FrameMetrics& frame : mesh.frames) json["frames"].push_back(to_json(frame));
   if (mesh.draw) {
     json["draw"] = {{"width", mesh.draw->width},
                     {"height", mesh.draw->height},
@@ -177,14 +177,14 @@ Json to_json(const MeshFigures& mesh) {
                       {"interactive", to_json(mesh.draw->interactive)},
                       {"final", to_json(mesh.draw->final)}}}};
   }
-  for (const SurroundingFigures& figures : mesh.surroundings) {
-    json["surroundings"].push_back({{"threads", figures.threads},
+  for (const SurroundingMetrics& metrics : mesh.surroundings) {
+    json["surroundings"].push_back({{"threads", metrics.threads},
                                     {"milliseconds",
-                                     {{"texture", to_json(figures.texture)},
-                                      {"whole_tiles", to_json(figures.whole_tiles)},
-                                      {"cross_frame", to_json(figures.cross_frame)},
-                                      {"cross", to_json(figures.cross)},
-                                      {"smooth_field", to_json(figures.smooth_field)}}}});
+                                     {{"texture", to_json(metrics.texture)},
+                                      {"whole_tiles", to_json(metrics.whole_tiles)},
+                                      {"cross_frame", to_json(metrics.cross_frame)},
+                                      {"cross", to_json(metrics.cross)},
+                                      {"smooth_field", to_json(metrics.smooth_field)}}}});
   }
   if (mesh.slack) {
     json["slack"] = {{"threads", mesh.slack->threads},
@@ -207,13 +207,13 @@ double floor_milliseconds(std::size_t bytes, double bandwidth) {
   return 1000 * static_cast<double>(bytes) / bandwidth;
 }
 
-std::size_t bytes_of(const GpuFrameFigures& frame) {
+std::size_t bytes_of(const GpuFrameMetrics& frame) {
   std::size_t bytes = 0;
   for (const GpuStage& stage : frame.stages) bytes += stage.bytes;
   return bytes;
 }
 
-Json to_json(const GpuFrameFigures& frame, double bandwidth) {
+Json to_json(const GpuFrameMetrics& frame, double bandwidth) {
   Json json = {{"dispatches", frame.dispatches},
                {"bytes", bytes_of(frame)},
                {"floor_milliseconds", floor_milliseconds(bytes_of(frame), bandwidth)},
@@ -239,35 +239,35 @@ std::string tail(const Quality& quality) {
                    quality.angle_error_mean_deg);
 }
 
-void print_heading(std::ostream& out, const MeshFigures& mesh) {
+void print_heading(std::ostream& out, const MeshMetrics& mesh) {
   out << formatted("\n%s: %zu vertices, %zu edges, colours: %u (paper: %u), ",
                    title_of(mesh).c_str(), mesh.vertices, mesh.edges, mesh.greedy_colors,
                    mesh.luby_colors)
       << formatted("neighbourhood and normals %.1f ms\n", mesh.neighborhood_milliseconds);
 }
 
-void print_solvers(std::ostream& out, const MeshFigures& mesh) {
+void print_solvers(std::ostream& out, const MeshMetrics& mesh) {
   out << "                         topology    couple   solve ms\n"
          "solver           threads       ms        ms       min    median  iterations    energy "
          "branches  angle\n";
-  for (const SolverFigures& solver : mesh.solvers) {
+  for (const SolverMetrics& solver : mesh.solvers) {
     out << formatted("%-16s %7d %8.1f %9.1f ", solver.name.c_str(), solver.threads,
                      solver.topology.median, solver.couple.median)
         << times(solver.solve) << formatted(" %11d", solver.iterations) << tail(solver.quality);
   }
 }
 
-void print_frames(std::ostream& out, const MeshFigures& mesh) {
+void print_frames(std::ostream& out, const MeshMetrics& mesh) {
   out << "                         topology  couple     sum   solve  total ms\n"
          "                 threads       ms      ms      ms      ms       min    median    energy "
          "branches  angle\n";
-  for (const FrameFigures& frame : mesh.frames) {
+  for (const FrameMetrics& frame : mesh.frames) {
     out << formatted("%-16s %7d %8.1f %7.2f %7.2f %7.2f ", "frame", frame.threads,
                      frame.topology.median, frame.couple.median, frame.sum.median,
                      frame.solve.median)
         << times(frame.total) << tail(frame.quality);
   }
-  for (const FrameFigures& frame : mesh.frames) {
+  for (const FrameMetrics& frame : mesh.frames) {
     out << formatted("%-16s %7d %33s", "measure a frame", frame.threads, "") << times(frame.measure)
         << '\n';
   }
@@ -281,7 +281,7 @@ void print_frames(std::ostream& out, const MeshFigures& mesh) {
 }
 
 /// One line per stage, with the lower bound by bytes and bandwidth.
-void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double bandwidth) {
+void print_gpu_frames(std::ostream& out, const GpuFrameMetrics& frame, double bandwidth) {
   const auto row = [&](const std::string& name, const Spread& time, std::size_t bytes) {
     out << formatted("%-24s %9.3f %9.3f", name.c_str(), time.min, time.median);
     if (bytes > 0) {
@@ -301,9 +301,9 @@ void print_gpu_frames(std::ostream& out, const GpuFrameFigures& frame, double ba
       << tail(frame.quality);
 }
 
-void print_draw(std::ostream& out, const MeshFigures& mesh) {
+void print_draw(std::ostream& out, const MeshMetrics& mesh) {
   if (!mesh.draw) return;
-  const DrawFigures& draw = *mesh.draw;
+  const DrawMetrics& draw = *mesh.draw;
   const std::string size = formatted("draw, %d x %d", draw.width, draw.height);
   out << formatted("%-58s min ms    median\n", size.c_str());
   const auto row = [&](const char* name, const Spread& spread) {
@@ -315,22 +315,22 @@ void print_draw(std::ostream& out, const MeshFigures& mesh) {
   row("  of this: which triangle is seen", draw.visible_final);
 }
 
-void print_surroundings(std::ostream& out, const MeshFigures& mesh) {
-  for (const SurroundingFigures& figures : mesh.surroundings) {
+void print_surroundings(std::ostream& out, const MeshMetrics& mesh) {
+  for (const SurroundingMetrics& metrics : mesh.surroundings) {
     const auto row = [&](const char* name, const Spread& spread) {
-      out << formatted("%-32s %7d %17s", name, figures.threads, "") << times(spread) << '\n';
+      out << formatted("%-32s %7d %17s", name, metrics.threads, "") << times(spread) << '\n';
     };
-    row("texture, in a frame", figures.texture);
-    row("whole tiles, in a frame", figures.whole_tiles);
-    row("crosses, in a frame", figures.cross_frame);
-    row("texture of a cross field", figures.cross);
-    row("smooth field", figures.smooth_field);
+    row("texture, in a frame", metrics.texture);
+    row("whole tiles, in a frame", metrics.whole_tiles);
+    row("crosses, in a frame", metrics.cross_frame);
+    row("texture of a cross field", metrics.cross);
+    row("smooth field", metrics.smooth_field);
   }
 }
 
-void print_memory(std::ostream& out, const MeshFigures& mesh) {
+void print_memory(std::ostream& out, const MeshMetrics& mesh) {
   if (!mesh.memory) return;
-  const MemoryFigures& memory = *mesh.memory;
+  const MemoryMetrics& memory = *mesh.memory;
   const auto per_vertex = [&](std::size_t bytes) {
     return static_cast<double>(bytes) / static_cast<double>(mesh.vertices);
   };
@@ -360,10 +360,10 @@ void print_figure(std::ostream& out, const BenchReport& report) {
       << "                                       colours                         ms\n"
          "mesh                                 vertices paper ours  method             min    "
          "median  iterations    energy branches  angle\n";
-  for (const MeshFigures& mesh : report.meshes) {
+  for (const MeshMetrics& mesh : report.meshes) {
     const std::string begin = formatted("%-36s %8zu %5u %4u  ", title_of(mesh).c_str(),
                                         mesh.vertices, mesh.luby_colors, mesh.greedy_colors);
-    for (const SolverFigures& solver : mesh.solvers) {
+    for (const SolverMetrics& solver : mesh.solvers) {
       out << begin << formatted("%-16s", solver.name.c_str()) << times(solver.solve)
           << formatted(" %11d", solver.iterations) << tail(solver.quality);
     }
@@ -371,7 +371,7 @@ void print_figure(std::ostream& out, const BenchReport& report) {
       out << begin << formatted("%-16s", "frame") << times(mesh.gpu_frames->wall)
           << formatted(" %11s", "-") << tail(mesh.gpu_frames->quality);
     }
-    for (const FrameFigures& frame : mesh.frames) {
+    for (const FrameMetrics& frame : mesh.frames) {
       out << begin << formatted("%-16s", "frame") << times(frame.total) << formatted(" %11s", "-")
           << tail(frame.quality);
     }
@@ -393,7 +393,7 @@ Machine this_machine() {
 std::vector<Ratio> ratios_of(const BenchReport& report) {
   std::vector<Ratio> ratios;
   if (report.figure != 0 || report.copy_bandwidth > 0) return ratios;
-  for (const MeshFigures& mesh : report.meshes) add_ratios_of_mesh(mesh, ratios);
+  for (const MeshMetrics& mesh : report.meshes) add_ratios_of_mesh(mesh, ratios);
   for (std::size_t i = 1; i < report.meshes.size(); ++i) {
     if (report.meshes[i].subdivided == 0) continue;
     add_ratios_of_sizes(report.meshes[i - 1], report.meshes[i], ratios);
@@ -415,7 +415,7 @@ Json to_json(const BenchReport& report) {
                {"ratios", Json::array()},
                {"notes", report.notes}};
   if (report.copy_bandwidth > 0) json["device"]["copy_bytes_per_second"] = report.copy_bandwidth;
-  for (const MeshFigures& mesh : report.meshes) {
+  for (const MeshMetrics& mesh : report.meshes) {
     json["meshes"].push_back(to_json(mesh));
     if (mesh.gpu_frames) {
       json["meshes"].back()["gpu_frames"] = to_json(*mesh.gpu_frames, report.copy_bandwidth);
@@ -443,7 +443,7 @@ void print_bench_report(std::ostream& out, const BenchReport& report) {
   if (report.figure != 0) {
     print_figure(out, report);
   } else {
-    for (const MeshFigures& mesh : report.meshes) {
+    for (const MeshMetrics& mesh : report.meshes) {
       print_heading(out, mesh);
       print_solvers(out, mesh);
       if (!mesh.frames.empty()) print_frames(out, mesh);

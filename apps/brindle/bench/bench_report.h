@@ -24,7 +24,7 @@ struct Machine {
 
 Machine this_machine();
 
-struct MeshFigures {
+struct MeshMetrics {
   std::string mesh;
   int subdivided = 0;
   std::size_t vertices = 0;
@@ -34,13 +34,13 @@ struct MeshFigures {
   Index greedy_colors = 0;  ///< of the colouring of multilevel and the animator
   std::size_t fields = 1;
   double neighborhood_milliseconds = 0;
-  std::vector<SolverFigures> solvers;
-  std::vector<FrameFigures> frames;           ///< on the processor
-  std::optional<SlackFigures> slack;          ///< on the processor, with the most threads
-  std::optional<GpuFrameFigures> gpu_frames;  ///< on the GPU
-  std::vector<SurroundingFigures> surroundings;
-  std::optional<MemoryFigures> memory;
-  std::optional<DrawFigures> draw;
+  std::vector<SolverMetrics> solvers;
+  std::vector<FrameMetrics> frames;           ///< on the processor
+  std::optional<SlackMetrics> slack;          ///< on the processor, with the most threads
+  std::optional<GpuFrameMetrics> gpu_frames;  ///< on the GPU
+  std::vector<SurroundingMetrics> surroundings;
+  std::optional<MemoryMetrics> memory;
+  std::optional<DrawMetrics> draw;
 };
 
 /// A ratio of two measurements of one run.
@@ -63,12 +63,12 @@ struct BenchReport {
   nlohmann::ordered_json device;  ///< from Device::description
   double copy_bandwidth = 0;      ///< of the GPU, bytes per second, read and written
   int figure = 0;                 ///< of the paper; 0: the default run
-  std::vector<MeshFigures> meshes;
+  std::vector<MeshMetrics> meshes;
   std::vector<std::string> notes;
 };
 
 /// Ratios of a default run: frames and topology to the other solvers, a finer mesh to its original,
-/// many threads to one. Empty for figures and for the GPU.
+/// many threads to one. Empty for metrics and for the GPU.
 std::vector<Ratio> ratios_of(const BenchReport& report);
 
 nlohmann::ordered_json to_json(const BenchReport& report);

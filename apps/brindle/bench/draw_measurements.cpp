@@ -55,7 +55,7 @@ Spread picture_time(const Renderer& renderer, RenderOptions options, PictureQual
   }));
 }
 
-DrawFigures measure_draw(const Subject& subject, int width, int height,
+DrawMetrics measure_draw(const Subject& subject, int width, int height,
                          const Repetitions& repetitions, const Progress& progress) {
   progress.report("pictures", 0);
   const std::vector<ChangingInput> inputs = changing_inputs(subject);
@@ -71,15 +71,15 @@ DrawFigures measure_draw(const Subject& subject, int width, int height,
   RenderOptions options;
   options.width = width;
   options.height = height;
-  DrawFigures figures{width, height, {}, {}, {}, {}};
-  figures.interactive = picture_time(renderer, options, PictureQuality::interactive, repetitions);
-  figures.final = picture_time(renderer, options, PictureQuality::final, repetitions);
+  DrawMetrics metrics{width, height, {}, {}, {}, {}};
+  metrics.interactive = picture_time(renderer, options, PictureQuality::interactive, repetitions);
+  metrics.final = picture_time(renderer, options, PictureQuality::final, repetitions);
   DrawnSurface drawn;
   drawn.surface.upload(drawing);
-  figures.visible = visible_time(drawn, options, PictureQuality::interactive, repetitions);
-  figures.visible_final = visible_time(drawn, options, PictureQuality::final, repetitions);
+  metrics.visible = visible_time(drawn, options, PictureQuality::interactive, repetitions);
+  metrics.visible_final = visible_time(drawn, options, PictureQuality::final, repetitions);
   context.check_errors("measuring pictures");
-  return figures;
+  return metrics;
 }
 
 }  // namespace brindle::tool

@@ -7,7 +7,7 @@
 namespace brindle::tool {
 
 /// Pictures of a subject's first field, from OpenGL buffers to pixels in memory.
-struct DrawFigures {
+struct DrawMetrics {
   int width = 0, height = 0;  ///< pixels
   Spread visible;             ///< the visibility pass alone, interactive: the lower bound
   Spread visible_final;       ///< the same for a final picture
@@ -16,7 +16,7 @@ struct DrawFigures {
 };
 
 /// Throws Error without an OpenGL context.
-DrawFigures measure_draw(const Subject& subject, int width, int height,
+DrawMetrics measure_draw(const Subject& subject, int width, int height,
                          const Repetitions& repetitions, const Progress& progress);
 
 /// Repeated pictures of one quality from a turning camera, so that nothing can be reused.

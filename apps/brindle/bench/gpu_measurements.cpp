@@ -151,7 +151,7 @@ Spread picture_of_frame(const Subject& subject, const GpuAnimator& animator,
 
 }  // namespace
 
-GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
+GpuFrameMetrics measure_gpu_frames(const Device& device, const Subject& subject,
                                    const Repetitions& repetitions, const Progress& progress) {
   const std::vector<ChangingInput> inputs = changing_inputs(subject);
   progress.report("topology", 0);
@@ -166,23 +166,23 @@ GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
     return samples_of(repetitions, sample);
   };
   const auto wall = [](const Sample& sample) { return sample.wall; };
-  GpuFrameFigures figures;
-  figures.topology_milliseconds = animators[0].topology_milliseconds();
-  figures.wall = spread_of(measured(inputs), wall);
+  GpuFrameMetrics metrics;
+  metrics.topology_milliseconds = animators[0].topology_milliseconds();
+  metrics.wall = spread_of(measured(inputs), wall);
   const auto samples = measured(std::vector<ResidentInput>(inputs.begin(), inputs.end()));
-  figures.stages = stages_of(samples, animators);
-  figures.device = spread_of(samples, [](const Sample& sample) { return sample.device(); });
-  figures.resident = spread_of(samples, wall);
+  metrics.stages = stages_of(samples, animators);
+  metrics.device = spread_of(samples, [](const Sample& sample) { return sample.device(); });
+  metrics.resident = spread_of(samples, wall);
   std::vector<std::vector<Complex>> z;
   for (const GpuAnimator& animator : animators) {
-    figures.dispatches += animator.dispatches();
+    metrics.dispatches += animator.dispatches();
     z.push_back(animator.read_phases());
   }
-  figures.quality = quality_of(subject, inputs, number, z);
+  metrics.quality = quality_of(subject, inputs, number, z);
   progress.report("picture", 0);
-  figures.picture = picture_of_frame(subject, animators[0], repetitions);
+  metrics.picture = picture_of_frame(subject, animators[0], repetitions);
   device.check_errors("measuring frames on the GPU");
-  return figures;
+  return metrics;
 }
 
 double copy_bandwidth() {

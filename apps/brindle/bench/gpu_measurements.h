@@ -17,7 +17,7 @@ struct GpuStage {
 };
 
 /// A frame of GpuAnimator, from changed waves to phases, all fields of a subject.
-struct GpuFrameFigures {
+struct GpuFrameMetrics {
   double topology_milliseconds = 0;  ///< on the processor, once for all fields
   std::vector<GpuStage> stages;
   Spread device;    ///< sum of all stages, with input on the device
@@ -29,7 +29,7 @@ struct GpuFrameFigures {
 };
 
 /// Frames change as in `measure_frames`.
-GpuFrameFigures measure_gpu_frames(const Device& device, const Subject& subject,
+GpuFrameMetrics measure_gpu_frames(const Device& device, const Subject& subject,
                                    const Repetitions& repetitions, const Progress& progress);
 
 /// The current context's copy bandwidth between buffers, bytes per second read and written; the

@@ -10,10 +10,10 @@
 #include "brindle/direction_field.h"
 #include "brindle/quality.h"
 #include "brindle/smooth_field.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/texture_animator.h"
-#include "brindle/yielding_frequency.h"
 #include "outputs/resident_memory.h"
 
 namespace brindle::tool {
@@ -50,11 +50,11 @@ Spread measuring_time(const Subject& subject, const std::vector<ChangingInput>& 
 }
 
 /// The motif that stays whole for the tile of that name, also in builds without tiles.
-TileFigures dots() {
-  TileFigures figures;
-  figures.extents.fill({Eigen::Vector2f(-0.29f, -0.29f), Eigen::Vector2f(0.29f, 0.29f)});
-  figures.symmetries = 0xff;
-  return figures;
+TileMotifs dots() {
+  TileMotifs metrics;
+  metrics.extents.fill({Eigen::Vector2f(-0.29f, -0.29f), Eigen::Vector2f(0.29f, 0.29f)});
+  metrics.symmetries = 0xff;
+  return metrics;
 }
 
 }  // namespace
@@ -81,15 +81,15 @@ void make_cross_field(Subject& subject) {
   subject.fields = {std::move(cover.waves)};
 }
 
-SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
+SolverMetrics measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
                              const Repetitions& repetitions, const Progress& progress) {
   StripeOptions options;
   options.solver = solver.options;
   options.solve = device.solver();
-  SolverFigures figures{solver.name, ThreadLimit::current(), 0, {}, {}, {}, {}};
+  SolverMetrics metrics{solver.name, ThreadLimit::current(), 0, {}, {}, {}, {}};
   const auto samples = samples_of(repetitions, [&] {
     StripeMilliseconds sum;
-    figures.quality = {};
+    metrics.quality = {};
     for (const WaveSet& waves : subject.fields) {
       const StripePattern pattern = stripe_pattern(subject.surface, waves, options, progress);
       const StripeMilliseconds& time = pattern.milliseconds;
@@ -98,23 +98,23 @@ SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, c
       sum.topology = shared ? time.topology : sum.topology + time.topology;
       sum.couple += time.couple;
       sum.solve += time.solve;
-      figures.iterations = pattern.solution.iterations;
-      add(figures.quality, pattern.solution.energy, pattern.quality, subject.fields.size());
+      metrics.iterations = pattern.solution.iterations;
+      add(metrics.quality, pattern.solution.energy, pattern.quality, subject.fields.size());
     }
     return sum;
   });
-  figures.topology = spread_of(samples, &StripeMilliseconds::topology);
-  figures.couple = spread_of(samples, &StripeMilliseconds::couple);
-  figures.solve = spread_of(samples, &StripeMilliseconds::solve);
-  return figures;
+  metrics.topology = spread_of(samples, &StripeMilliseconds::topology);
+  metrics.couple = spread_of(samples, &StripeMilliseconds::couple);
+  metrics.solve = spread_of(samples, &StripeMilliseconds::solve);
+  return metrics;
 }
 
-FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
+FrameMetrics measure_frames(const Subject& subject, const Repetitions& repetitions,
                             const Progress& progress) {
   const std::vector<ChangingInput> inputs = changing_inputs(subject);
-  FrameFigures figures;
-  figures.threads = ThreadLimit::current();
-  figures.topology = spread_of(samples_of(repetitions, [&] {
+  FrameMetrics metrics;
+  metrics.threads = ThreadLimit::current();
+  metrics.topology = spread_of(samples_of(repetitions, [&] {
     progress.report("topology", 0);
     StripeAnimator animator(subject.surface.neighborhood);
     animator.frame(inputs[0].frame(0));
@@ -136,23 +136,23 @@ FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitio
     }
     return sum;
   });
-  figures.couple = spread_of(samples, &FrameMilliseconds::couple);
-  figures.sum = spread_of(samples, &FrameMilliseconds::sum);
-  figures.solve = spread_of(samples, &FrameMilliseconds::solve);
-  figures.total = spread_of(samples, [](const FrameMilliseconds& frame) {
+  metrics.couple = spread_of(samples, &FrameMilliseconds::couple);
+  metrics.sum = spread_of(samples, &FrameMilliseconds::sum);
+  metrics.solve = spread_of(samples, &FrameMilliseconds::solve);
+  metrics.total = spread_of(samples, [](const FrameMilliseconds& frame) {
     return frame.couple + frame.sum + frame.solve;
   });
-  figures.measure = measuring_time(subject, inputs, number, z, repetitions);
-  figures.quality = quality_of(subject, inputs, number, z);
-  return figures;
+  metrics.measure = measuring_time(subject, inputs, number, z, repetitions);
+  metrics.quality = quality_of(subject, inputs, number, z);
+  return metrics;
 }
 
-SurroundingFigures measure_surroundings(const Subject& subject, const Repetitions& repetitions,
+SurroundingMetrics measure_surroundings(const Subject& subject, const Repetitions& repetitions,
                                         const Progress& progress) {
   const Surface& surface = subject.surface;
   const ChangingInput input = changing_input(surface, subject.fields[0]);
-  SurroundingFigures figures;
-  figures.threads = ThreadLimit::current();
+  SurroundingMetrics metrics;
+  metrics.threads = ThreadLimit::current();
   TextureAnimatorOptions options;
   options.whole_tiles = dots();
   TextureAnimator animator(surface, options);
@@ -161,9 +161,9 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
   // measured.
   int number = 0;
   std::vector<double> more;
-  figures.texture = spread_of(samples_of(repetitions, [&] {
+  metrics.texture = spread_of(samples_of(repetitions, [&] {
     progress.report("textures", 0);
-    const auto beside_solving = [&](const std::optional<TileFigures>& whole) {
+    const auto beside_solving = [&](const std::optional<TileMotifs>& whole) {
       animator.set_whole_tiles(whole);
       const auto frame = animator.frame({input.frame(++number), {}, {}}).milliseconds;
       return frame.orient + frame.measure + frame.tiles;
@@ -172,61 +172,61 @@ SurroundingFigures measure_surroundings(const Subject& subject, const Repetition
     more.push_back(with - without);
     return without;
   }));
-  figures.whole_tiles = spread_of(more);
+  metrics.whole_tiles = spread_of(more);
   CrossAnimator crosses(surface);
   crosses.frame({input.frame(0), {}});
-  figures.cross_frame = spread_of(samples_of(repetitions, [&] {
+  metrics.cross_frame = spread_of(samples_of(repetitions, [&] {
     progress.report("crosses", 0);
     const CrossFrameMilliseconds frame = crosses.frame({input.frame(++number), {}}).milliseconds;
     return frame.match + frame.orient + frame.measure;
   }));
-  figures.cross = spread_of(samples_of(repetitions, [&] {
+  metrics.cross = spread_of(samples_of(repetitions, [&] {
     progress.report("crosses", 0);
     const CrossPattern cross = cross_pattern(surface, subject.fields[0]);
     Stopwatch watch;
     cross_texture(surface, cross);
     return watch.lap() + cross.pattern.milliseconds.pattern;
   }));
-  figures.smooth_field = spread_of(samples_of(repetitions, [&] {
+  metrics.smooth_field = spread_of(samples_of(repetitions, [&] {
     progress.report("smooth field", 0);
     Stopwatch watch;
     smooth_direction_field(surface);
     return watch.lap();
   }));
-  return figures;
+  return metrics;
 }
 
-SlackFigures measure_slack(const Subject& subject, const Repetitions& repetitions,
+SlackMetrics measure_slack(const Subject& subject, const Repetitions& repetitions,
                            const Progress& progress) {
   constexpr float kSlack = 0.25f;
   const ChangingInput input = changing_input(subject.surface, subject.fields[0]);
-  SlackFigures figures;
-  figures.threads = ThreadLimit::current();
-  const auto solve = [&](YieldingFrequency& yielding, int number) {
+  SlackMetrics metrics;
+  metrics.threads = ThreadLimit::current();
+  const auto solve = [&](RelaxedFrequency& relaxed, int number) {
     progress.report("slack", 0);
     const FrameInput frame = input.frame(number);
-    yielding.solve(frame.positions, frame.directions, frame.frequencies);
-    yielding.keep();
-    return yielding.change().sweeps;
+    relaxed.solve(frame.positions, frame.directions, frame.frequencies);
+    relaxed.keep();
+    return relaxed.change().sweeps;
   };
-  figures.from_scratch = spread_of(samples_of(repetitions, [&] {
+  metrics.from_scratch = spread_of(samples_of(repetitions, [&] {
     Stopwatch watch;
-    YieldingFrequency yielding(subject.surface, kSlack);
-    figures.sweeps_from_scratch = solve(yielding, 0);
+    RelaxedFrequency relaxed(subject.surface, kSlack);
+    metrics.sweeps_from_scratch = solve(relaxed, 0);
     return watch.lap();
   }));
-  YieldingFrequency yielding(subject.surface, kSlack);
-  solve(yielding, 0);
+  RelaxedFrequency relaxed(subject.surface, kSlack);
+  solve(relaxed, 0);
   int number = 0;
-  figures.in_frame = spread_of(samples_of(repetitions, [&] {
+  metrics.in_frame = spread_of(samples_of(repetitions, [&] {
     Stopwatch watch;
-    figures.sweeps_in_frame = solve(yielding, ++number);
+    metrics.sweeps_in_frame = solve(relaxed, ++number);
     return watch.lap();
   }));
-  return figures;
+  return metrics;
 }
 
-std::optional<MemoryFigures> measure_memory(const Subject& subject) {
+std::optional<MemoryMetrics> measure_memory(const Subject& subject) {
   const ChangingInput input = changing_input(subject.surface, subject.fields[0]);
   const auto resident = [] {
     return_free_memory();
@@ -245,7 +245,7 @@ std::optional<MemoryFigures> measure_memory(const Subject& subject) {
   for (const int number : {0, 1}) sibling.frame(input.frame(number));
   const auto two = resident();
   const Adjacency& neighborhood = *subject.surface.neighborhood;
-  return MemoryFigures{
+  return MemoryMetrics{
       (neighborhood.offsets.size() + neighborhood.neighbors.size()) * sizeof(Index),
       growth(one->now, before->now), growth(one->peak, before->now), growth(two->now, one->now)};
 }

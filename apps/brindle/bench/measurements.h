@@ -83,7 +83,7 @@ struct SolverCase {
 };
 
 /// From waves to phases, all fields of a subject.
-struct SolverFigures {
+struct SolverMetrics {
   std::string name;
   int threads = 0;
   int iterations = 0;  ///< of the last field
@@ -93,11 +93,11 @@ struct SolverFigures {
   Quality quality;
 };
 
-SolverFigures measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
+SolverMetrics measure_solver(const Subject& subject, const SolverCase& solver, const Device& device,
                              const Repetitions& repetitions, const Progress& progress);
 
 /// A frame of StripeAnimator, from changed waves to phases, all fields of a subject.
-struct FrameFigures {
+struct FrameMetrics {
   int threads = 0;
   Spread topology;  ///< once per connectivity, for all fields
   Spread couple;    ///< these three: sums over fields
@@ -110,11 +110,11 @@ struct FrameFigures {
 
 /// Each frame differs from the last one: directions are turned by a degree about the normals and
 /// frequencies are 1 % higher, or back.
-FrameFigures measure_frames(const Subject& subject, const Repetitions& repetitions,
+FrameMetrics measure_frames(const Subject& subject, const Repetitions& repetitions,
                             const Progress& progress);
 
 /// Stages around the solver, each on a surface with one field.
-struct SurroundingFigures {
+struct SurroundingMetrics {
   int threads = 0;
   Spread texture;       ///< a frame of TextureAnimator without solving: orientation, seams, errors
   Spread whole_tiles;   ///< additional time to find broken tiles
@@ -123,11 +123,11 @@ struct SurroundingFigures {
   Spread smooth_field;  ///< `smooth_direction_field`, once
 };
 
-SurroundingFigures measure_surroundings(const Subject& subject, const Repetitions& repetitions,
+SurroundingMetrics measure_surroundings(const Subject& subject, const Repetitions& repetitions,
                                         const Progress& progress);
 
 /// A spacing tolerance of a quarter, for the first field of a subject.
-struct SlackFigures {
+struct SlackMetrics {
   int threads = 0;
   Spread from_scratch;  ///< including everything that depends on connectivity alone
   Spread
@@ -136,11 +136,11 @@ struct SlackFigures {
   int sweeps_in_frame = 0;  ///< of the last frame
 };
 
-SlackFigures measure_slack(const Subject& subject, const Repetitions& repetitions,
+SlackMetrics measure_slack(const Subject& subject, const Repetitions& repetitions,
                            const Progress& progress);
 
 /// Memory of following one field, in addition to the mesh and the field.
-struct MemoryFigures {
+struct MemoryMetrics {
   std::size_t neighborhood = 0;   ///< neighbour lists
   std::size_t animator = 0;       ///< growth of resident memory after two frames
   std::size_t animator_peak = 0;  ///< peak growth in the first frame
@@ -148,6 +148,6 @@ struct MemoryFigures {
 };
 
 /// Empty if the system does not report it.
-std::optional<MemoryFigures> measure_memory(const Subject& subject);
+std::optional<MemoryMetrics> measure_memory(const Subject& subject);
 
 }  // namespace brindle::tool

@@ -105,7 +105,7 @@ void add_scene_options(CLI::App& app, AnimateArguments& arguments) {
   add_named_option(app, "--scene", animation.scene.kind, parse_scene_kind);
   app.add_option("--frames", animation.frames);
   add_wave_options(app, arguments.waves);
-  add_number_option(app, "--temporal-smoothing", arguments.waves.detail.memory);
+  add_number_option(app, "--temporal-smoothing", arguments.waves.smoothing.memory);
   describe_options(app, PatternJob::animate);
   for (const std::string& option : series_options()) {
     CLI::Option* added = app.get_option(option);

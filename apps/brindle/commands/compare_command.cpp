@@ -55,7 +55,7 @@ std::vector<Report> reports_of_all(const CLI::App& command, const CompareArgumen
     reports.push_back(make_report(prepared.surface, prepared, pattern, solver));
   }
   // For the last solver alone: all have the same waves.
-  display.note(quality_warning(prepared.figures, reports.back().quality, reports.back().triangles));
+  display.note(quality_warning(prepared.metrics, reports.back().quality, reports.back().triangles));
   return reports;
 }
 

@@ -79,11 +79,11 @@ std::string type_of(const DataArray& array) {
   return type;
 }
 
-std::string range_of(const DataArray& array, const ArrayFigures& figures) {
+std::string range_of(const DataArray& array, const ArrayMetrics& metrics) {
   std::ostringstream text;
   if (array.components > 1) text << "length ";
-  text << figures.minimum << " to " << figures.maximum;
-  if (figures.rows_nan > 0) text << ", NaN in " << figures.rows_nan << " rows";
+  text << metrics.minimum << " to " << metrics.maximum;
+  if (metrics.rows_nan > 0) text << ", NaN in " << metrics.rows_nan << " rows";
   return text.str();
 }
 

@@ -35,7 +35,7 @@ bool is_own_weight(const std::string& weight) {
   return weight.empty() || weight == kLength || weight == kAnisotropy;
 }
 
-FieldSmoothingOptions detail_options(const FieldSmoothingChoice& choice, int symmetry) {
+FieldSmoothingOptions smoothing_options(const FieldSmoothingChoice& choice, int symmetry) {
   FieldSmoothingOptions options;
   options.periods = choice.periods;
   options.symmetry = symmetry;

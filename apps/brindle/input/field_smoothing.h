@@ -44,7 +44,7 @@ inline constexpr const char* kWeightOption = "--field-weight";
 bool is_own_weight(const std::string& weight);
 
 /// The library's options for a field of this rotational symmetry.
-FieldSmoothingOptions detail_options(const FieldSmoothingChoice& choice, int symmetry);
+FieldSmoothingOptions smoothing_options(const FieldSmoothingChoice& choice, int symmetry);
 
 FrequencySmoothingOptions frequency_smoothing_options(const FieldSmoothingChoice& choice);
 

@@ -217,7 +217,7 @@ void choose_frequencies(const WaveSource& source, const WaveOptions& options, Fi
   for (FrequencyField* frequencies : {&field.frequencies, &field.frequencies_v}) {
     for (float& frequency : *frequencies) frequency *= options.frequency_factor;
   }
-  if (options.detail.frequency_periods == 0) return;
+  if (options.smoothing.frequency_periods == 0) return;
   if (!says_frequencies(options) && !field_says) refuse_frequency_smoothing();
 }
 
@@ -253,7 +253,8 @@ BaseField make_base_field(const WaveSource& source, const WaveOptions& options,
   BaseField field = make_field(source, options, last, progress);
   field.notes = source.notes() + field.notes;
   if (is_measured(options)) {
-    const FieldWeight weight = field_weight(source, options.detail.weight, field.data.of_triangles);
+    const FieldWeight weight =
+        field_weight(source, options.smoothing.weight, field.data.of_triangles);
     source.check([&] {
       refuse_usage([&] { field.measured = measured_field(field.data, field.directions, weight); });
     });
@@ -271,8 +272,8 @@ BaseField make_base_field(const Surface& surface, const WaveOptions& options, co
 }
 
 WaveRequest wave_request(const WaveOptions& options) {
-  return {turn_deg(options), detail_options(options.detail, symmetry_of(options)),
-          frequency_smoothing_options(options.detail)};
+  return {turn_deg(options), smoothing_options(options.smoothing, symmetry_of(options)),
+          frequency_smoothing_options(options.smoothing)};
 }
 
 WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data) {

@@ -106,12 +106,12 @@ void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves) {
                              "does, as MESH or with --field-mesh");
 }
 
-WaveReport noted_waves(const WaveFigures& measured, const std::string& source,
-                       JobListener& listener, WaveReport figures) {
-  static_cast<WaveFigures&>(figures) = measured;
-  check_wave_report(figures, source);
-  listener.note(warnings(figures, source));
-  return figures;
+WaveReport noted_waves(const WaveMetrics& measured, const std::string& source,
+                       JobListener& listener, WaveReport metrics) {
+  static_cast<WaveMetrics&>(metrics) = measured;
+  check_wave_report(metrics, source);
+  listener.note(warnings(metrics, source));
+  return metrics;
 }
 
 Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener) {
@@ -174,9 +174,9 @@ PreparedWaves prepare_waves(const WaveSource& source, const WaveOptions& waves,
   known.turned_apart = made.turned_apart;
   known.measured = is_measured(waves);
   known.subdivided = subdivided;
-  known.detail = made.detail;
+  known.smoothing = made.smoothing;
   known.frequency_smoothing = made.frequency_smoothing;
-  result.figures =
+  result.metrics =
       noted_waves(source.measure(result.waves), source_of(waves), listener, std::move(known));
   result.seen_field = std::move(made.seen_field);
   result.support = std::move(made.support);
@@ -187,7 +187,7 @@ PreparedWaves prepare_waves(const WaveSource& source, const WaveOptions& waves,
 void take_waves(PreparedWaves waves, Preparation& prepared) {
   prepared.waves = std::move(waves.waves);
   prepared.frequencies_v = std::move(waves.frequencies_v);
-  prepared.figures = std::move(waves.figures);
+  prepared.metrics = std::move(waves.metrics);
   prepared.support = std::move(waves.support);
   prepared.field_rows_nonfinite = waves.field_rows_nonfinite;
   prepared.field_step = waves.field_step;

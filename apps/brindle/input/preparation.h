@@ -19,7 +19,7 @@ namespace brindle::tool {
 struct KeptPattern;
 
 /// A surface with waves, and the time spent.
-struct Preparation : PreparationFigures {
+struct Preparation : PreparationMetrics {
   Surface surface;
   WaveSet waves;
   FrequencyField frequencies_v;  ///< of crossing stripes; empty: those of `waves`
@@ -64,7 +64,7 @@ Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener
 struct PreparedWaves {
   WaveSet waves;
   FrequencyField frequencies_v;
-  WaveReport figures;
+  WaveReport metrics;
   std::optional<std::size_t> field_rows_nonfinite;
   std::optional<FieldStep> field_step;
   float turn_deg = 0;  ///< turn of the waves from their field
@@ -93,8 +93,8 @@ WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
 void take_waves(PreparedWaves waves, Preparation& prepared);
 
 /// Throws and notes as `prepare` does. `source` names the origin of the waves: "the field of V";
-/// `figures` has what else is known of them.
-WaveReport noted_waves(const WaveFigures& measured, const std::string& source,
-                       JobListener& listener, WaveReport figures = {});
+/// `metrics` has what else is known of them.
+WaveReport noted_waves(const WaveMetrics& measured, const std::string& source,
+                       JobListener& listener, WaveReport metrics = {});
 
 }  // namespace brindle::tool

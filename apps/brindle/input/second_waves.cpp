@@ -13,7 +13,7 @@ namespace brindle::tool {
 
 FirstWaves first_waves(const Preparation& prepared) {
   return {prepared.surface, prepared.waves, prepared.frequencies_v, prepared.vertex_of_row,
-          prepared.figures.subdivided};
+          prepared.metrics.subdivided};
 }
 
 WaveSet make_second_waves(const FirstWaves& first, const SecondWaveOptions& options,

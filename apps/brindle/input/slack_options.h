@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/spacing_tolerance.h"
 #include "brindle/surface.h"
-#include "brindle/yielding_frequency.h"
 #include "input/used_files.h"
 
 namespace brindle::tool {

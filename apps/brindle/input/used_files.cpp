@@ -92,7 +92,7 @@ std::vector<UsedFile> field_files(const WaveOptions& waves) {
   if (!waves.strokes.empty()) files.push_back({"--strokes", waves.strokes});
   const std::string frequencies = value_file(waves.arrays.frequency_by);
   if (!frequencies.empty()) files.push_back({"--frequency-by", frequencies});
-  const std::string weights = value_file(waves.detail.weight);
+  const std::string weights = value_file(waves.smoothing.weight);
   if (!weights.empty()) files.push_back({"--field-weight", weights});
   if (!waves.arrays.mesh.empty()) files.push_back({"--field-mesh", waves.arrays.mesh});
   return files;

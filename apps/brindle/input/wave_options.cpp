@@ -19,10 +19,19 @@ constexpr float kDefaultCurvatureAnchor = 0.1f;  // with --field curvature
 
 const std::vector<std::string> kMadeFields = {"smooth", "curvature", "raw-curvature"};
 
+const std::vector<std::filesystem::path> kMeshesWithArrays = {".vtp", ".vtu",  ".vtk",
+                                                              ".ply", ".gltf", ".glb"};
+
 // Rejects names that are neither fields nor files.
 void check_field_name(const WaveOptions& options) {
   if (is_array(options.field)) parse_array("--field", options.field);  // rejects misspelt names
   const std::filesystem::path path(options.field);
+  if (std::ranges::count(kMeshesWithArrays, path.extension()) > 0) {
+    throw CLI::ValidationError("--field", "'" + options.field +
+                                              "' is a mesh; for an array of it, add --field "
+                                              "array:NAME --field-mesh " +
+                                              options.field);
+  }
   std::error_code ignored;
   if (!is_field_file(options) || path.has_extension() || std::filesystem::exists(path, ignored)) {
     return;
@@ -47,11 +56,11 @@ float curvature_anchor(const WaveOptions& options) {
 
 bool is_measured(const WaveOptions& options) { return !options.direction && !is_smooth(options); }
 
-bool has_signs(const WaveOptions& options) { return options.oriented || options.detail.arrows; }
+bool has_signs(const WaveOptions& options) { return options.oriented || options.smoothing.arrows; }
 
 int symmetry_of(const WaveOptions& options) {
   if (options.cross) return 4;
-  return options.detail.arrows ? 1 : 2;
+  return options.smoothing.arrows ? 1 : 2;
 }
 
 float turn_deg(const WaveOptions& options) {
@@ -59,7 +68,7 @@ float turn_deg(const WaveOptions& options) {
 }
 
 bool goes_on_from_last(const WaveOptions& options) {
-  return is_smooth(options) || (is_measured(options) && options.detail.memory > 0);
+  return is_smooth(options) || (is_measured(options) && options.smoothing.memory > 0);
 }
 
 bool is_field_file(const WaveOptions& options) {
@@ -76,8 +85,9 @@ std::string source_of(const WaveOptions& options) {
 
 bool needs_own_arrays(const WaveOptions& options) {
   const ArrayOptions& arrays = options.arrays;
-  return arrays.mesh.empty() && (is_array(options.field) || !arrays.frequency.empty() ||
-                                 is_array(arrays.frequency_by) || is_array(options.detail.weight));
+  return arrays.mesh.empty() &&
+         (is_array(options.field) || !arrays.frequency.empty() || is_array(arrays.frequency_by) ||
+          is_array(options.smoothing.weight));
 }
 
 bool says_frequencies(const WaveOptions& options) {
@@ -102,7 +112,7 @@ void check_field_options(const CLI::App& command, const WaveOptions& options) {
   check_field_name(options);
   check_array_options(command, options.arrays, options.field, is_field_file(options));
   refuse_usage(command, [&](const IsGiven& given) {
-    check_field_smoothing(given, {options.detail.periods, options.detail.frequency_periods,
+    check_field_smoothing(given, {options.smoothing.periods, options.smoothing.frequency_periods,
                                   is_measured(options), options.cross, may_vary(options)});
   });
   if (options.cross) {
@@ -163,7 +173,7 @@ void add_wave_options(CLI::App& app, WaveOptions& options) {
   add_fields(app, options);
   add_frequency_option(app, options);
   add_array_options(app, options.arrays);
-  add_field_smoothing_options(app, options.detail);
+  add_field_smoothing_options(app, options.smoothing);
 }
 
 CLI::Option* add_cross_option(CLI::App& app, WaveOptions& options) {

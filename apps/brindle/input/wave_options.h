@@ -38,7 +38,7 @@ struct WaveOptions {
   bool oriented = false;       ///< for textures: keep the field's signs
   float frequency_factor = 1;  ///< multiplies all frequencies, of any source
   ArrayOptions arrays;
-  FieldSmoothingChoice detail;
+  FieldSmoothingChoice smoothing;
 
   /// Calls `add("--option", field)` for the options of all stripe patterns.
   template <class Add>

@@ -74,7 +74,7 @@ FrequencyField WholeSource::frequencies_by(const DataArray& values, float freque
   return brindle::frequencies_by(surface_, values, frequency, range);
 }
 
-WaveFigures WholeSource::measure(const WaveSet& waves) const {
+WaveMetrics WholeSource::measure(const WaveSet& waves) const {
   return measure_waves(surface_, waves);
 }
 

@@ -16,7 +16,7 @@
 #include "brindle/smooth_field.h"
 #include "brindle/strokes.h"
 #include "brindle/tensor_field.h"
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 #include "brindle/waves_of.h"
 #include "input/array_source.h"
 #include "input/vertex_values.h"
@@ -72,7 +72,7 @@ class WaveSource {
   virtual FrequencyField frequencies_by(const DataArray& values, float frequency,
                                         const FrequencyRange& range) const = 0;
 
-  virtual WaveFigures measure(const WaveSet& waves) const = 0;
+  virtual WaveMetrics measure(const WaveSet& waves) const = 0;
 };
 
 /// Data of the mesh's file besides the mesh.
@@ -122,7 +122,7 @@ class WholeSource final : public WaveSource {
   TensorField tensor_field(const DataArray& tensors, TensorAxis axis) const override;
   FrequencyField frequencies_by(const DataArray& values, float frequency,
                                 const FrequencyRange& range) const override;
-  WaveFigures measure(const WaveSet& waves) const override;
+  WaveMetrics measure(const WaveSet& waves) const override;
 
  private:
   const Surface& surface_;

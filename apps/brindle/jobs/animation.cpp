@@ -38,11 +38,11 @@ double mean(const std::vector<FrameReport>& frames, Value value) {
 
 double ratio(double value, double other) { return other > 0 ? value / other : 0; }
 
-nlohmann::ordered_json to_json(const FrameQuality& figures) {
-  return {{"energy", figures.energy},
-          {"branches", figures.quality.branches},
-          {"angle_error_mean_deg", figures.quality.angle_error_mean_deg},
-          {"phase_step", figures.phase_step}};
+nlohmann::ordered_json to_json(const FrameQuality& metrics) {
+  return {{"energy", metrics.energy},
+          {"branches", metrics.quality.branches},
+          {"angle_error_mean_deg", metrics.quality.angle_error_mean_deg},
+          {"phase_step", metrics.phase_step}};
 }
 
 void add_to_json(const SeriesFrameReport& series, nlohmann::ordered_json& json) {
@@ -58,7 +58,7 @@ void add_to_json(const SeriesFrameReport& series, nlohmann::ordered_json& json) 
 nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
   nlohmann::ordered_json json = {{"frame", number}};
   if (report.series) add_to_json(*report.series, json);
-  json.update(to_json(report.figures));
+  json.update(to_json(report.metrics));
   json["unchanged"] = report.unchanged;
   json["milliseconds"] = {{"scene", report.scene_milliseconds},
                           {"couple", report.milliseconds.couple},
@@ -73,20 +73,20 @@ nlohmann::ordered_json to_json(const FrameReport& report, std::size_t number) {
   return json;
 }
 
-/// The metrics of `figures` relative to those of `scratch`.
-nlohmann::ordered_json comparison(const FrameQuality& figures, const FrameQuality& scratch) {
-  return {{"energy_ratio", ratio(figures.energy, scratch.energy)},
-          {"phase_step_ratio", ratio(figures.phase_step, scratch.phase_step)},
+/// The metrics of `metrics` relative to those of `scratch`.
+nlohmann::ordered_json comparison(const FrameQuality& metrics, const FrameQuality& scratch) {
+  return {{"energy_ratio", ratio(metrics.energy, scratch.energy)},
+          {"phase_step_ratio", ratio(metrics.phase_step, scratch.phase_step)},
           {"angle_error_above_deg",
-           figures.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg},
-          {"branches_ratio", ratio(static_cast<double>(figures.quality.branches),
+           metrics.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg},
+          {"branches_ratio", ratio(static_cast<double>(metrics.quality.branches),
                                    static_cast<double>(scratch.quality.branches))}};
 }
 
 nlohmann::ordered_json means(const std::vector<FrameReport>& frames) {
   const auto of = [&](auto value) { return mean(frames, value); };
-  return {{"energy", of([](const FrameReport& f) { return f.figures.energy; })},
-          {"phase_step", of([](const FrameReport& f) { return f.figures.phase_step; })},
+  return {{"energy", of([](const FrameReport& f) { return f.metrics.energy; })},
+          {"phase_step", of([](const FrameReport& f) { return f.metrics.phase_step; })},
           {"milliseconds",
            {{"scene", of([](const FrameReport& f) { return f.scene_milliseconds; })},
             {"couple", of([](const FrameReport& f) { return f.milliseconds.couple; })},
@@ -109,10 +109,10 @@ std::optional<double> mean_field_turn(const std::vector<FrameReport>& frames) {
 }
 
 std::string row(std::size_t number, const FrameReport& report) {
-  const FrameQuality& figures = report.figures;
+  const FrameQuality& metrics = report.metrics;
   std::string text =
-      formatted("%5zu %9.6f %9zu %9.2f %9.4f %7.2f %7.2f %7.2f", number, figures.energy,
-                figures.quality.branches, figures.quality.angle_error_mean_deg, figures.phase_step,
+      formatted("%5zu %9.6f %9zu %9.2f %9.4f %7.2f %7.2f %7.2f", number, metrics.energy,
+                metrics.quality.branches, metrics.quality.angle_error_mean_deg, metrics.phase_step,
                 report.milliseconds.couple, report.milliseconds.sum, report.milliseconds.solve);
   if (report.from_scratch) {
     const FrameQuality& scratch = *report.from_scratch;
@@ -124,16 +124,16 @@ std::string row(std::size_t number, const FrameReport& report) {
 }
 
 void print_comparison(std::ostream& out, std::size_t number, const FrameReport& report) {
-  const FrameQuality& figures = report.figures;
+  const FrameQuality& metrics = report.metrics;
   const FrameQuality& scratch = *report.from_scratch;
   out << formatted("frame %zu against from scratch\n", number)
-      << formatted("  energy       %.6f / %.6f = %.3f\n", figures.energy, scratch.energy,
-                   ratio(figures.energy, scratch.energy))
-      << formatted("  phase step   %.4f / %.4f = %.3f\n", figures.phase_step, scratch.phase_step,
-                   ratio(figures.phase_step, scratch.phase_step))
+      << formatted("  energy       %.6f / %.6f = %.3f\n", metrics.energy, scratch.energy,
+                   ratio(metrics.energy, scratch.energy))
+      << formatted("  phase step   %.4f / %.4f = %.3f\n", metrics.phase_step, scratch.phase_step,
+                   ratio(metrics.phase_step, scratch.phase_step))
       << formatted("  angle error  %.2f - %.2f = %.2f degrees\n",
-                   figures.quality.angle_error_mean_deg, scratch.quality.angle_error_mean_deg,
-                   figures.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg);
+                   metrics.quality.angle_error_mean_deg, scratch.quality.angle_error_mean_deg,
+                   metrics.quality.angle_error_mean_deg - scratch.quality.angle_error_mean_deg);
 }
 
 /// A scene's frames with stripes along its field.
@@ -163,9 +163,9 @@ MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const Fr
                       PhaseShiftKind kind) {
   MeasuredFrame m;
   m.corners = corner_phases(frame.mesh.triangles, frame.waves, result.z, kind);
-  m.figures.energy = energy(graph, result.z);
-  m.figures.quality = measure_quality(frame.mesh, frame.waves, m.corners);
-  m.figures.phase_step = result.phase_step;
+  m.metrics.energy = energy(graph, result.z);
+  m.metrics.quality = measure_quality(frame.mesh, frame.waves, m.corners);
+  m.metrics.phase_step = result.phase_step;
   return m;
 }
 
@@ -191,7 +191,7 @@ FrameQuality measure_yielded(const YieldedFrame& yielded,
                              const FrameResult& result, PhaseShiftKind kind) {
   const SceneFrame& frame = yielded.frame();
   const PhaseGraph graph = build_phase_graph(std::move(neighborhood), frame.waves, kind);
-  return measure(frame, graph, result, kind).figures;
+  return measure(frame, graph, result, kind).metrics;
 }
 
 AnimationReport play(const FrameData& data, const AnimationOptions& options, const Device& device,
@@ -238,7 +238,7 @@ AnimationReport play(const FrameData& data, const AnimationOptions& options, con
     frame_report.unchanged = result.unchanged;
     const PhaseGraph graph = build_phase_graph(surface.neighborhood, frame.waves, kind);
     const MeasuredFrame measured = measure(frame, graph, result, kind);
-    frame_report.figures = measured.figures;
+    frame_report.metrics = measured.metrics;
     frame_report.frequency = yielded.report(measured.corners, result);
     of_frame.report(0.7);
     if (options.compare_from_scratch) {
@@ -291,7 +291,7 @@ nlohmann::ordered_json to_json(const AnimationReport& report) {
   }
   const FrameReport& last = report.frames.back();
   if (last.from_scratch) {
-    json["last_against_from_scratch"] = comparison(last.figures, *last.from_scratch);
+    json["last_against_from_scratch"] = comparison(last.metrics, *last.from_scratch);
   }
   json["frames"] = nlohmann::ordered_json::array();
   for (std::size_t n = 0; n < report.frames.size(); ++n) {
@@ -320,7 +320,7 @@ void print_report(std::ostream& out, const AnimationReport& report) {
   }
   out << row(frames.size() - 1, frames.back())
       << formatted("mean      phase step %.4f; scene %.2f, frame %.2f, render %.2f ms\n",
-                   mean(frames, [](const FrameReport& f) { return f.figures.phase_step; }),
+                   mean(frames, [](const FrameReport& f) { return f.metrics.phase_step; }),
                    mean(frames, [](const FrameReport& f) { return f.scene_milliseconds; }),
                    mean(frames, [](const FrameReport& f) { return total(f.milliseconds); }),
                    mean(frames, [](const FrameReport& f) { return f.render_milliseconds; }))

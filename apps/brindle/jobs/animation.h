@@ -41,7 +41,7 @@ struct SeriesFrameReport {
 };
 
 struct FrameReport {
-  FrameQuality figures;
+  FrameQuality metrics;
   std::optional<SeriesFrameReport> series;
   bool unchanged = false;  ///< whether the input equals that of the last frame
   double scene_milliseconds = 0;
@@ -113,7 +113,7 @@ AnimationReport play(const FrameData& data, const AnimationOptions& options, con
 
 /// A frame's lifted and measured phases.
 struct MeasuredFrame {
-  FrameQuality figures;
+  FrameQuality metrics;
   std::vector<CornerPhases> corners;
 };
 

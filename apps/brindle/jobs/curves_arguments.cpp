@@ -22,7 +22,7 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_wave_options(command, arguments.waves);
   add_fields(command, arguments.second);
   add_fields<TracingOptions>(command, arguments);
-  add_making_options(command, arguments.making);
+  add_fabrication_options(command, arguments.fabrication);
   add_parsed_option(command, "--wales", arguments.second.wales, parse_wales);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
@@ -36,7 +36,7 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
                           const PlannedFiles<CurveOutput>& files) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
-  check_making_options(arguments.making, arguments.solving.stripes.solver.solver);
+  check_fabrication_options(arguments.fabrication, arguments.solving.stripes.solver.solver);
   if (arguments.traced == TracedWaves::v) {
     refuse_given(command, {"--winding", "--anchor-boundary"}, "U is not traced; leave out --lines");
   }

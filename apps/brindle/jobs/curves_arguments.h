@@ -10,7 +10,7 @@
 
 #include "brindle/recipe/mark_rows.h"
 #include "cli/option_values.h"
-#include "input/making_options.h"
+#include "input/fabrication_options.h"
 #include "input/second_waves.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"
@@ -62,7 +62,7 @@ struct CurvesArguments : TracingOptions {
   WaveOptions waves;
   SecondWaveOptions second;
   SolvingOptions solving;
-  MakingOptions making;
+  FabricationOptions fabrication;
   std::optional<float> crease_deg;  ///< lines along sharper edges, and borders
   std::shared_ptr<PictureOptions> picture;
   std::vector<std::string> outputs;

@@ -47,10 +47,10 @@ bool is_soon_measured(const CurveFamily& family) {
   return 10 * total_length(family.curves.lines) * mean <= kMost;
 }
 
-void measure_spacing(const StripeTracer& tracer, CurveFigures figures, CurveFamily& family,
+void measure_spacing(const StripeTracer& tracer, CurveMetrics metrics, CurveFamily& family,
                      JobListener& listener) {
-  if (figures == CurveFigures::few) return;
-  if (figures == CurveFigures::brief && !is_soon_measured(family)) {
+  if (metrics == CurveMetrics::few) return;
+  if (metrics == CurveMetrics::brief && !is_soon_measured(family)) {
     return listener.note("the gaps between so many curves (" + family.name +
                          ") take long to measure; a report, as 'Export curves' writes it (.json), "
                          "has them\n");
@@ -90,19 +90,19 @@ void shape_lines(const CurvesArguments& arguments, const Mesh& mesh, CurveFamily
 // Solves, notes and traces.
 CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job,
                       const StripeTracer& tracer, const char* name, WaveSet waves,
-                      MakingOptions making, JobListener& listener) {
+                      FabricationOptions fabrication, JobListener& listener) {
   const Surface& surface = job.prepared.surface;
   listener.stage(stripes_of(name));
-  making.measure_windings = true;
+  fabrication.measure_windings = true;
   PatternResult made =
-      pattern_of(surface, std::move(waves), {PatternKind::stripes, job.options, std::move(making)},
-                 listener.progress());
+      pattern_of(surface, std::move(waves),
+                 {PatternKind::stripes, job.options, std::move(fabrication)}, listener.progress());
   StripePattern& pattern = std::get<StripePattern>(made.of);
   listener.note(
-      quality_warning(job.prepared.figures, pattern.quality, surface.mesh.triangle_count()));
+      quality_warning(job.prepared.metrics, pattern.quality, surface.mesh.triangle_count()));
   CurveFamily family = traced_family(arguments, surface, tracer, name, std::move(pattern),
-                                     CurveFigures::all, listener);
-  family.making = std::move(made.making);
+                                     CurveMetrics::all, listener);
+  family.fabrication = std::move(made.fabrication);
   return family;
 }
 
@@ -110,7 +110,7 @@ CurveFamily family_of(const CurvesArguments& arguments, const CurvesJob& job,
 
 CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
                           const StripeTracer& tracer, std::string name, StripePattern traced,
-                          CurveFigures figures, JobListener& listener) {
+                          CurveMetrics metrics, JobListener& listener) {
   CurveFamily family;
   family.name = std::move(name);
   family.pattern = std::move(traced);
@@ -121,17 +121,17 @@ CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surfa
   family.curves = traced_curves(tracer, surface.mesh, pattern, arguments, listener.progress());
   family.extract_milliseconds = watch.lap();
   family.ends = family.curves.end_counts();
-  measure_spacing(tracer, figures, family, listener);
+  measure_spacing(tracer, metrics, family, listener);
   shape_lines(arguments, surface.mesh, family, listener);
   return family;
 }
 
-MakingOptions making_of_v(const CurvesArguments& arguments) {
-  MakingOptions making;
-  making.cancel_branches = arguments.making.cancel_branches;
-  making.cancel_distance = arguments.making.cancel_distance;
-  if (arguments.second.wales.periods > 0) making.windings = {arguments.second.wales};
-  return making;
+FabricationOptions fabrication_of_v(const CurvesArguments& arguments) {
+  FabricationOptions fabrication;
+  fabrication.cancel_branches = arguments.fabrication.cancel_branches;
+  fabrication.cancel_distance = arguments.fabrication.cancel_distance;
+  if (arguments.second.wales.periods > 0) fabrication.windings = {arguments.second.wales};
+  return fabrication;
 }
 
 std::vector<JobStage> curves_stages(const CurvesArguments& arguments) {
@@ -161,12 +161,12 @@ CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listene
   if (arguments.traced != TracedWaves::u) {
     v = make_second_waves(first_waves(prepared), arguments.second, listener);
   }
-  const auto add = [&](const char* name, WaveSet& waves, const MakingOptions& making) {
+  const auto add = [&](const char* name, WaveSet& waves, const FabricationOptions& fabrication) {
     job.families.push_back(
-        family_of(arguments, job, tracer, name, std::move(waves), making, listener));
+        family_of(arguments, job, tracer, name, std::move(waves), fabrication, listener));
   };
-  if (arguments.traced != TracedWaves::v) add("u", prepared.waves, arguments.making);
-  if (arguments.traced != TracedWaves::u) add("v", v, making_of_v(arguments));
+  if (arguments.traced != TracedWaves::v) add("u", prepared.waves, arguments.fabrication);
+  if (arguments.traced != TracedWaves::u) add("v", v, fabrication_of_v(arguments));
   return job;
 }
 

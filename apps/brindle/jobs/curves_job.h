@@ -30,7 +30,7 @@ struct CurveFamily {
   std::optional<double> covered_twice;
   CurveLengths lengths;  ///< of the remaining curves
   std::optional<double> coverage;
-  MakingFigures making;
+  FabricationMetrics fabrication;
   double extract_milliseconds = 0;
 };
 
@@ -44,7 +44,7 @@ struct CurvesJob {
 };
 
 /// The extent of measurements on curves. The spacing takes longer than the curves.
-enum class CurveFigures {
+enum class CurveMetrics {
   few,    ///< without the spacing
   brief,  ///< with the spacing if it is fast enough for interactive use
   all
@@ -53,10 +53,10 @@ enum class CurveFigures {
 /// The curves of an existing pattern; `tracer` is for the same surface.
 CurveFamily traced_family(const CurvesArguments& arguments, const Surface& surface,
                           const StripeTracer& tracer, std::string name, StripePattern pattern,
-                          CurveFigures figures, JobListener& listener);
+                          CurveMetrics metrics, JobListener& listener);
 
 /// The options of V: U's windings, except for the loop of --wales.
-MakingOptions making_of_v(const CurvesArguments& arguments);
+FabricationOptions fabrication_of_v(const CurvesArguments& arguments);
 
 /// Its stages, in order, for `JobListener`.
 std::vector<JobStage> curves_stages(const CurvesArguments& arguments);

@@ -9,16 +9,16 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
-#include "brindle/recipe/making_report.h"
+#include "brindle/recipe/fabrication_report.h"
 #include "brindle/recipe/report.h"
 
 namespace brindle::tool {
 namespace {
 
 /// A list of metrics of one family.
-class FigureList {
+class MetricList {
  public:
-  explicit FigureList(std::string family) : family_(std::move(family)) {}
+  explicit MetricList(std::string family) : family_(std::move(family)) {}
 
   /// A row of its own: "curves of u".
   template <class Value>
@@ -34,96 +34,96 @@ class FigureList {
   void unseen(const char* key, Value value) {
     all_.push_back({key, "", value, 1, false});
   }
-  void append(std::vector<CurveFigure> more) {
+  void append(std::vector<CurveMetric> more) {
     all_.insert(all_.end(), std::make_move_iterator(more.begin()),
                 std::make_move_iterator(more.end()));
   }
-  std::vector<CurveFigure> take() { return std::move(all_); }
+  std::vector<CurveMetric> take() { return std::move(all_); }
 
  private:
   std::string family_;
-  std::vector<CurveFigure> all_;
+  std::vector<CurveMetric> all_;
 };
 
-std::vector<CurveFigure> end_figures(const CurveEnds& ends, const std::string& family) {
+std::vector<CurveMetric> end_metrics(const CurveEnds& ends, const std::string& family) {
   const auto end = [&](CurveEnd kind) { return ends[static_cast<std::size_t>(kind)]; };
-  FigureList figures(family);
-  figures.top("ends.total", "ends", std::accumulate(ends.begin(), ends.end(), std::size_t{0}));
-  figures.part("ends.boundary", "at the boundary", end(CurveEnd::boundary));
-  figures.part("ends.no_wave", "where no wave is", end(CurveEnd::no_wave));
-  figures.part("ends.nonmanifold", "at triple edges", end(CurveEnd::nonmanifold));
-  figures.part("ends.crease", "at creases", end(CurveEnd::crease));
-  figures.part("ends.branch", "at branches", end(CurveEnd::branch));
-  figures.part("ends.singularity", "at singularities", end(CurveEnd::singularity));
-  return figures.take();
+  MetricList metrics(family);
+  metrics.top("ends.total", "ends", std::accumulate(ends.begin(), ends.end(), std::size_t{0}));
+  metrics.part("ends.boundary", "at the boundary", end(CurveEnd::boundary));
+  metrics.part("ends.no_wave", "where no wave is", end(CurveEnd::no_wave));
+  metrics.part("ends.nonmanifold", "at triple edges", end(CurveEnd::nonmanifold));
+  metrics.part("ends.crease", "at creases", end(CurveEnd::crease));
+  metrics.part("ends.branch", "at branches", end(CurveEnd::branch));
+  metrics.part("ends.singularity", "at singularities", end(CurveEnd::singularity));
+  return metrics.take();
 }
 
 /// Changes of ends and points.
-std::vector<CurveFigure> change_figures(const StripeCurves& curves, const std::string& family) {
-  FigureList figures(family);
-  figures.part("joined_ends", "joined in pairs", curves.joined_ends);
-  figures.part("ends_at_neighbours", "run on into others", curves.ends_at_neighbors);
-  figures.part("trimmed_ends", "trimmed", curves.trimmed_ends);
-  figures.part("trimmed_away", "gone, trimmed", curves.trimmed_away);
-  figures.part("smooth_forks", "with no angle", curves.smooth_forks);
-  figures.part("largest_move", "moved, times f", curves.largest_move);
-  return figures.take();
+std::vector<CurveMetric> change_metrics(const StripeCurves& curves, const std::string& family) {
+  MetricList metrics(family);
+  metrics.part("joined_ends", "joined in pairs", curves.joined_ends);
+  metrics.part("ends_at_neighbours", "run on into others", curves.ends_at_neighbors);
+  metrics.part("trimmed_ends", "trimmed", curves.trimmed_ends);
+  metrics.part("trimmed_away", "gone, trimmed", curves.trimmed_away);
+  metrics.part("smooth_forks", "with no angle", curves.smooth_forks);
+  metrics.part("largest_move", "moved, times f", curves.largest_move);
+  return metrics.take();
 }
 
-std::vector<CurveFigure> length_figures(const CurveLengths& lengths, const std::string& family) {
-  FigureList figures(family);
-  figures.part("lengths.closed", "of closed ones", lengths.closed_length);
-  figures.part("lengths.open", "of open ones", lengths.open_length);
-  figures.part("lengths.shortest", "shortest", lengths.shortest);
-  figures.part("lengths.mean", "average", lengths.mean);
-  figures.part("lengths.longest", "longest", lengths.longest);
-  return figures.take();
+std::vector<CurveMetric> length_metrics(const CurveLengths& lengths, const std::string& family) {
+  MetricList metrics(family);
+  metrics.part("lengths.closed", "of closed ones", lengths.closed_length);
+  metrics.part("lengths.open", "of open ones", lengths.open_length);
+  metrics.part("lengths.shortest", "shortest", lengths.shortest);
+  metrics.part("lengths.mean", "average", lengths.mean);
+  metrics.part("lengths.longest", "longest", lengths.longest);
+  return metrics.take();
 }
 
 // With a spacing tolerance, also relative to the requested frequencies.
-void add_spacing_figures(const CurveSpacing& spacing, bool yields, FigureList& figures) {
-  figures.unseen("spacing.measured", spacing.measured);
-  figures.top("spacing.mean", "spacing", spacing.mean);
-  figures.part("spacing.deviation", "deviation", spacing.deviation);
-  figures.part("spacing.share_within_10_percent", "% within 10 %", spacing.share_within_10_percent,
+void add_spacing_metrics(const CurveSpacing& spacing, bool yields, MetricList& metrics) {
+  metrics.unseen("spacing.measured", spacing.measured);
+  metrics.top("spacing.mean", "spacing", spacing.mean);
+  metrics.part("spacing.deviation", "deviation", spacing.deviation);
+  metrics.part("spacing.share_within_10_percent", "% within 10 %", spacing.share_within_10_percent,
                100);
   if (!yields) return;
-  figures.part("spacing.mean_wanted", "as asked for", spacing.mean_wanted);
-  figures.part("spacing.deviation_wanted", "its deviation", spacing.deviation_wanted);
-  figures.part("spacing.share_within_10_percent_wanted", "its % within 10 %",
+  metrics.part("spacing.mean_wanted", "as asked for", spacing.mean_wanted);
+  metrics.part("spacing.deviation_wanted", "its deviation", spacing.deviation_wanted);
+  metrics.part("spacing.share_within_10_percent_wanted", "its % within 10 %",
                spacing.share_within_10_percent_wanted, 100);
 }
 
 // With a spacing tolerance, also relative to the chosen frequencies.
-void add_gap_figures(const CurveGaps& gaps, bool yields, FigureList& figures) {
-  figures.unseen("gaps.measured", gaps.measured);
-  figures.top("gaps.mean", "gaps", gaps.mean);
-  figures.part("gaps.least", "least gap", gaps.least);
-  figures.part("gaps.most", "widest gap", gaps.most);
-  figures.part("gaps.least_ratio", "least, times f", gaps.least_ratio);
-  figures.part("gaps.mean_ratio", "mean, times f", gaps.mean_ratio);
-  figures.part("gaps.most_ratio", "widest, times f", gaps.most_ratio);
+void add_gap_metrics(const CurveGaps& gaps, bool yields, MetricList& metrics) {
+  metrics.unseen("gaps.measured", gaps.measured);
+  metrics.top("gaps.mean", "gaps", gaps.mean);
+  metrics.part("gaps.least", "least gap", gaps.least);
+  metrics.part("gaps.most", "widest gap", gaps.most);
+  metrics.part("gaps.least_ratio", "least, times f", gaps.least_ratio);
+  metrics.part("gaps.mean_ratio", "mean, times f", gaps.mean_ratio);
+  metrics.part("gaps.most_ratio", "widest, times f", gaps.most_ratio);
   if (!yields) return;
-  figures.part("gaps.least_ratio_chosen", "least, f chosen", gaps.least_ratio_chosen);
-  figures.part("gaps.mean_ratio_chosen", "mean, f chosen", gaps.mean_ratio_chosen);
-  figures.part("gaps.most_ratio_chosen", "widest, f chosen", gaps.most_ratio_chosen);
+  metrics.part("gaps.least_ratio_chosen", "least, f chosen", gaps.least_ratio_chosen);
+  metrics.part("gaps.mean_ratio_chosen", "mean, f chosen", gaps.mean_ratio_chosen);
+  metrics.part("gaps.most_ratio_chosen", "widest, f chosen", gaps.most_ratio_chosen);
 }
 
-std::vector<CurveFigure> spacing_figures(const CurveSpacing& spacing, bool yields,
+std::vector<CurveMetric> spacing_metrics(const CurveSpacing& spacing, bool yields,
                                          const std::string& family) {
-  FigureList figures(family);
-  add_spacing_figures(spacing, yields, figures);
-  add_gap_figures(spacing.gaps, yields, figures);
-  return figures.take();
+  MetricList metrics(family);
+  add_spacing_metrics(spacing, yields, metrics);
+  add_gap_metrics(spacing.gaps, yields, metrics);
+  return metrics.take();
 }
 
 /// Inserts metrics at their keys.
-void add_to_json(std::span<const CurveFigure> figures, nlohmann::ordered_json& json) {
-  for (const CurveFigure& figure : figures) {
-    const std::size_t dot = figure.key.find('.');
-    (dot == std::string::npos ? json[figure.key]
-                              : json[figure.key.substr(0, dot)][figure.key.substr(dot + 1)]) =
-        figure.value;
+void add_to_json(std::span<const CurveMetric> metrics, nlohmann::ordered_json& json) {
+  for (const CurveMetric& metric : metrics) {
+    const std::size_t dot = metric.key.find('.');
+    (dot == std::string::npos ? json[metric.key]
+                              : json[metric.key.substr(0, dot)][metric.key.substr(dot + 1)]) =
+        metric.value;
   }
 }
 
@@ -193,45 +193,45 @@ std::string lines_of(const CurveRemarks& remarks, const std::string& indent) {
   return lines;
 }
 
-std::vector<CurveFigure> figures_of(const CurveFamily& family) {
+std::vector<CurveMetric> metrics_of(const CurveFamily& family) {
   const Polylines& lines = family.curves.lines;
   const StripePattern& pattern = family.pattern;
-  FigureList figures(family.name);
-  figures.unseen("energy", pattern.solution.energy);
-  figures.unseen("branches", pattern.quality.branches);
-  figures.unseen("field_singularities", pattern.quality.field_singularities);
-  figures.top("curves", "curves", lines.count());
-  figures.top("closed", "closed ones", closed_count(lines));
-  figures.unseen("open", lines.count() - closed_count(lines));
-  figures.part("short_curves_left_out", "shorter, left out", family.short_curves);
-  figures.unseen("points", lines.points.size());
-  figures.top("length", "length", total_length(lines));
-  figures.append(length_figures(family.lengths, family.name));
-  figures.append(end_figures(family.ends, family.name));
-  figures.append(change_figures(family.curves, family.name));
-  figures.part("edges_with_jogs", "edges with jogs", family.jogs);
-  if (family.coverage) figures.part("coverage", "% covered", *family.coverage, 100);
-  if (family.covered_twice) figures.part("covered_twice", "% twice", *family.covered_twice, 100);
+  MetricList metrics(family.name);
+  metrics.unseen("energy", pattern.solution.energy);
+  metrics.unseen("branches", pattern.quality.branches);
+  metrics.unseen("field_singularities", pattern.quality.field_singularities);
+  metrics.top("curves", "curves", lines.count());
+  metrics.top("closed", "closed ones", closed_count(lines));
+  metrics.unseen("open", lines.count() - closed_count(lines));
+  metrics.part("short_curves_left_out", "shorter, left out", family.short_curves);
+  metrics.unseen("points", lines.points.size());
+  metrics.top("length", "length", total_length(lines));
+  metrics.append(length_metrics(family.lengths, family.name));
+  metrics.append(end_metrics(family.ends, family.name));
+  metrics.append(change_metrics(family.curves, family.name));
+  metrics.part("edges_with_jogs", "edges with jogs", family.jogs);
+  if (family.coverage) metrics.part("coverage", "% covered", *family.coverage, 100);
+  if (family.covered_twice) metrics.part("covered_twice", "% twice", *family.covered_twice, 100);
   if (family.spacing) {
-    figures.append(
-        spacing_figures(*family.spacing, !pattern.frequencies_wanted.empty(), family.name));
+    metrics.append(
+        spacing_metrics(*family.spacing, !pattern.frequencies_wanted.empty(), family.name));
   }
-  return figures.take();
+  return metrics.take();
 }
 
 nlohmann::ordered_json to_json(const CurveLengths& lengths) {
   nlohmann::ordered_json json;
-  add_to_json(length_figures(lengths, ""), json);
+  add_to_json(length_metrics(lengths, ""), json);
   return json["lengths"];
 }
 
 void add_spacing(const CurveSpacing& spacing, bool yields, nlohmann::ordered_json& json) {
-  add_to_json(spacing_figures(spacing, yields, ""), json);
+  add_to_json(spacing_metrics(spacing, yields, ""), json);
 }
 
 nlohmann::ordered_json ends_to_json(const CurveEnds& ends) {
   nlohmann::ordered_json json;
-  add_to_json(end_figures(ends, ""), json);
+  add_to_json(end_metrics(ends, ""), json);
   return json["ends"];
 }
 
@@ -245,13 +245,13 @@ std::string line_of_ends(const CurveEnds& ends) {
 }
 
 void add_ends(const StripeCurves& curves, nlohmann::ordered_json& json) {
-  add_to_json(change_figures(curves, ""), json);
+  add_to_json(change_metrics(curves, ""), json);
 }
 
 nlohmann::ordered_json to_json(const CurveFamily& family) {
   nlohmann::ordered_json json;
-  add_to_json(figures_of(family), json);
-  add_to_json(family.making, json);
+  add_to_json(metrics_of(family), json);
+  add_to_json(family.fabrication, json);
   const auto frequency = frequency_report(family.pattern.frequency_change, family.pattern.quality);
   if (frequency) json["frequency_change"] = to_json(*frequency);
   return json;
@@ -259,7 +259,7 @@ nlohmann::ordered_json to_json(const CurveFamily& family) {
 
 nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOptions& picture) {
   const Surface& surface = curves.surface;
-  const PreparationFigures& prepared = curves.prepared;
+  const PreparationMetrics& prepared = curves.prepared;
   StripeMilliseconds time;
   time.load = prepared.load_milliseconds;
   time.topology = prepared.topology_milliseconds + curves.edges_milliseconds;
@@ -269,7 +269,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
                                  {"edges", surface.own_edge_count()},
                                  {"vertices_joined", prepared.vertices_joined},
                                  {"threads", ThreadLimit::current()}};
-  json.update(to_json(prepared.figures, prepared.field_rows_nonfinite));
+  json.update(to_json(prepared.metrics, prepared.field_rows_nonfinite));
   for (const CurveFamily& family : curves.families) {
     json[family.name] = to_json(family);
     const StripeMilliseconds& own = family.pattern.milliseconds;
@@ -296,7 +296,7 @@ nlohmann::ordered_json to_json(const ReportedCurves& curves, const PictureOption
 
 nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& picture) {
   nlohmann::ordered_json json = to_json(
-      ReportedCurves{job.prepared.surface, job.prepared, job.families, job.options.slack.yields(),
+      ReportedCurves{job.prepared.surface, job.prepared, job.families, job.options.slack.relaxes(),
                      job.edges_milliseconds, job.draw_milliseconds},
       picture);
   if (!job.ranks.is_null()) json["ranks"] = job.ranks;
@@ -304,7 +304,7 @@ nlohmann::ordered_json to_json(const CurvesJob& job, const PictureOptions& pictu
 }
 
 void print(std::ostream& out, const CurvesJob& job) {
-  print_waves(out, job.prepared.figures);
+  print_waves(out, job.prepared.metrics);
   for (const CurveFamily& family : job.families) {
     const Polylines& lines = family.curves.lines;
     out << formatted("%s  %zu curves, %zu of them closed, of %zu points, length %g\n",
@@ -313,7 +313,7 @@ void print(std::ostream& out, const CurvesJob& job) {
         << "   " << line_of_ends(family.ends);
     out << lines_of({family.curves, family.short_curves, family.jogs}, "   ");
     print_measures(out, family);
-    out << lines_of(family.making);
+    out << lines_of(family.fabrication);
     if (family.spacing) print_spacing(out, family);
     out << formatted("   extracted in %.1f ms\n", family.extract_milliseconds);
   }

@@ -16,7 +16,7 @@
 namespace brindle::tool {
 
 /// A metric of curves, shared by reports and windows.
-struct CurveFigure {
+struct CurveMetric {
   std::string key;               ///< in JSON; "ends.branch" is "branch" of the object "ends"
   std::string words;             ///< label in text; empty: JSON only
   nlohmann::ordered_json value;  ///< a number, as reports have it
@@ -26,7 +26,7 @@ struct CurveFigure {
 
 /// All metrics of a family, in the order of its report, except for windings and the spacing
 /// tolerance.
-std::vector<CurveFigure> figures_of(const CurveFamily& family);
+std::vector<CurveMetric> metrics_of(const CurveFamily& family);
 
 /// Counts of reasons why curves end, for the key "ends" and for text.
 using CurveEnds = std::array<std::size_t, kCurveEndKinds>;
@@ -57,7 +57,7 @@ nlohmann::ordered_json to_json(const CurveFamily& family);
 /// The content of a report, by reference.
 struct ReportedCurves {
   const Surface& surface;
-  const PreparationFigures& prepared;
+  const PreparationMetrics& prepared;
   std::span<const CurveFamily> families;
   bool yields = false;  ///< with a spacing tolerance
   double edges_milliseconds = 0;

@@ -66,7 +66,7 @@ SampleJob make_sample_job(const SampleArguments& arguments, JobListener& listene
   job.u = stripe_pattern(surface, std::move(prepared.waves), options, listener.progress());
   listener.stage("stripes of v");
   job.v = stripe_pattern(surface, std::move(waves_v), options, listener.progress());
-  listener.note(quality_warning(prepared.figures, worse_of(job.u.quality, job.v.quality),
+  listener.note(quality_warning(prepared.metrics, worse_of(job.u.quality, job.v.quality),
                                 surface.mesh.triangle_count()));
   job.taken = taken_samples(arguments, surface, job.u, job.v, listener);
   return job;

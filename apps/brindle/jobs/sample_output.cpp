@@ -23,7 +23,7 @@ nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& pictu
       {"threads", ThreadLimit::current()},      {"samples", job.taken.samples.size()},
       {"doubles_left_out", job.taken.doubles},  {"branches_u", job.u.quality.branches},
       {"branches_v", job.v.quality.branches}};
-  json.update(to_json(job.prepared.figures, job.prepared.field_rows_nonfinite));
+  json.update(to_json(job.prepared.metrics, job.prepared.field_rows_nonfinite));
   const auto add_frequency = [&](const char* name, const StripePattern& pattern) {
     const auto frequency = frequency_report(pattern.frequency_change, pattern.quality);
     if (frequency) json[name] = to_json(*frequency);
@@ -52,7 +52,7 @@ nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& pictu
 }
 
 void print(std::ostream& out, const SampleJob& job) {
-  print_waves(out, job.prepared.figures);
+  print_waves(out, job.prepared.metrics);
   out << formatted("samples   %zu, %zu more left out as too near to others\n",
                    job.taken.samples.size(), job.taken.doubles)
       << formatted("branches  %zu of U, %zu of V\n", job.u.quality.branches,

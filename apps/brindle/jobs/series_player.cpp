@@ -104,7 +104,7 @@ class Player {
     report_.vertices = prepared.surface.mesh.vertex_count();
     report_.triangles = prepared.surface.mesh.triangle_count();
     report_.edges = prepared.surface.neighborhood->edge_count();
-    report_.waves = prepared.figures;
+    report_.waves = prepared.metrics;
   }
 
   void add_between(const FramePair& frame, const Source& source, const SeriesStep& next) {
@@ -147,7 +147,7 @@ class Player {
     const WaveSet& waves = yielded.frame().waves;
     const PhaseGraph graph = build_phase_graph(source.neighborhood, waves, kind);
     const MeasuredFrame measured = measure(yielded.frame(), graph, result.frame, kind);
-    report.figures = measured.figures;
+    report.metrics = measured.metrics;
     report.frequency = yielded.report(measured.corners, result.frame);
     if (scratch_) {
       const SceneFrame& alone = pair.alone();

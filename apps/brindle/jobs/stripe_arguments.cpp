@@ -33,7 +33,7 @@ void check_points(const CLI::App& command, const StripeArguments& arguments,
     }
   }
   refuse_given(command, {"--uv"}, "points have no triangles, and so no texture coordinates");
-  refuse_usage(command, check_making_on_points);
+  refuse_usage(command, check_fabrication_on_points);
   refuse_style_options(command, "points are drawn as they are");
   refuse_triangle_options(command);
 }
@@ -75,7 +75,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
   const auto refuse = [&](const char* why) { refuse_output(drawing->path, why); };
   if (drawn_by(arguments.texture, texture) == Drawn::pictures) {
     refuse(
-        "a drawing has outlines of figures, and the tile is a picture of pixels; take a built-in "
+        "a drawing has outlines of motifs, and the tile is a picture of pixels; take a built-in "
         "tile, or write .png");
   }
   if (is_points(arguments.surface)) refuse("points have no outlines; write .png");
@@ -95,7 +95,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
   check_previous(command, arguments, texture);
-  check_making_options(arguments.making, arguments.solving.stripes.solver.solver);
+  check_fabrication_options(arguments.fabrication, arguments.solving.stripes.solver.solver);
   if (texture) {
     refuse_given(command, {"--winding", "--anchor-boundary"},
                  "it is for stripes, not for textures and cross fields");
@@ -202,7 +202,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_solving_options(command, arguments.solving);
   add_field(command, "--device", arguments.device);
   add_previous_options(command, arguments);
-  add_making_options(command, arguments.making);
+  add_fabrication_options(command, arguments.fabrication);
   add_texture_options(command, arguments.texture, arguments.waves);
   command.add_flag("--uv", arguments.uv);
   add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);

@@ -9,7 +9,7 @@
 
 #include "device/device.h"
 #include "input/carried_pattern.h"
-#include "input/making_options.h"
+#include "input/fabrication_options.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/used_files.h"
@@ -25,7 +25,7 @@ struct StripeArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
-  MakingOptions making;
+  FabricationOptions fabrication;
   DeviceKind device = DeviceKind::cpu;
   std::string previous;  ///< file of the pattern to continue; empty: none
   MatchOptions match;

@@ -16,7 +16,7 @@ PatternKind kind_of(const StripeArguments& arguments, const std::optional<Textur
 
 PatternRequest request_of(const StripeArguments& arguments, Preparation& prepared,
                           PatternKind kind) {
-  PatternRequest request{kind, arguments.solving.stripes, arguments.making};
+  PatternRequest request{kind, arguments.solving.stripes, arguments.fabrication};
   if (kind == PatternKind::texture) {
     request.frequencies_v = std::move(prepared.frequencies_v);
     request.oriented = arguments.waves.oriented;
@@ -36,7 +36,7 @@ StripeJob make_job(Preparation prepared, const StripeArguments& arguments,
   PatternResult made = pattern_of(prepared.surface, std::move(prepared.waves), request, progress);
   StripeJob job;
   job.report = make_report(prepared.surface, prepared, made, request.solving.solver.solver);
-  job.making = std::move(made.making);
+  job.fabrication = std::move(made.fabrication);
   job.data = take_input_data(prepared);
   if (auto* crosses = std::get_if<CrossResult>(&made.of)) {
     CrossTexture& texture = crosses->texture;

@@ -18,7 +18,7 @@ struct StripeJob {
   StripeResult result;
   Report report;
   InputData data;
-  MakingFigures making = {};  ///< of the report
+  FabricationMetrics fabrication = {};  ///< of the report
 };
 
 /// Finds the field that this smooth field starts from: that of the previous pattern, which

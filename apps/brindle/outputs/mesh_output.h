@@ -21,8 +21,8 @@ struct InputData {
   DataArrays arrays;                       ///< per vertex and per triangle
   std::vector<std::int64_t> original_ids;  ///< `Preparation`
   std::vector<Index> partners;             ///< `Preparation`
-  float turn_deg = 0;                      ///< `PreparationFigures`
-  FieldSupport support = {};               ///< `PreparationFigures`
+  float turn_deg = 0;                      ///< `PreparationMetrics`
+  FieldSupport support = {};               ///< `PreparationMetrics`
 };
 
 /// Moves it out of `prepared`.

@@ -60,7 +60,7 @@ GlyphPicture::GlyphPicture(const Surface& surface, std::span<const Sample> sampl
   const RenderOptions& render = styled.render;
   styled.right_margin = legend_width(legends, render.width, render.height);
   surfaces.push_back({.mesh = mesh, .normals = surface.normals, .color = render.base_color});
-  if (!glyphs_.mesh.triangles.empty()) surfaces.push_back(figures(options, input));
+  if (!glyphs_.mesh.triangles.empty()) surfaces.push_back(motifs(options, input));
 }
 
 void GlyphPicture::add_colors(std::span<const Sample> samples, const Mesh& mesh,
@@ -73,18 +73,18 @@ void GlyphPicture::add_colors(std::span<const Sample> samples, const Mesh& mesh,
   if (!options.style.no_legend) legends.push_back(colors.legend);
 }
 
-StyledSurface GlyphPicture::figures(const GlyphOptions& options, const GlyphInput& input) const {
+StyledSurface GlyphPicture::motifs(const GlyphOptions& options, const GlyphInput& input) const {
   const bool brush = options.glyph.shape == GlyphShape::stroke;
-  StyledSurface figures{.mesh = glyphs_.mesh,
-                        .normals = glyphs_.normals,
-                        .color = brush ? styled.render.stripe_color : kGlyphColor,
-                        .color_places = places_,
-                        .shading = !brush};
+  StyledSurface motifs{.mesh = glyphs_.mesh,
+                       .normals = glyphs_.normals,
+                       .color = brush ? styled.render.stripe_color : kGlyphColor,
+                       .color_places = places_,
+                       .shading = !brush};
   if (input.picture) {
-    figures.texture = RegionTexture{.waves = &glyphs_.waves, .tiles = {{.tile = *input.picture}}};
-    figures.between = BetweenStrokes::discarded;
+    motifs.texture = RegionTexture{.waves = &glyphs_.waves, .tiles = {{.tile = *input.picture}}};
+    motifs.between = BetweenStrokes::discarded;
   }
-  return figures;
+  return motifs;
 }
 
 void write_glyphs(const std::filesystem::path& path, const Surface& surface,

@@ -25,7 +25,7 @@ class GlyphPicture {
  private:
   void add_colors(std::span<const Sample> samples, const Mesh& mesh, const GlyphOptions& options,
                   const GlyphInput& input);
-  StyledSurface figures(const GlyphOptions& options, const GlyphInput& input) const;
+  StyledSurface motifs(const GlyphOptions& options, const GlyphInput& input) const;
 
   Glyphs glyphs_;
   std::vector<float> places_;  ///< positions in the colour map

@@ -233,21 +233,20 @@ void check_colors(const CLI::App& command, const StyleOptions& options) {
 }
 
 /// For tiles.
-void check_figures(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
-  const bool figures = options.color_on == ColoredPart::figures;
+void check_motifs(const CLI::App& command, const StyleOptions& options, Drawn drawn) {
+  const bool motifs = options.color_on == ColoredPart::motifs;
   if (options.color_on == ColoredPart::strokes) {
-    refuse_given(command, {"--color-on"}, "tiles have no strokes; take surface or figures");
+    refuse_given(command, {"--color-on"}, "tiles have no strokes; take surface or motifs");
   }
-  if (figures && drawn == Drawn::pictures && options.regions.empty()) {
+  if (motifs && drawn == Drawn::pictures && options.regions.empty()) {
     refuse_given(command, {"--color-on"}, "pictures have colours of their own");
   }
-  if (figures &&
-      std::ranges::any_of(options.regions, [](auto& r) { return r.color.has_value(); })) {
+  if (motifs && std::ranges::any_of(options.regions, [](auto& r) { return r.color.has_value(); })) {
     refuse_given(command, {"--color-on"}, "regions have colours of their own; leave out @#RRGGBB");
   }
-  if (options.discard && !figures) {
+  if (options.discard && !motifs) {
     refuse_given(command, {"--color-by"},
-                 "nothing is seen of the surface beside tiles; add --color-on figures");
+                 "nothing is seen of the surface beside tiles; add --color-on motifs");
   }
 }
 
@@ -257,10 +256,10 @@ void check_tiles(const CLI::App& command, const StyleOptions& options, Drawn dra
                  {"--width-by", "--width-range", "--opacity-by", "--opacity-range", "--pixel-width",
                   "--stroke-spacing", "--tones", "--cross-hatch"},
                  "it is for stripes, not for textures");
-    check_figures(command, options, drawn);
+    check_motifs(command, options, drawn);
   } else {
-    if (options.color_on == ColoredPart::figures) {
-      refuse_given(command, {"--color-on"}, "stripes have no figures; add --texture TILE");
+    if (options.color_on == ColoredPart::motifs) {
+      refuse_given(command, {"--color-on"}, "stripes have no motifs; add --texture TILE");
     }
     refuse_given(command,
                  {"--texture-by", "--regions", "--texture-shift", "--texture-flow",

@@ -37,13 +37,13 @@ struct RegionChoice {
 enum class ColoredPart {
   strokes,
   surface,  ///< also between strokes, and around motifs of tiles
-  figures   ///< of tiles
+  motifs    ///< of tiles
 };
 
 /// The marks of a pattern.
 enum class Drawn {
   stripes,
-  figures,  ///< tiles, at least some of which have single-coloured motifs
+  motifs,   ///< tiles, at least some of which have single-coloured motifs
   pictures  ///< tiles that are picture files
 };
 

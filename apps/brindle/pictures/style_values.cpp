@@ -158,10 +158,10 @@ void name_tiles(const StyleOptions& style, const TextureTile& first, const Rende
   legend.ground = render.base_color;
   const std::size_t count = style.regions.size();
   for (std::size_t i = 0; i < count; ++i) {
-    legend.tiles[count - 1 - i].figure = style.regions[i].color.value_or(render.stripe_color);
+    legend.tiles[count - 1 - i].motif = style.regions[i].color.value_or(render.stripe_color);
   }
   legend.tiles.back().tile = first;
-  legend.tiles.back().figure = render.stripe_color;
+  legend.tiles.back().motif = render.stripe_color;
 }
 
 StyleBindings follow(const StyleOptions& style, const StyleValues& input) {

@@ -152,9 +152,9 @@ RegionTexture region_texture(const TextureView& texture, const StyleOptions& sty
 }
 
 /// The surface, which outlives the texture, owns the broken tiles.
-RegionTexture texture_of(const OtherSurface& other, const Texture& texture, const Color& figure) {
+RegionTexture texture_of(const OtherSurface& other, const Texture& texture, const Color& motif) {
   RegionTexture drawn{.waves = &texture.pattern.waves};
-  drawn.tiles.push_back({texture.tile, figure, 0, texture.broken(other.surface.mesh).get()});
+  drawn.tiles.push_back({texture.tile, motif, 0, texture.broken(other.surface.mesh).get()});
   return drawn;
 }
 
@@ -214,8 +214,8 @@ StyledSurface main_surface(const StyledScene& scene, const StyleOptions& style,
       .mesh = scene.surface.mesh, .normals = scene.surface.normals, .color = render.base_color};
   if (scene.texture) {
     surface.texture = region_texture(*scene.texture, style, render, followed);
-    (style.color_on == ColoredPart::figures ? surface.texture->color_places
-                                            : surface.color_places) = followed.places;
+    (style.color_on == ColoredPart::motifs ? surface.texture->color_places : surface.color_places) =
+        followed.places;
     surface.shading = !style.flat;
     if (style.discard) surface.between = BetweenStrokes::discarded;
     return surface;

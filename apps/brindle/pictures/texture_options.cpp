@@ -40,7 +40,7 @@ void add_texture_options(CLI::App& app, TextureChoice& choice, WaveOptions& wave
 Drawn drawn_by(const TextureChoice& choice, bool has_tiles) {
   if (!has_tiles) return Drawn::stripes;
   const bool picture = !choice.tile.empty() && !parse_built_in_tile(choice.tile);
-  return picture ? Drawn::pictures : Drawn::figures;
+  return picture ? Drawn::pictures : Drawn::motifs;
 }
 
 std::optional<TextureTile> chosen_tile(const TextureChoice& choice, bool cross) {

@@ -21,9 +21,8 @@ class WholeTiles {
 
   /// The motifs to examine, shifted by `shift` tiles and at most `size` of their cell; empty if
   /// tiles are cut.
-  std::optional<TileFigures> figures_of(const TextureTile& tile,
-                                        const Eigen::Vector2f& shift = {0, 0},
-                                        float size = 1) const;
+  std::optional<TileMotifs> motifs_of(const TextureTile& tile,
+                                      const Eigen::Vector2f& shift = {0, 0}, float size = 1) const;
 
   /// The broken ones; null if tiles are cut. `triangles` and `waves` are the texture's.
   std::shared_ptr<const BrokenTiles> broken(std::span<const Triangle> triangles,
@@ -32,7 +31,7 @@ class WholeTiles {
                                             float size = 1) const;
 
   /// Stores a result computed elsewhere.
-  void know(const TileFigures& figures, BrokenTiles broken);
+  void know(const TileMotifs& motifs, BrokenTiles broken);
 
  private:
   struct Found;

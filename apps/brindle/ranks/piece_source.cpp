@@ -229,7 +229,7 @@ FrequencyField PieceSource::frequencies_by(const DataArray& values, float freque
   return frequencies;
 }
 
-WaveFigures PieceSource::measure(const WaveSet& waves) const {
+WaveMetrics PieceSource::measure(const WaveSet& waves) const {
   return measure_waves(surface_, waves);
 }
 

@@ -48,7 +48,7 @@ class PieceSource final : public WaveSource {
   TensorField tensor_field(const DataArray& tensors, TensorAxis axis) const override;
   FrequencyField frequencies_by(const DataArray& values, float frequency,
                                 const FrequencyRange& range) const override;
-  WaveFigures measure(const WaveSet& waves) const override;
+  WaveMetrics measure(const WaveSet& waves) const override;
 
  private:
   Surface places() const;

@@ -57,7 +57,7 @@ RankFamilies solve_families(const RankRun& run, const Arguments& arguments, bool
   for (const auto& [name, solved] : made.patterns) {
     quality = worse_of(quality, solved.pattern.quality);
   }
-  listener.note(quality_warning(prepared.figures, quality, prepared.surface->triangle_count()));
+  listener.note(quality_warning(prepared.metrics, quality, prepared.surface->triangle_count()));
   return made;
 }
 
@@ -177,11 +177,11 @@ CurveFamily whole_family(const RankRun& run, const GatheredSurface& whole,
     const Surface& surface = whole.surface();
     pattern.corners = corner_phases(surface.mesh.triangles, pattern.waves, pattern.solution.z,
                                     pattern.phase_shift);
-    MakingFigures making;
-    measure_windings(surface, pattern, making);
-    family = traced_family(arguments, surface, *tracer, name, std::move(pattern), CurveFigures::all,
+    FabricationMetrics fabrication;
+    measure_windings(surface, pattern, fabrication);
+    family = traced_family(arguments, surface, *tracer, name, std::move(pattern), CurveMetrics::all,
                            listener);
-    family.making = std::move(making);
+    family.fabrication = std::move(fabrication);
   });
   return family;
 }
@@ -250,7 +250,7 @@ void run_curves_over(const RankRun& run, const CLI::App& command,
       names.push_back(solved.patterns[f].first);
       job.families.push_back(whole_family(run, whole, solved, f, tracer, arguments, display));
     }
-    job.ranks = rank_figures(run.ranks, *solved.prepared.surface, solved.front().animator);
+    job.ranks = rank_metrics(run.ranks, *solved.prepared.surface, solved.front().animator);
     write_files(
         run, files, display,
         [&](const std::string& path) { write_cut_curves(run, path, whole, job, names); },
@@ -279,7 +279,7 @@ void run_sample_over(const RankRun& run, const CLI::App& command,
       job.prepared = whole_preparation(whole, solved.prepared);
       job.taken = taken_samples(arguments, whole.surface(), job.u, job.v, display);
     });
-    job.ranks = rank_figures(run.ranks, *solved.prepared.surface, solved.front().animator);
+    job.ranks = rank_metrics(run.ranks, *solved.prepared.surface, solved.front().animator);
     write_files(
         run, files, display,
         [&](const std::string& path) { write_sample_pieces(run, path, whole, job.taken.samples); },

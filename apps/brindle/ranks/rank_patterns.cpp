@@ -41,8 +41,8 @@ WantedArrays wanted_arrays(const WaveOptions& options) {
   if (is_array(arrays.frequency_by)) {
     wanted.names.push_back(parse_array("--frequency-by", arrays.frequency_by));
   }
-  if (is_array(options.detail.weight)) {
-    wanted.names.push_back(parse_array(kWeightOption, options.detail.weight));
+  if (is_array(options.smoothing.weight)) {
+    wanted.names.push_back(parse_array(kWeightOption, options.smoothing.weight));
   }
   return wanted;
 }
@@ -117,7 +117,7 @@ RankPreparation prepare_piece(const RankRun& run, const SurfaceOptions& surface,
       prepare_waves(source, waves, prepared.read.subdivided, std::move(field), listener);
   prepared.field_milliseconds = watch.lap();
   prepared.waves = std::move(made.waves);
-  prepared.figures = std::move(made.figures);
+  prepared.metrics = std::move(made.metrics);
   prepared.field_rows_nonfinite = made.field_rows_nonfinite;
   prepared.support = std::move(made.support);
   prepared.turn_deg = made.turn_deg;
@@ -137,8 +137,8 @@ RankPattern solve_piece(const RankRun& run, const RankPreparation& prepared, Wav
   pattern.waves = std::move(waves);
   pattern.phase_shift = solving.stripes.phase_shift;
   pattern.solution.z.assign(frame.z.begin(), frame.z.end());
-  pattern.solution.iterations = solved.animator.figures().sweeps;
-  pattern.milliseconds.topology = solved.animator.figures().topology_milliseconds;
+  pattern.solution.iterations = solved.animator.metrics().sweeps;
+  pattern.milliseconds.topology = solved.animator.metrics().topology_milliseconds;
   pattern.milliseconds.frequency = frame.milliseconds.frequency;
   pattern.milliseconds.couple = frame.milliseconds.couple;
   pattern.milliseconds.solve = frame.milliseconds.sum + frame.milliseconds.solve;
@@ -183,7 +183,7 @@ StripePattern whole_pattern(const GatheredSurface& whole, const RankPreparation&
 
 Preparation whole_preparation(const GatheredSurface& whole, const RankPreparation& prepared) {
   Preparation result;
-  static_cast<PreparationFigures&>(result) = prepared;
+  static_cast<PreparationMetrics&>(result) = prepared;
   result.surface = whole.surface();
   return result;
 }

@@ -29,7 +29,7 @@ std::vector<UsedFile> rank_inputs(const RankRun& run, const SurfaceOptions& surf
 void check_rank_options(const WaveOptions& waves, const SolvingOptions& solving);
 
 /// Collective. A partition with its waves and the time spent.
-struct RankPreparation : PreparationFigures {
+struct RankPreparation : PreparationMetrics {
   ReadPiece read;
   std::optional<DistributedSurface> surface;
   WaveSet waves;

@@ -19,33 +19,33 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double number(const nlohmann::ordered_json& figures, const char* key) {
-  return figures[key].get<double>();
+double number(const nlohmann::ordered_json& metrics, const char* key) {
+  return metrics[key].get<double>();
 }
 
-double megabytes(const nlohmann::ordered_json& figures, const char* key) {
-  return 1e-6 * number(figures, key);
+double megabytes(const nlohmann::ordered_json& metrics, const char* key) {
+  return 1e-6 * number(metrics, key);
 }
 
 }  // namespace
 
-nlohmann::ordered_json rank_figures(Communicator& ranks, const DistributedSurface& surface,
+nlohmann::ordered_json rank_metrics(Communicator& ranks, const DistributedSurface& surface,
                                     const DistributedStripeAnimator& animator) {
   const Traffic traffic = surface.traffic();
   const double count = ranks.size();
   const auto memory = resident_memory();
-  const DistributedFigures of_animator = animator.figures();
-  nlohmann::ordered_json figures = {{"count", ranks.size()},
+  const DistributedMetrics of_animator = animator.metrics();
+  nlohmann::ordered_json metrics = {{"count", ranks.size()},
                                     {"distributed_levels", of_animator.distributed_levels}};
-  figures["vertices_most"] = ranks.greatest(surface.rank_surface().graph.own);
-  figures["vertices_mean"] = static_cast<double>(surface.vertex_count()) / count;
-  figures["ghosts"] = ranks.sum(of_animator.ghosts);
-  figures["bytes_sent"] = ranks.sum(traffic.bytes);
-  figures["messages_sent"] = ranks.sum(traffic.messages);
-  figures["waiting_milliseconds_mean"] = ranks.sum(traffic.waiting_milliseconds) / count;
-  figures["waiting_milliseconds_most"] = ranks.greatest(traffic.waiting_milliseconds);
-  figures["memory_peak_most"] = ranks.greatest(memory ? memory->peak : std::size_t{0});
-  return figures;
+  metrics["vertices_most"] = ranks.greatest(surface.rank_surface().graph.own);
+  metrics["vertices_mean"] = static_cast<double>(surface.vertex_count()) / count;
+  metrics["ghosts"] = ranks.sum(of_animator.ghosts);
+  metrics["bytes_sent"] = ranks.sum(traffic.bytes);
+  metrics["messages_sent"] = ranks.sum(traffic.messages);
+  metrics["waiting_milliseconds_mean"] = ranks.sum(traffic.waiting_milliseconds) / count;
+  metrics["waiting_milliseconds_most"] = ranks.greatest(traffic.waiting_milliseconds);
+  metrics["memory_peak_most"] = ranks.greatest(memory ? memory->peak : std::size_t{0});
+  return metrics;
 }
 
 nlohmann::ordered_json measure_frames(Communicator& ranks, const DistributedSurface& surface,
@@ -66,51 +66,51 @@ nlohmann::ordered_json measure_frames(Communicator& ranks, const DistributedSurf
         animator.frame({turned.positions, turned.directions, turned.frequencies});
     const double own = watch.lap();
     yields = frame.frequency_change.sweeps > 0;
-    frequency_bytes += animator.figures().frequency_bytes;
-    frequency_halo_bytes += animator.figures().frequency_halo_bytes;
+    frequency_bytes += animator.metrics().frequency_bytes;
+    frequency_halo_bytes += animator.metrics().frequency_halo_bytes;
     total += own;
     milliseconds.push_back(ranks.greatest(own));
   }
   const Traffic sent = surface.traffic().since(before);
   const double busy = std::max(0.0, total - sent.waiting_milliseconds);
   const double mean_busy = ranks.sum(busy) / ranks.size();
-  nlohmann::ordered_json figures = {{"count", count}, {"milliseconds", median(milliseconds)}};
-  figures["bytes_sent"] = static_cast<double>(ranks.sum(sent.bytes)) / count;
-  figures["halo_bytes"] = ranks.sum(std::uint64_t{animator.figures().halo_bytes});
-  figures["waiting_milliseconds"] = ranks.sum(sent.waiting_milliseconds) / ranks.size() / count;
+  nlohmann::ordered_json metrics = {{"count", count}, {"milliseconds", median(milliseconds)}};
+  metrics["bytes_sent"] = static_cast<double>(ranks.sum(sent.bytes)) / count;
+  metrics["halo_bytes"] = ranks.sum(std::uint64_t{animator.metrics().halo_bytes});
+  metrics["waiting_milliseconds"] = ranks.sum(sent.waiting_milliseconds) / ranks.size() / count;
   const double most_busy = ranks.greatest(busy);
-  figures["imbalance"] = mean_busy > 0 ? most_busy / mean_busy : 1;
-  if (!yields) return figures;
+  metrics["imbalance"] = mean_busy > 0 ? most_busy / mean_busy : 1;
+  if (!yields) return metrics;
   const auto frames = static_cast<std::uint64_t>(count);
-  figures["frequency_bytes_sent"] = ranks.sum(frequency_bytes) / frames;
-  figures["frequency_halo_bytes"] = ranks.sum(frequency_halo_bytes) / frames;
-  return figures;
+  metrics["frequency_bytes_sent"] = ranks.sum(frequency_bytes) / frames;
+  metrics["frequency_halo_bytes"] = ranks.sum(frequency_halo_bytes) / frames;
+  return metrics;
 }
 
-void print_ranks(std::ostream& out, const nlohmann::ordered_json& figures) {
-  const auto levels = figures["distributed_levels"].get<std::size_t>();
+void print_ranks(std::ostream& out, const nlohmann::ordered_json& metrics) {
+  const auto levels = metrics["distributed_levels"].get<std::size_t>();
   out << formatted(
       "ranks     %d, %zu distributed level%s, %.0f vertices each, %.0f at most, %.0f ghosts in "
       "all\n",
-      figures["count"].get<int>(), levels, levels == 1 ? "" : "s", number(figures, "vertices_mean"),
-      number(figures, "vertices_most"), number(figures, "ghosts"));
+      metrics["count"].get<int>(), levels, levels == 1 ? "" : "s", number(metrics, "vertices_mean"),
+      number(metrics, "vertices_most"), number(metrics, "ghosts"));
   out << formatted(
       "sent      %.3f MB in %.0f messages; waiting %.1f ms on average, memory %.0f MB at most\n",
-      megabytes(figures, "bytes_sent"), number(figures, "messages_sent"),
-      number(figures, "waiting_milliseconds_mean"), megabytes(figures, "memory_peak_most"));
+      megabytes(metrics, "bytes_sent"), number(metrics, "messages_sent"),
+      number(metrics, "waiting_milliseconds_mean"), megabytes(metrics, "memory_peak_most"));
 }
 
-void print_frames(std::ostream& out, const nlohmann::ordered_json& figures) {
+void print_frames(std::ostream& out, const nlohmann::ordered_json& metrics) {
   out << formatted(
       "frames    %d, %.2f ms each; %.3f MB sent, of these %.3f MB by sweeps; waiting %.2f ms, "
       "imbalance %.3f\n",
-      figures["count"].get<int>(), number(figures, "milliseconds"),
-      megabytes(figures, "bytes_sent"), megabytes(figures, "halo_bytes"),
-      number(figures, "waiting_milliseconds"), number(figures, "imbalance"));
-  if (!figures.contains("frequency_bytes_sent")) return;
-  out << formatted("yielding  %.3f MB of these for frequencies, %.3f MB by their sweeps\n",
-                   megabytes(figures, "frequency_bytes_sent"),
-                   megabytes(figures, "frequency_halo_bytes"));
+      metrics["count"].get<int>(), number(metrics, "milliseconds"),
+      megabytes(metrics, "bytes_sent"), megabytes(metrics, "halo_bytes"),
+      number(metrics, "waiting_milliseconds"), number(metrics, "imbalance"));
+  if (!metrics.contains("frequency_bytes_sent")) return;
+  out << formatted("slack     %.3f MB of these for frequencies, %.3f MB by their sweeps\n",
+                   megabytes(metrics, "frequency_bytes_sent"),
+                   megabytes(metrics, "frequency_halo_bytes"));
 }
 
 }  // namespace brindle::tool

@@ -11,7 +11,7 @@
 namespace brindle::tool {
 
 /// Collective. Traffic, waiting and memory of all ranks, for the key "ranks".
-nlohmann::ordered_json rank_figures(Communicator& ranks, const DistributedSurface& surface,
+nlohmann::ordered_json rank_metrics(Communicator& ranks, const DistributedSurface& surface,
                                     const DistributedStripeAnimator& animator);
 
 /// Collective. Solves `count` frames starting from `waves`, whose directions turn by a degree per
@@ -23,7 +23,7 @@ nlohmann::ordered_json measure_frames(Communicator& ranks, const DistributedSurf
                                       int count);
 
 /// The same as text.
-void print_ranks(std::ostream& out, const nlohmann::ordered_json& figures);
-void print_frames(std::ostream& out, const nlohmann::ordered_json& figures);
+void print_ranks(std::ostream& out, const nlohmann::ordered_json& metrics);
+void print_frames(std::ostream& out, const nlohmann::ordered_json& metrics);
 
 }  // namespace brindle::tool

@@ -40,7 +40,7 @@ Report report_of(const RankPreparation& prepared, const RankPattern& solved) {
   report.milliseconds.load = prepared.load_milliseconds;
   report.milliseconds.topology += prepared.topology_milliseconds;
   report.field_milliseconds = prepared.field_milliseconds;
-  report.waves = prepared.figures;
+  report.waves = prepared.metrics;
   report.field_rows_nonfinite = prepared.field_rows_nonfinite;
   report.frequency = frequency_report(pattern.frequency_change, pattern.quality);
   return report;
@@ -63,9 +63,9 @@ DataArrays arrays_of(const StripePattern& pattern, const std::vector<float>& bra
 
 void add_support_of_piece(const RankPreparation& prepared, std::vector<DataArray>& arrays) {
   const auto& [coherence, filled] = prepared.support;
-  const bool detail = prepared.figures.detail.has_value();
-  if (detail) arrays.push_back(make_data_array("coherence", 1, coherence));
-  if (!detail && !prepared.figures.frequency_smoothing) return;
+  const bool smoothing = prepared.metrics.smoothing.has_value();
+  if (smoothing) arrays.push_back(make_data_array("coherence", 1, coherence));
+  if (!smoothing && !prepared.metrics.frequency_smoothing) return;
   arrays.push_back(
       make_data_array("filled", 1, std::vector<std::uint8_t>(filled.begin(), filled.end())));
 }
@@ -126,18 +126,18 @@ WaveSet requested_waves(const StripePattern& pattern) {
 
 /// On rank 0.
 void tell(const CLI::App& command, const StripeArguments& arguments, Report& report,
-          const nlohmann::ordered_json& figures, const nlohmann::ordered_json& frames,
+          const nlohmann::ordered_json& metrics, const nlohmann::ordered_json& frames,
           const std::vector<Output>& outputs) {
   report.invocation = invocation_of(command);
   if (!arguments.report.empty()) {
     nlohmann::ordered_json json = to_json(report);
-    json["ranks"] = figures;
+    json["ranks"] = metrics;
     if (!frames.is_null()) json["frames"] = frames;
     write_json(arguments.report, json);
   }
   if (arguments.quiet) return;
   print_report(std::cout, report);
-  print_ranks(std::cout, figures);
+  print_ranks(std::cout, metrics);
   if (!frames.is_null()) print_frames(std::cout, frames);
   for (const Output& output : outputs) print_written(std::cout, output.path);
 }
@@ -150,7 +150,7 @@ void run_stripe_over(const RankRun& run, const CLI::App& command,
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   Report report;
-  nlohmann::ordered_json figures, frames;
+  nlohmann::ordered_json metrics, frames;
   {
     ProgressDisplay display(arguments.quiet || !run.is_first());
     RankPreparation prepared = prepare_piece(run, arguments, !arguments.outputs.empty(), display);
@@ -167,10 +167,10 @@ void run_stripe_over(const RankRun& run, const CLI::App& command,
       frames = measure_frames(run.ranks, *prepared.surface, solved.animator,
                               requested_waves(solved.pattern), run.frames);
     }
-    figures = rank_figures(run.ranks, *prepared.surface, solved.animator);
+    metrics = rank_metrics(run.ranks, *prepared.surface, solved.animator);
   }
   run.ranks.throw_on_all([&] {
-    if (run.is_first()) tell(command, arguments, report, figures, frames, outputs);
+    if (run.is_first()) tell(command, arguments, report, metrics, frames, outputs);
   });
 }
 

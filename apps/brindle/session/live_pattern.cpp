@@ -15,7 +15,7 @@
 #include "brindle/error.h"
 #include "brindle/pattern_of.h"
 #include "brindle/phase_graph.h"
-#include "brindle/recipe/making_report.h"
+#include "brindle/recipe/fabrication_report.h"
 #include "brindle/stripe_animator.h"
 #include "input/vertex_values.h"
 #include "jobs/curves_report.h"
@@ -131,14 +131,14 @@ InputData data_of(const Preparation& prepared, const PreparedWaves& waves) {
   return {prepared.arrays, prepared.original_ids, prepared.partners, waves.turn_deg, waves.support};
 }
 
-PreparationFigures figures_of(const Preparation& prepared, const PreparedWaves& waves) {
-  PreparationFigures figures = prepared;
-  figures.figures = waves.figures;
-  figures.field_rows_nonfinite = waves.field_rows_nonfinite;
-  figures.field_step = waves.field_step;
-  figures.turn_deg = waves.turn_deg;
-  figures.field_milliseconds = waves.field_milliseconds;
-  return figures;
+PreparationMetrics metrics_of(const Preparation& prepared, const PreparedWaves& waves) {
+  PreparationMetrics metrics = prepared;
+  metrics.metrics = waves.metrics;
+  metrics.field_rows_nonfinite = waves.field_rows_nonfinite;
+  metrics.field_step = waves.field_step;
+  metrics.turn_deg = waves.turn_deg;
+  metrics.field_milliseconds = waves.field_milliseconds;
+  return metrics;
 }
 
 /// A job with known phases and, for frames with a spacing tolerance, their frequencies.
@@ -154,7 +154,7 @@ SolvedPattern pattern_of_angles(const StripeArguments& arguments,
   measure_pattern(prepared->surface, {}, pattern);
   pattern.milliseconds.pattern = watch.lap();
   const std::shared_ptr<const Surface> surface(prepared, &prepared->surface);
-  Report report = make_report(*surface, figures_of(*prepared, waves), pattern,
+  Report report = make_report(*surface, metrics_of(*prepared, waves), pattern,
                               arguments.solving.stripes.solver.solver);
   return {{surface, {std::move(pattern)}, std::move(report), data_of(*prepared, waves)},
           std::move(angles),
@@ -202,20 +202,20 @@ std::string follower_key(const SessionDocument& document, const SolvingOptions& 
 
 double no_less(double value) { return std::max(value, 0.0); }
 
-LiveFigures figures_of(const SolvedPattern& pattern) {
+LiveMetrics metrics_of(const SolvedPattern& pattern) {
   const Report& report = pattern.job.report;
-  LiveFigures figures;
-  figures.vertices = report.vertices;
-  figures.triangles = report.triangles;
-  figures.branches = report.quality.branches;
-  figures.singularities = report.quality.field_singularities;
-  figures.energy = report.energy;
-  figures.mean_angle_error_deg = report.quality.angle_error_mean_deg;
-  figures.mean_spacing_error = report.quality.spacing_error_mean;
-  figures.phase_step = pattern.phase_step;
-  figures.followed = pattern.phases != nullptr;
-  figures.edges_per_period = report.waves.edges_per_period_median;
-  return figures;
+  LiveMetrics metrics;
+  metrics.vertices = report.vertices;
+  metrics.triangles = report.triangles;
+  metrics.branches = report.quality.branches;
+  metrics.singularities = report.quality.field_singularities;
+  metrics.energy = report.energy;
+  metrics.mean_angle_error_deg = report.quality.angle_error_mean_deg;
+  metrics.mean_spacing_error = report.quality.spacing_error_mean;
+  metrics.phase_step = pattern.phase_step;
+  metrics.followed = pattern.phases != nullptr;
+  metrics.edges_per_period = report.waves.edges_per_period_median;
+  return metrics;
 }
 
 using StageTimes = std::vector<std::pair<std::string, double>>;
@@ -229,33 +229,33 @@ void add_times(const Report& report, StageTimes& times) {
 }
 
 /// Winding numbers of the surface's loops; NaN if undefined.
-void add_windings(const CurveFamily& family, std::vector<std::pair<std::string, double>>& figures) {
-  const MakingFigures& making = family.making;
-  for (std::size_t i = 0; i < std::min(kMostWindings, making.loops.size()); ++i) {
-    const Winding& winding = making.windings[i];
-    figures.emplace_back("winding " + making.loops[i].name + " (" + family.name + ")",
+void add_windings(const CurveFamily& family, std::vector<std::pair<std::string, double>>& metrics) {
+  const FabricationMetrics& fabrication = family.fabrication;
+  for (std::size_t i = 0; i < std::min(kMostWindings, fabrication.loops.size()); ++i) {
+    const Winding& winding = fabrication.windings[i];
+    metrics.emplace_back("winding " + fabrication.loops[i].name + " (" + family.name + ")",
                          winding ? *winding : std::numeric_limits<double>::quiet_NaN());
   }
 }
 
-void add_curve_figures(const CurveFamily& family,
-                       std::vector<std::pair<std::string, double>>& figures) {
-  for (const CurveFigure& figure : figures_of(family)) {
-    const auto value = figure.value.get<double>();
-    const bool seen = !figure.words.empty() && !(figure.if_any && value == 0);
-    if (seen) figures.emplace_back(figure.words, figure.scale * value);
+void add_curve_metrics(const CurveFamily& family,
+                       std::vector<std::pair<std::string, double>>& metrics) {
+  for (const CurveMetric& metric : metrics_of(family)) {
+    const auto value = metric.value.get<double>();
+    const bool seen = !metric.words.empty() && !(metric.if_any && value == 0);
+    if (seen) metrics.emplace_back(metric.words, metric.scale * value);
   }
-  add_windings(family, figures);
+  add_windings(family, metrics);
 }
 
-void add_shown_figures(LiveState& state) {
-  auto& figures = state.figures.shown;
+void add_shown_metrics(LiveState& state) {
+  auto& metrics = state.metrics.shown;
   if (state.curves) {
-    for (const CurveFamily& family : state.curves->families) add_curve_figures(family, figures);
+    for (const CurveFamily& family : state.curves->families) add_curve_metrics(family, metrics);
   }
   if (!state.samples) return;
-  figures.emplace_back("samples", state.samples->taken.samples.size());
-  figures.emplace_back("too near to others", state.samples->taken.doubles);
+  metrics.emplace_back("samples", state.samples->taken.samples.size());
+  metrics.emplace_back("too near to others", state.samples->taken.doubles);
 }
 
 /// The stages of a style besides the pattern.
@@ -304,12 +304,12 @@ struct LiveStages {
 class StageUpdate {
  public:
   StageUpdate(LiveStages& stages, const SessionDocument& document, Follow follow,
-              CurveFigures figures, const Progress& progress)
+              CurveMetrics metrics, const Progress& progress)
       : stages_(stages),
         document_(document),
         follow_(follow),
         // Drafts follow the mouse.
-        figures_(follow == Follow::loosely ? CurveFigures::few : figures),
+        metrics_(follow == Follow::loosely ? CurveMetrics::few : metrics),
         progress_(progress),
         listener_(progress),
         parsed_(std::make_shared<const ParsedSession>(document)) {}
@@ -516,7 +516,7 @@ class StageUpdate {
     const PreparedWaves& waves = *stages_.waves.made;
     SolvedPattern solved;
     solved.job = stages_.tiles.made->next(arguments(), waves,
-                                          figures_of(*stages_.surface.made, waves), progress_);
+                                          metrics_of(*stages_.surface.made, waves), progress_);
     solved.phase_step = stages_.tiles.made->phase_step();
     solved.loosely = true;
     return solved;
@@ -640,7 +640,7 @@ class StageUpdate {
     const Preparation& prepared = *stages_.surface.made;
     const PreparedWaves& waves = *stages_.waves.made;
     return {prepared.surface, waves.waves, waves.frequencies_v, prepared.vertex_of_row,
-            waves.figures.subdivided};
+            waves.metrics.subdivided};
   }
 
   const SecondWaveOptions& second_options() const {
@@ -653,10 +653,10 @@ class StageUpdate {
     if (parsed_->samples() != nullptr) {
       return {stripe_pattern(prepared.surface, std::move(waves), options, progress_)};
     }
-    PatternResult made =
-        pattern_of(prepared.surface, std::move(waves),
-                   {PatternKind::stripes, options, making_of_v(*parsed_->curves())}, progress_);
-    return {std::get<StripePattern>(std::move(made.of)), std::move(made.making)};
+    PatternResult made = pattern_of(
+        prepared.surface, std::move(waves),
+        {PatternKind::stripes, options, fabrication_of_v(*parsed_->curves())}, progress_);
+    return {std::get<StripePattern>(std::move(made.of)), std::move(made.fabrication)};
   }
 
   const MadeStripes& second() {
@@ -698,12 +698,13 @@ class StageUpdate {
     const MadeStripes* v = curves.traced == TracedWaves::u ? nullptr : &second();
     const std::string key = shown_key(), measured = key + kMeasured;
     // Fully measured results are good for drafts, too.
-    if (stage.holds(measured) || (figures_ == CurveFigures::few && stage.holds(key))) return false;
+    if (stage.holds(measured) || (metrics_ == CurveMetrics::few && stage.holds(key))) return false;
     const StripeJob& job = stages_.pattern.made->job;
-    auto made = std::make_shared<const ShownCurves>(shown_curves(
-        curves, job.surface, tracer(), {job.result.stripes(), job.making, v}, figures_, listener_));
-    for (const CurveFamily& family : made->families) listener_.note(remarks_of(family.making));
-    stage = {figures_ == CurveFigures::few ? key : measured, std::move(made), listener_.take()};
+    auto made = std::make_shared<const ShownCurves>(
+        shown_curves(curves, job.surface, tracer(), {job.result.stripes(), job.fabrication, v},
+                     metrics_, listener_));
+    for (const CurveFamily& family : made->families) listener_.note(remarks_of(family.fabrication));
+    stage = {metrics_ == CurveMetrics::few ? key : measured, std::move(made), listener_.take()};
     return true;
   }
 
@@ -729,14 +730,14 @@ class StageUpdate {
     result.others = stages_.style.read.made;
     result.curves = stages_.shown.curves.made;
     if (result.curves) {
-      result.prepared = std::make_shared<const PreparationFigures>(
-          figures_of(*stages_.surface.made, *stages_.waves.made));
+      result.prepared = std::make_shared<const PreparationMetrics>(
+          metrics_of(*stages_.surface.made, *stages_.waves.made));
     }
     result.samples = stages_.shown.samples.made;
     result.phases = pattern->phases;
-    result.figures = figures_of(*pattern);
-    add_shown_figures(result);
-    result.figures.milliseconds = std::move(times_);
+    result.metrics = metrics_of(*pattern);
+    add_shown_metrics(result);
+    result.metrics.milliseconds = std::move(times_);
     const StyleStages& style = stages_.style;
     for (const std::vector<std::string>* notes :
          std::initializer_list<const std::vector<std::string>*>{
@@ -753,7 +754,7 @@ class StageUpdate {
   LiveStages& stages_;
   const SessionDocument& document_;
   const Follow follow_;
-  const CurveFigures figures_;
+  const CurveMetrics metrics_;
   const Progress& progress_;
   NoteKeeper listener_;
   std::shared_ptr<const ParsedSession> parsed_;
@@ -770,14 +771,14 @@ const ShownOrnaments* ornaments_of(const LiveState& state) {
 
 struct LivePattern::Stages : LiveStages {};
 
-LivePattern::LivePattern(CurveFigures figures)
-    : figures_(figures), stages_(std::make_unique<Stages>()) {}
+LivePattern::LivePattern(CurveMetrics metrics)
+    : metrics_(metrics), stages_(std::make_unique<Stages>()) {}
 LivePattern::~LivePattern() = default;
 
 void LivePattern::update(const SessionDocument& document, Follow follow, const Progress& progress) {
   Stages next = *stages_;
   std::shared_ptr<const LiveState> state =
-      StageUpdate(next, document, follow, figures_, progress).run();
+      StageUpdate(next, document, follow, metrics_, progress).run();
   *stages_ = std::move(next);
   state_ = std::move(state);
 }

@@ -36,7 +36,7 @@ class UnreadMesh : public Error {
 };
 
 /// The metrics of a pattern.
-struct LiveFigures {
+struct LiveMetrics {
   std::vector<std::pair<std::string, double>> milliseconds;  ///< of executed stages, in order
   std::size_t vertices = 0, triangles = 0;
   std::size_t branches = 0;       ///< as in reports: including those at singularities
@@ -59,11 +59,11 @@ struct LiveState {
   std::shared_ptr<const StyleJob> style;  ///< null if the picture has no style
   /// Other surfaces as read, with their arrays; null without a style.
   std::shared_ptr<const std::vector<Preparation>> others;
-  std::shared_ptr<const PreparationFigures> prepared;  ///< null if no curves are shown
+  std::shared_ptr<const PreparationMetrics> prepared;  ///< null if no curves are shown
   std::shared_ptr<const ShownCurves> curves;           ///< null if they are not shown
   std::shared_ptr<const ShownSamples> samples;         ///< null if they are not shown
   std::shared_ptr<const std::vector<float>> phases;    ///< angles of a continued pattern
-  LiveFigures figures;
+  LiveMetrics metrics;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings
   std::uint64_t pattern = 0;  ///< changes whenever anything drawn except for the camera changes
 };
@@ -74,8 +74,8 @@ const ShownOrnaments* ornaments_of(const LiveState& state);
 /// Caches the stages whose inputs did not change.
 class LivePattern {
  public:
-  /// `figures`: the extent of curve measurements, except for drafts.
-  explicit LivePattern(CurveFigures figures = CurveFigures::few);
+  /// `metrics`: the extent of curve measurements, except for drafts.
+  explicit LivePattern(CurveMetrics metrics = CurveMetrics::few);
   ~LivePattern();
 
   /// Updates the state for the document. Throws CLI::ValidationError or Error as `brindle stripe`
@@ -87,7 +87,7 @@ class LivePattern {
 
  private:
   struct Stages;
-  CurveFigures figures_;
+  CurveMetrics metrics_;
   std::unique_ptr<Stages> stages_;
   std::shared_ptr<const LiveState> state_;
 };

@@ -164,11 +164,11 @@ std::vector<CurveFamily> measured_curves(const LiveState& state, JobListener& li
   std::vector<CurveFamily> families;
   for (const CurveFamily& family : state.curves->families) {
     CurveFamily& measured = families.emplace_back(traced_family(
-        arguments, surface, tracer, family.name, family.pattern, CurveFigures::all, listener));
+        arguments, surface, tracer, family.name, family.pattern, CurveMetrics::all, listener));
     measured.jogs = family.jogs;
-    measured.making = family.making;
-    if (measured.making.loops.empty()) {
-      measure_windings(surface, family.pattern, measured.making);
+    measured.fabrication = family.fabrication;
+    if (measured.fabrication.loops.empty()) {
+      measure_windings(surface, family.pattern, measured.fabrication);
     }
   }
   return families;

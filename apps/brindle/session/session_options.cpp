@@ -275,7 +275,8 @@ bool can_have_frames(const StripeArguments& arguments) {
   return arguments.previous.empty() && !arguments.surface.points &&
          arguments.device == DeviceKind::cpu && stripes.solver.solver == Solver::multilevel &&
          stripes.weights == EdgeWeights::paper &&
-         stripes.phase_shift != PhaseShiftKind::common_source && !arguments.making.change_pattern();
+         stripes.phase_shift != PhaseShiftKind::common_source &&
+         !arguments.fabrication.change_pattern();
 }
 
 }  // namespace
@@ -348,7 +349,7 @@ void ParsedSession::take_shared() {
   };
   if (curves_) {
     take(*curves_);
-    arguments_->making = curves_->making;
+    arguments_->fabrication = curves_->fabrication;
   }
   if (samples_) take(*samples_);
 }

@@ -60,7 +60,7 @@ class FrameMaker {
   }
 
  private:
-  LivePattern pattern_{CurveFigures::brief};
+  LivePattern pattern_{CurveMetrics::brief};
   std::optional<LivePicture> picture_;
 };
 

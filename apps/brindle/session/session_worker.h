@@ -29,7 +29,7 @@ struct SessionFrame {
   Image image;
   Camera camera;                           ///< of the picture, for `pick`
   std::string nothing_left;                ///< the reason why it shows nothing; else empty
-  std::shared_ptr<const LiveState> state;  ///< document, figures, notes, phases
+  std::shared_ptr<const LiveState> state;  ///< document, metrics, notes, phases
   double draw_milliseconds = 0;
   double milliseconds = 0;  ///< in total
 

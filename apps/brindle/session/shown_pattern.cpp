@@ -9,19 +9,19 @@ namespace brindle::tool {
 
 ShownCurves shown_curves(const CurvesArguments& arguments,
                          const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
-                         const CurvePatterns& patterns, CurveFigures figures,
+                         const CurvePatterns& patterns, CurveMetrics metrics,
                          JobListener& listener) {
   ShownCurves shown;
   const auto add = [&](const char* name, const StripePattern& pattern,
-                       const MakingFigures& making) {
+                       const FabricationMetrics& fabrication) {
     CurveFamily& family = shown.families.emplace_back(
-        traced_family(arguments, *surface, tracer, name, pattern, figures, listener));
-    family.making = making;
-    const bool winds = figures != CurveFigures::few && making.loops.empty();
-    if (winds) measure_windings(*surface, pattern, family.making);
+        traced_family(arguments, *surface, tracer, name, pattern, metrics, listener));
+    family.fabrication = fabrication;
+    const bool winds = metrics != CurveMetrics::few && fabrication.loops.empty();
+    if (winds) measure_windings(*surface, pattern, family.fabrication);
   };
-  if (arguments.traced != TracedWaves::v) add("u", patterns.u, patterns.making_of_u);
-  if (arguments.traced != TracedWaves::u) add("v", patterns.v->pattern, patterns.v->making);
+  if (arguments.traced != TracedWaves::v) add("u", patterns.u, patterns.fabrication_of_u);
+  if (arguments.traced != TracedWaves::u) add("v", patterns.v->pattern, patterns.v->fabrication);
   shown.drawn.ornaments = ornamented(*surface, tubes_of(arguments, surface->mesh, shown.families),
                                      render_options(*arguments.picture, surface->mesh.origin));
   return shown;

@@ -32,7 +32,7 @@ struct ShownSamples {
 /// Stripes with their fabrication metrics.
 struct MadeStripes {
   StripePattern pattern;
-  MakingFigures making = {};
+  FabricationMetrics fabrication = {};
 };
 
 /// Two crossing patterns. V is null if not requested.
@@ -44,14 +44,14 @@ struct CrossingPatterns {
 /// The same of curves.
 struct CurvePatterns {
   const StripePattern& u;
-  const MakingFigures& making_of_u;
+  const FabricationMetrics& fabrication_of_u;
   const MadeStripes* v;
 };
 
 /// With all metrics, curves are measured as by `brindle curves`; with few, without windings.
 ShownCurves shown_curves(const CurvesArguments& arguments,
                          const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
-                         const CurvePatterns& patterns, CurveFigures figures,
+                         const CurvePatterns& patterns, CurveMetrics metrics,
                          JobListener& listener);
 
 /// `command` tells whether glyphs are requested; their values are those of `prepared`.

@@ -12,10 +12,10 @@ FrameInput frame_input(const WaveSet& waves) {
 }
 
 /// The motifs that pictures will need, if known before the first frame.
-std::optional<TileFigures> figures_in_frames(const WholeTiles& whole, const TextureTile& tile,
-                                             const StyleOptions& style) {
+std::optional<TileMotifs> motifs_in_frames(const WholeTiles& whole, const TextureTile& tile,
+                                           const StyleOptions& style) {
   if (!style.tile_size_by.empty()) return std::nullopt;
-  return whole.figures_of(tile, style.texture_shift);
+  return whole.motifs_of(tile, style.texture_shift);
 }
 
 }  // namespace
@@ -38,26 +38,25 @@ void TileFollower::restart() {
 }
 
 StripeJob TileFollower::next(const StripeArguments& arguments, const PreparedWaves& waves,
-                             const PreparationFigures& figures, const Progress& progress) {
+                             const PreparationMetrics& metrics, const Progress& progress) {
   progress.report("tiles", 0);
-  return cross_ ? next_cross(arguments, waves, figures, progress)
-                : next_texture(arguments, waves, figures);
+  return cross_ ? next_cross(arguments, waves, metrics, progress)
+                : next_texture(arguments, waves, metrics);
 }
 
 StripeJob TileFollower::next_texture(const StripeArguments& arguments, const PreparedWaves& waves,
-                                     const PreparationFigures& figures) {
+                                     const PreparationMetrics& metrics) {
   const Surface& surface = prepared_->surface;
   TextureTile tile = chosen_tile(arguments.texture, false).value();
   whole_ = whole_.of_next_texture(arguments.texture.whole);
-  const std::optional<TileFigures> figures_left_out =
-      figures_in_frames(whole_, tile, arguments.style);
-  texture_->set_whole_tiles(figures_left_out);
+  const std::optional<TileMotifs> motifs_left_out = motifs_in_frames(whole_, tile, arguments.style);
+  texture_->set_whole_tiles(motifs_left_out);
   const TextureFrameResult frame =
       texture_->frame({frame_input(waves.waves), waves.frequencies_v, {}});
-  if (frame.broken != nullptr) whole_.know(*figures_left_out, *frame.broken);
+  if (frame.broken != nullptr) whole_.know(*motifs_left_out, *frame.broken);
   phase_step_ = frame.u.phase_step;
   TexturePattern pattern = pattern_of_frame(frame, *texture_);
-  Report report = make_report(surface, figures, pattern, arguments.solving.stripes.solver.solver);
+  Report report = make_report(surface, metrics, pattern, arguments.solving.stripes.solver.solver);
   return {{prepared_, &surface},
           {Texture{std::move(pattern), std::move(tile), whole_}},
           std::move(report),
@@ -65,7 +64,7 @@ StripeJob TileFollower::next_texture(const StripeArguments& arguments, const Pre
 }
 
 StripeJob TileFollower::next_cross(const StripeArguments& arguments, const PreparedWaves& waves,
-                                   const PreparationFigures& figures, const Progress& progress) {
+                                   const PreparationMetrics& metrics, const Progress& progress) {
   const CrossFrameResult frame = cross_->frame({frame_input(waves.waves), {}}, progress);
   phase_step_ = frame.stripes.phase_step;
   if (frame.matching != CrossMatching::kept || !cross_surface_) {
@@ -78,7 +77,7 @@ StripeJob TileFollower::next_cross(const StripeArguments& arguments, const Prepa
   CrossTexture texture{{}, pattern_of_frame(frame, *cross_, arguments.solving.stripes.phase_shift)};
   // As for a pattern from scratch: of the surface without the parts of singular triangles.
   Report report =
-      make_report(prepared_->surface, figures, texture, arguments.solving.stripes.solver.solver);
+      make_report(prepared_->surface, metrics, texture, arguments.solving.stripes.solver.solver);
   whole_ = whole_.of_next_texture(arguments.texture.whole);
   Texture drawn{std::move(texture.pattern),
                 chosen_tile(arguments.texture, true).value_or(BuiltInTile::checker), whole_};

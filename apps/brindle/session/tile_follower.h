@@ -20,7 +20,7 @@ class TileFollower {
 
   /// The next frame, continuing the last one. Throws what the animators throw, and Cancelled.
   StripeJob next(const StripeArguments& arguments, const PreparedWaves& waves,
-                 const PreparationFigures& figures, const Progress& progress);
+                 const PreparationMetrics& metrics, const Progress& progress);
 
   double phase_step() const { return phase_step_; }
 
@@ -29,9 +29,9 @@ class TileFollower {
 
  private:
   StripeJob next_texture(const StripeArguments& arguments, const PreparedWaves& waves,
-                         const PreparationFigures& figures);
+                         const PreparationMetrics& metrics);
   StripeJob next_cross(const StripeArguments& arguments, const PreparedWaves& waves,
-                       const PreparationFigures& figures, const Progress& progress);
+                       const PreparationMetrics& metrics, const Progress& progress);
 
   std::shared_ptr<const Preparation> prepared_;
   std::optional<TextureAnimator> texture_;

@@ -56,7 +56,7 @@ Viewer::Viewer(SessionDocument document, std::filesystem::path session_file,
       browser_(settings_.folder),
       export_(live_, jobs_, browser_, log_),
       option_panel_(live_, browser_, log_),
-      figure_panel_(live_, log_),
+      metric_panel_(live_, log_),
       shapes_(live_, log_, [this](const std::string& shape) { open_mesh(shape); }),
       tool_(live_, log_),
       places_(live_, log_),
@@ -213,9 +213,9 @@ void Viewer::draw_panels() {
     draw_options(height);
     left = options_width_;
   }
-  if (settings_.show_figures) {
+  if (settings_.show_metrics) {
     right = std::round(13.5f * ImGui::GetFontSize());
-    draw_figures(height);
+    draw_metrics(height);
   }
   draw_picture(left, right, height);
   draw_status();
@@ -237,15 +237,15 @@ void Viewer::draw_options(float height) {
   ImGui::End();
 }
 
-void Viewer::draw_figures(float height) {
+void Viewer::draw_metrics(float height) {
   const ImGuiViewport* viewport = ImGui::GetMainViewport();
   const float width = std::round(13.5f * ImGui::GetFontSize());
   ImGui::SetNextWindowPos(
       {viewport->WorkPos.x + viewport->WorkSize.x - width, viewport->WorkPos.y});
   ImGui::SetNextWindowSize({width, height});
-  ImGui::Begin("figures", nullptr, kPanel | ImGuiWindowFlags_NoResize);
-  figure_panel_.draw(window_milliseconds_, window_.dark());
-  if (figure_panel_.asks_to_solve_again()) solve_again();
+  ImGui::Begin("metrics", nullptr, kPanel | ImGuiWindowFlags_NoResize);
+  metric_panel_.draw(window_milliseconds_, window_.dark());
+  if (metric_panel_.asks_to_solve_again()) solve_again();
   ImGui::End();
 }
 

@@ -17,8 +17,8 @@
 #include "window/dialogs/export_dialog.h"
 #include "window/dialogs/file_browser.h"
 #include "window/dialogs/shape_dialog.h"
-#include "window/panels/figure_panel.h"
 #include "window/panels/gallery_menu.h"
+#include "window/panels/metric_panel.h"
 #include "window/panels/option_panel.h"
 #include "window/picture/picture_view.h"
 #include "window/picture/stroke_tool.h"
@@ -77,7 +77,7 @@ class Viewer {
   void draw_options(float height);
   void draw_place_box();
   void draw_camera();
-  void draw_figures(float height);
+  void draw_metrics(float height);
   void draw_picture(float left, float right, float height);
   void draw_status();
   void draw_jobs();
@@ -140,7 +140,7 @@ class Viewer {
   FileBrowser browser_;
   ExportDialog export_;
   OptionPanel option_panel_;
-  FigurePanel figure_panel_;
+  MetricPanel metric_panel_;
   ShapeDialog shapes_;
   StrokeTool tool_;
   PlaceHandles places_;

@@ -201,8 +201,8 @@ void Viewer::draw_view_menu() {
   if (item("Options", "Tab", settings_.show_options)) {
     settings_.show_options = !settings_.show_options;
   }
-  if (item("Figures", "Tab", settings_.show_figures)) {
-    settings_.show_figures = !settings_.show_figures;
+  if (item("Metrics", "Tab", settings_.show_metrics)) {
+    settings_.show_metrics = !settings_.show_metrics;
   }
   if (item("Dark", "L", window_.dark())) toggle_theme();
 }
@@ -329,7 +329,7 @@ void Viewer::follow_plain_key(const PressedKey& key) {
     case GLFW_KEY_T:
       return set_camera(view.rotation ? upright(view) : freed(view));
     case GLFW_KEY_TAB:
-      settings_.show_options = settings_.show_figures = !settings_.show_options;
+      settings_.show_options = settings_.show_metrics = !settings_.show_options;
       return;
     case GLFW_KEY_ESCAPE:
       show_keys_ = false;
@@ -382,7 +382,7 @@ void Viewer::follow_letter(int key) {
 void Viewer::set_camera(const CameraView& view) { live_.apply(commands::SetCamera{view}); }
 
 void Viewer::solve_again() {
-  if (live_.at_rest() && !live_.frame()->state->figures.followed) {
+  if (live_.at_rest() && !live_.frame()->state->metrics.followed) {
     return live_.add_message(MessageKind::note, "the pattern has followed no other one");
   }
   live_.end_drag();

@@ -225,9 +225,9 @@ std::vector<DataArray> blended(std::span<const DataArray> arrays,
   return result;
 }
 
-ArrayFigures measure_array(const DataArray& array) {
+ArrayMetrics measure_array(const DataArray& array) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  ArrayFigures figures{kInfinity, -kInfinity, 0};
+  ArrayMetrics metrics{kInfinity, -kInfinity, 0};
   const ArrayView view = array.view();
   double squares = 0;
   bool nan = false;
@@ -237,14 +237,14 @@ ArrayFigures measure_array(const DataArray& array) {
     nan = nan || std::isnan(value);
     squares += value * value;
     if (column + 1 < view.columns()) return;
-    figures.rows_nan += nan;
+    metrics.rows_nan += nan;
     const double size = view.columns() == 1 ? value : std::sqrt(squares);
     if (!std::isfinite(size)) return;
-    figures.minimum = std::min(figures.minimum, size);
-    figures.maximum = std::max(figures.maximum, size);
+    metrics.minimum = std::min(metrics.minimum, size);
+    metrics.maximum = std::max(metrics.maximum, size);
   });
-  if (figures.minimum > figures.maximum) figures.minimum = figures.maximum = 0;
-  return figures;
+  if (metrics.minimum > metrics.maximum) metrics.minimum = metrics.maximum = 0;
+  return metrics;
 }
 
 std::string_view name_of(NumberType type) {

@@ -4,7 +4,7 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/distributed/levels/rank_hierarchy.h"
-#include "brindle/distributed/rank_yielding.h"
+#include "brindle/distributed/rank_relaxed_frequency.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed/whole_frames.h"
 #include "brindle/distributed_stripes.h"
@@ -63,8 +63,8 @@ struct DistributedStripeAnimator::State {
   FramePhases phases;                      ///< of own vertices and ghosts
   WaveSet input;                           ///< of own vertices and ghosts
   std::shared_ptr<const RankRows> rows;    ///< of the spacing tolerance over several ranks
-  FrameFrequencies yielding;               ///< of own vertices and ghosts
-  DistributedFigures figures;
+  FrameFrequencies relaxed;                ///< of own vertices and ghosts
+  DistributedMetrics metrics;
 
   Communicator& ranks() const { return *surface->ranks; }
   Level& finest() { return hierarchy->finest(); }
@@ -96,7 +96,7 @@ struct DistributedStripeAnimator::State {
 
 /// All ranks have a spacing tolerance, or none.
 void DistributedStripeAnimator::State::take_slack() {
-  yields = ranks().any(options.slack.yields());
+  yields = ranks().any(options.slack.relaxes());
   has_penalty = ranks().any(!options.slack.branch_penalty.empty());
   branch_penalty = owners_values(*surface, options.slack.branch_penalty);
   if (whole || !yields) return;
@@ -104,8 +104,8 @@ void DistributedStripeAnimator::State::take_slack() {
   if (ranks().size() > 1) {
     peers = std::make_shared<RankRows>(ranks(), surface->graph, options.gather_below);
   }
-  yielding =
-      FrameFrequencies(YieldingSolver(rank_yielding_setting(*surface, options.slack), peers));
+  relaxed = FrameFrequencies(
+      RelaxedFrequencySolver(rank_relaxed_setting(*surface, options.slack), peers));
   rows = std::move(peers);
 }
 
@@ -171,18 +171,18 @@ FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
 
 /// Whether the input equals the last frame's on all ranks, with a spacing tolerance.
 bool DistributedStripeAnimator::State::is_kept() const {
-  return phases.has_last && !phases.has_given && yielding.yields() &&
-         !ranks().any(!yielding.is_kept(input_of_nodes()));
+  return phases.has_last && !phases.has_given && relaxed.relaxes() &&
+         !ranks().any(!relaxed.is_kept(input_of_nodes()));
 }
 
 /// The input of own vertices and ghosts with the frequencies to solve for.
 FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
-  if (!yielding.yields()) return input_of_nodes();
+  if (!relaxed.relaxes()) return input_of_nodes();
   const std::uint64_t halo_before = rows ? rows->halo_bytes() : 0;
   const Traffic before = ranks().traffic();
-  const FrameInput result = yielding.yielded(input_of_nodes(), on_all(ranks(), progress));
-  figures.frequency_bytes = ranks().traffic().since(before).bytes;
-  figures.frequency_halo_bytes = rows ? rows->halo_bytes() - halo_before : 0;
+  const FrameInput result = relaxed.yielded(input_of_nodes(), on_all(ranks(), progress));
+  metrics.frequency_bytes = ranks().traffic().since(before).bytes;
+  metrics.frequency_halo_bytes = rows ? rows->halo_bytes() - halo_before : 0;
   return result;
 }
 
@@ -274,7 +274,7 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
                                                               const Progress& progress) {
   FrameResult unchanged;
   unchanged.unchanged = true;
-  unchanged.frequency_change = yielding.change();
+  unchanged.frequency_change = relaxed.change();
   FrameClock clock;
   take_own(frame);
   take_ghosts();
@@ -300,9 +300,9 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
   FrameResult result;
   result.phase_step = ranks().sum(phases.steps(finest())).mean();
   phases.keep(finest());
-  if (yields) yielding.keep(input_of_nodes());
-  keep(phases.z_by_node, yielding.frequencies());
-  result.frequency_change = yielding.change();
+  if (yields) relaxed.keep(input_of_nodes());
+  keep(phases.z_by_node, relaxed.frequencies());
+  result.frequency_change = relaxed.change();
   clock.add(&FrameMilliseconds::solve);
   result.milliseconds = clock.spent;
   return kept_frame(result);
@@ -378,9 +378,9 @@ void DistributedStripeAnimator::set_slack(const Slack& slack) {
   if (s.whole) {
     s.whole->set_slack(slack);
   } else {
-    auto setting = rank_yielding_setting(*s.surface, slack);
-    const bool differs = setting->triangles.weights != s.yielding.setting().triangles.weights;
-    s.yielding.set_setting(std::move(setting), !s.ranks().any(differs));
+    auto setting = rank_relaxed_setting(*s.surface, slack);
+    const bool differs = setting->triangles.weights != s.relaxed.setting().triangles.weights;
+    s.relaxed.set_setting(std::move(setting), !s.ranks().any(differs));
   }
   s.options.slack = slack;
   s.has_penalty = s.ranks().any(!slack.branch_penalty.empty());
@@ -391,23 +391,23 @@ void DistributedStripeAnimator::restart() {
   State& s = *state_;
   if (s.whole) return s.whole->restart();
   s.phases.restart();
-  s.yielding.restart();
+  s.relaxed.restart();
 }
 
-DistributedFigures DistributedStripeAnimator::figures() const {
+DistributedMetrics DistributedStripeAnimator::metrics() const {
   const State& s = *state_;
-  DistributedFigures figures = s.figures;
-  figures.ghosts = s.surface->graph.ghost_count();
+  DistributedMetrics metrics = s.metrics;
+  metrics.ghosts = s.surface->graph.ghost_count();
   if (s.whole) {
-    figures.topology_milliseconds = s.whole->topology_milliseconds();
-    figures.sweeps = s.whole->sweeps();
+    metrics.topology_milliseconds = s.whole->topology_milliseconds();
+    metrics.sweeps = s.whole->sweeps();
   } else if (s.has_frame) {
-    figures.topology_milliseconds = s.phases.topology_milliseconds;
-    figures.sweeps = s.phases.sweeps;
-    figures.distributed_levels = s.hierarchy->distributed_levels();
-    figures.halo_bytes = s.hierarchy->halo_bytes(s.options.sweeps);
+    metrics.topology_milliseconds = s.phases.topology_milliseconds;
+    metrics.sweeps = s.phases.sweeps;
+    metrics.distributed_levels = s.hierarchy->distributed_levels();
+    metrics.halo_bytes = s.hierarchy->halo_bytes(s.options.sweeps);
   }
-  return figures;
+  return metrics;
 }
 
 }  // namespace brindle

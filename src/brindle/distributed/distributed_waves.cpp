@@ -67,7 +67,7 @@ double median(Communicator& ranks, std::vector<double>& numbers, std::size_t cou
 
 }  // namespace
 
-WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& waves) {
+WaveMetrics measure_waves(const DistributedSurface& surface, const WaveSet& waves) {
   const RankSurface& own = surface.rank_surface();
   Communicator& ranks = *own.ranks;
   WaveTally tally;
@@ -80,18 +80,18 @@ WaveFigures measure_waves(const DistributedSurface& surface, const WaveSet& wave
   tally.frequency_sum = ranks.sum(tally.frequency_sum);
   tally.frequency_max = ranks.greatest(tally.frequency_max);
   tally.frequency_min = -ranks.greatest(-tally.frequency_min);
-  WaveFigures figures = figures_of(tally, surface.diagonal());
+  WaveMetrics metrics = metrics_of(tally, surface.diagonal());
   std::vector<double>& edges = tally.edges_per_period;
   const std::size_t count = ranks.sum(edges.size());
   if (count == 0) {
-    figures.stripes = 0;
-    return figures;
+    metrics.stripes = 0;
+    return metrics;
   }
   double least = std::numeric_limits<double>::infinity();
   for (const double number : edges) least = std::min(least, number);
-  figures.edges_per_period_min = -ranks.greatest(-least);
-  figures.edges_per_period_median = median(ranks, edges, count);
-  return figures;
+  metrics.edges_per_period_min = -ranks.greatest(-least);
+  metrics.edges_per_period_median = median(ranks, edges, count);
+  return metrics;
 }
 
 bool PieceSurface::any(bool here) const { return surface_.rank_surface().ranks->any(here); }
@@ -117,18 +117,18 @@ std::size_t PieceSurface::drop_waves(DirectionField& directions,
   return ranks.sum(dropped);
 }
 
-SmoothedFrequencies PieceSurface::frequencies_at_detail(std::span<const float> frequencies,
-                                                        const FrequencySmoothingOptions& options,
-                                                        const Progress& progress) const {
+SmoothedFrequencies PieceSurface::smooth_frequencies(std::span<const float> frequencies,
+                                                     const FrequencySmoothingOptions& options,
+                                                     const Progress& progress) const {
   return smoothed_frequencies(surface_, frequencies, options, progress);
 }
 
-std::pair<SmoothedField, FieldSmoothingFigures> PieceSurface::field_at_detail(
+std::pair<SmoothedField, FieldSmoothingMetrics> PieceSurface::smooth_field(
     const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
     const FieldSmoothingOptions& options, const Progress& progress) const {
-  DistributedDetail seen =
+  DistributedSmoothedField seen =
       smoothed_field(surface_, measured, places, options, {last, {}}, progress);
-  return {std::move(seen.field), seen.figures};
+  return {std::move(seen.field), seen.metrics};
 }
 
 }  // namespace brindle

@@ -197,10 +197,11 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
   return anchors;
 }
 
-DistributedDetail smoothed_field(const DistributedSurface& distributed,
-                                 const MeasuredField& measured, std::span<const float> frequencies,
-                                 const FieldSmoothingOptions& options, const MeasuredField& last,
-                                 const Progress& progress) {
+DistributedSmoothedField smoothed_field(const DistributedSurface& distributed,
+                                        const MeasuredField& measured,
+                                        std::span<const float> frequencies,
+                                        const FieldSmoothingOptions& options,
+                                        const MeasuredField& last, const Progress& progress) {
   const RankSurface& surface = distributed.rank_surface();
   Communicator& ranks = *surface.ranks;
   const bool has_last = ranks.any(!last.directions.empty());
@@ -216,17 +217,17 @@ DistributedDetail smoothed_field(const DistributedSurface& distributed,
   const std::vector<float> all_frequencies = whole.of_vertices(frequencies);
   const MeasuredField before = has_last ? measured_of_whole(whole, last) : MeasuredField{};
   SmoothedField found;
-  std::vector<FieldSmoothingFigures> figures;
+  std::vector<FieldSmoothingMetrics> metrics;
   ranks.on_first(progress, [&](const Progress& heard) {
-    FieldSmoothing detail(whole.surface(), options, heard.part(0, 0.3));
-    found = detail.frame(data, all_frequencies, before, heard.part(0.3, 1));
-    figures.push_back(detail.figures());
+    FieldSmoothing smoothing(whole.surface(), options, heard.part(0, 0.3));
+    found = smoothing.frame(data, all_frequencies, before, heard.part(0.3, 1));
+    metrics.push_back(smoothing.metrics());
   });
-  DistributedDetail result;
+  DistributedSmoothedField result;
   result.field.directions = whole.to_piece(found.directions);
   result.field.coherence = whole.to_piece(found.coherence);
   result.field.filled = whole.to_piece(found.filled);
-  result.figures = ranks.of_first(figures)[0];
+  result.metrics = ranks.of_first(metrics)[0];
   return result;
 }
 

@@ -179,8 +179,8 @@ bool SurfaceFile::is_point_cloud(const Progress& progress) {
   if (has_faces(progress)) return false;
   if (!content_->elements->lines) return true;
   throw Error(shown(path().string()) +
-              ": holds lines and no faces, and lines are no surface; export a mesh, or give "
-              "--points if the points of the lines are all over a surface");
+              ": holds lines and no faces, and lines are no surface; export a mesh, or read "
+              "it as points if they are all over a surface");
 }
 
 LoadedMesh SurfaceFile::mesh(const Progress& progress) {

@@ -124,7 +124,7 @@ struct GpuAnimator::State {
       given_z;     ///< phases that the next frame continues instead, by node; or empty
   GlBuffer given;  ///< on the device
   Input input;
-  FrameFrequencies yielding;
+  FrameFrequencies relaxed;
   RestNormals in_place;
   FrameSewing sewing;
   bool has_frame = false;   ///< whether a frame has been completed
@@ -332,7 +332,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surfac
                          const AnimatorOptions& options)
     : GpuAnimator(std::move(kernels), surface.neighborhood, without_slack(options)) {
   state_->sewing = FrameSewing(surface);
-  state_->yielding = FrameFrequencies(surface, options.slack);
+  state_->relaxed = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
 }
@@ -346,24 +346,24 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check_frame_input(input, s.neighborhood->node_count());
   const bool may_stay = s.has_last && s.given_z.empty();
-  if (may_stay && s.input.is_last && s.yielding.is_kept(input)) {
+  if (may_stay && s.input.is_last && s.relaxed.is_kept(input)) {
     s.timer.start();
     return false;
   }
-  if (s.yielding.yields()) check_values(input, *s.neighborhood, s.in_place);
-  const FrameInput yielded = s.yielding.yielded(input, progress);
+  if (s.relaxed.relaxes()) check_values(input, *s.neighborhood, s.in_place);
+  const FrameInput yielded = s.relaxed.yielded(input, progress);
   if (!s.input.compare(yielded) && may_stay) {
     s.timer.start();
     return false;
   }
-  if (!s.yielding.yields()) check_values(input, *s.neighborhood, s.in_place);
+  if (!s.relaxed.relaxes()) check_values(input, *s.neighborhood, s.in_place);
   solve(progress, [&] {
     s.build(yielded, progress);
     s.timer.start();
     return s.input.upload(yielded);
   });
   s.input.keep(yielded);
-  s.yielding.keep(input);
+  s.relaxed.keep(input);
   return true;
 }
 
@@ -411,12 +411,12 @@ void GpuAnimator::solve(const Progress& progress, const Prepare& prepare) {
 }
 
 std::span<const float> GpuAnimator::frequencies() const {
-  return state_->input.is_last ? state_->yielding.frequencies() : std::span<const float>();
+  return state_->input.is_last ? state_->relaxed.frequencies() : std::span<const float>();
 }
 
 const FrequencyChange& GpuAnimator::frequency_change() const {
   static const FrequencyChange none;
-  return state_->input.is_last ? state_->yielding.change() : none;
+  return state_->input.is_last ? state_->relaxed.change() : none;
 }
 
 unsigned GpuAnimator::phases() const { return state_->z_by_node; }
@@ -457,7 +457,7 @@ GpuAnimator GpuAnimator::sibling() const {
   state->topology = state_->topology;
   state->is_sibling = state->topology != nullptr;
   state->measures = state_->measures;
-  state->yielding = state_->yielding.sibling();
+  state->relaxed = state_->relaxed.sibling();
   state->in_place = state_->in_place;
   return GpuAnimator(std::move(state));
 }
@@ -468,7 +468,7 @@ void GpuAnimator::set_last_phases(std::span<const Complex> z) {
 }
 
 void GpuAnimator::set_slack(const Slack& slack) {
-  state_->yielding.set_slack(slack);
+  state_->relaxed.set_slack(slack);
   state_->options.slack = slack;
 }
 
@@ -476,7 +476,7 @@ void GpuAnimator::restart() {
   state_->has_last = false;
   state_->forgets_momenta = true;
   state_->given_z.clear();
-  state_->yielding.restart();
+  state_->relaxed.restart();
 }
 
 double GpuAnimator::topology_milliseconds() const { return state_->topology_milliseconds; }

@@ -131,10 +131,10 @@ void append_aggregation(Words& words, const LevelTopology& topology, const Slice
 void check_counts(std::size_t topology_words, std::size_t entries, std::size_t levels) {
   if (levels > FlatHierarchy::kMostLevels) {
     throw Error("this mesh has " + std::to_string(levels) +
-                " levels and the GPU solver takes 32; solve it with --device cpu");
+                " levels and the GPU solver takes 32; solve it on the processor");
   }
   if (std::max(topology_words, entries) >= std::numeric_limits<std::uint32_t>::max()) {
-    throw Error("this mesh is too large for the GPU solver; solve it with --device cpu");
+    throw Error("this mesh is too large for the GPU solver; solve it on the processor");
   }
 }
 

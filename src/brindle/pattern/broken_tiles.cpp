@@ -12,7 +12,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/pattern/corner_signs.h"
-#include "brindle/pattern/figure_middle.h"
+#include "brindle/pattern/motif_centre.h"
 
 namespace brindle {
 namespace {
@@ -112,8 +112,8 @@ bool meets(const Place& a, const Place& b, const Rect& rect) {
 /// Calls `visit(centre)` for every motif of one kind that a segment meets. `rect` is the extent of
 /// the motif centred at `first`.
 template <class Visit>
-void figures_on(const Place& a, const Place& b, const Rect& rect, TileCentre first,
-                const Visit& visit) {
+void motifs_on(const Place& a, const Place& b, const Rect& rect, TileCentre first,
+               const Visit& visit) {
   const auto lowest = [](float least, float most) { return std::ceil(least - most); };
   const float least_v = std::min(a.y(), b.y()), most_v = std::max(a.y(), b.y());
   for (float j = lowest(least_v, rect.max().y()); rect.min().y() + j <= most_v; j += 1) {
@@ -131,7 +131,7 @@ void figures_on(const Place& a, const Place& b, const Rect& rect, TileCentre fir
 }
 
 /// A broken motif in a triangle's list.
-struct ListedFigure {
+struct ListedMotif {
   TileCentre middle;
   std::uint32_t next;  ///< 1 + index of the next entry; 0: none
 };
@@ -166,30 +166,30 @@ class Breaks {
  public:
   Breaks(const MeshEdgeTwins& mesh, std::span<const CornerPhases> u,
          std::span<const CornerPhases> v, std::span<const CornerSigns> turned,
-         const TileFigures& figures)
+         const TileMotifs& motifs)
       : triangles_(mesh.triangles),
         twins_(mesh.twins),
         wound_alike_(mesh.wound_alike),
         u_(u),
         v_(v),
         turned_(turned),
-        figures_(figures),
+        motifs_(motifs),
         closed_(u.size()),
-        ends_(figures.split ? u.size() : 0),
+        ends_(motifs.split ? u.size() : 0),
         lists_(u.size()) {
     parallel_for(u.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) close(t);
     });
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
-      const Rect& covered = figures.extents[kind];
+      const Rect& covered = motifs.extents[kind];
       reach_[kind] = {covered.min().array() - kClearance, covered.max().array() + kClearance};
-      const Place middle = place_of(first_middle(figures.layout, kind));
+      const Place middle = place_of(first_middle(motifs.layout, kind));
       rects_[kind] = {clear_of(covered.min()) + middle, clear_of(covered.max()) + middle};
     }
   }
 
   void spread(const Progress& progress) {
-    if (figures_.split) return spread_splits(progress);
+    if (motifs_.split) return spread_splits(progress);
     const std::vector<std::uint8_t> torn = torn_half_edges(progress.part(0, 0.5));
     reported_for(torn.size(), progress.part(0.5, 1), [&](std::size_t h) {
       if (torn[h]) break_along(static_cast<Index>(h));
@@ -197,11 +197,11 @@ class Breaks {
   }
 
   BrokenTiles result() const {
-    BrokenTiles broken{figures_.layout, figures_.shift, figures_.split, {}};
+    BrokenTiles broken{motifs_.layout, motifs_.shift, motifs_.split, {}};
     const std::size_t count = closed_.size();
-    const std::vector<std::uint8_t>& all = figures_.split ? ends_ : closed_;
+    const std::vector<std::uint8_t>& all = motifs_.split ? ends_ : closed_;
     const auto is_whole = [&](std::uint8_t flag) {
-      return figures_.split ? flag == 0 : (flag & kClosing) != kOpen;
+      return motifs_.split ? flag == 0 : (flag & kClosing) != kOpen;
     };
     if (listed_.empty() && ranges::all_of(all, is_whole)) return broken;
     broken.words.assign(count, 0);
@@ -228,7 +228,7 @@ class Breaks {
     return clear.cwiseProduct(corner.unaryExpr([](float x) { return x < 0 ? -1.0f : 1.0f; }));
   }
 
-  std::size_t kinds() const { return figures_.layout == TileLayout::single ? 1 : 2; }
+  std::size_t kinds() const { return motifs_.layout == TileLayout::single ? 1 : 2; }
 
   CornerSigns signs_of(std::size_t t) const {
     return turned_.empty() ? CornerSigns{0} : turned_[t];
@@ -239,7 +239,7 @@ class Breaks {
     const CornerSigns signs = signs_of(t);
     const Place sense(turns_u(signs, 0) ? -1.0f : 1.0f, turns_v(signs, 0) ? -1.0f : 1.0f);
     const Place own = Place(u_[t].phase[m], v_[t].phase[m]) / kTwoPi + Place(0.25f, 0.25f);
-    return own.cwiseProduct(sense) - figures_.shift;
+    return own.cwiseProduct(sense) - motifs_.shift;
   }
 
   Place place(Index corner) const { return place(corner / 3, corner % 3); }
@@ -267,7 +267,7 @@ class Breaks {
                                  : area > 0                        ? kClosed
                                                                    : kMirrored;
     closed_[t] = static_cast<std::uint8_t>(closing | (signs & kTurnedRound) << kSignsAt);
-    if (!figures_.split) return;
+    if (!motifs_.split) return;
     ends_[t] = u.kind == TriangleKind::branch && v.kind == TriangleKind::regular && all_near;
   }
 
@@ -289,7 +289,7 @@ class Breaks {
       const float rounding = kRounding * (1 + 0.01f * (std::abs(away.x()) + std::abs(away.y())));
       if ((away - whole).cwiseAbs().maxCoeff() > rounding) continue;
       if ((away_to - whole).cwiseAbs().maxCoeff() > rounding) continue;
-      if ((figures_.symmetries >> turn & 1) == 0) return std::nullopt;
+      if ((motifs_.symmetries >> turn & 1) == 0) return std::nullopt;
       return Passage{turn, static_cast<std::int32_t>(whole.x()),
                      static_cast<std::int32_t>(whole.y())};
     }
@@ -299,7 +299,7 @@ class Breaks {
   /// The same from the known place of the corner, mostly without a search.
   std::optional<Passage> passage_from(Index t, Index corner, const Place& from, Index twin) const {
     const bool plainly = !turned_.empty() && joins_plainly(t, corner, twin);
-    if (!plainly || (figures_.symmetries & 1) == 0) return passage(3 * t + corner, twin);
+    if (!plainly || (motifs_.symmetries & 1) == 0) return passage(3 * t + corner, twin);
     const Place away = place(next_in_triangle(twin)) - from;
     return Passage{0, static_cast<std::int32_t>(nearest_whole(away.x())),
                    static_cast<std::int32_t>(nearest_whole(away.y()))};
@@ -363,7 +363,7 @@ class Breaks {
   }
 
   Rect rect_of(const TileCentre& middle) const {
-    const Rect& reach = reach_[kind_of(figures_.layout, middle)];
+    const Rect& reach = reach_[kind_of(motifs_.layout, middle)];
     const Place at = place_of(middle);
     return {reach.min() + at, reach.max() + at};
   }
@@ -412,7 +412,7 @@ class Breaks {
   void break_along(Index h, const Counts& counts) {
     const Place a = place(h), b = place(next_in_triangle(h));
     for (std::size_t kind = 0; kind < kinds(); ++kind) {
-      figures_on(a, b, rects_[kind], first_middle(figures_.layout, kind), [&](const TileCentre& m) {
+      motifs_on(a, b, rects_[kind], first_middle(motifs_.layout, kind), [&](const TileCentre& m) {
         if (counts(m) && list(h / 3, m)) pending_.push_back({h / 3, m});
       });
     }
@@ -458,28 +458,28 @@ class Breaks {
   bool wound_alike_;
   std::span<const CornerPhases> u_, v_;
   std::span<const CornerSigns> turned_;  ///< empty: corners have individual waves
-  const TileFigures& figures_;
+  const TileMotifs& motifs_;
   std::array<Rect, 2> reach_;         ///< relative to the centre: where triangles list a motif
   std::array<Rect, 2> rects_;         ///< area of the first motifs that must be free of breaks
   std::vector<std::uint8_t> closed_;  ///< per triangle: closing state and corner signs
   std::vector<std::uint8_t> ends_;    ///< for split motifs: where only U does not close
   std::vector<std::uint32_t> lists_;  ///< per triangle: 1 + index of its newest entry in listed_
-  std::vector<ListedFigure> listed_;
+  std::vector<ListedMotif> listed_;
   std::vector<std::pair<Index, TileCentre>> pending_;
 };
 
 }  // namespace
 
-void check_tile_figures(const TileFigures& figures) {
-  for (const Rect& extent : figures.extents) {
+void check_tile_motifs(const TileMotifs& motifs) {
+  for (const Rect& extent : motifs.extents) {
     const bool fits = extent.min().allFinite() && extent.max().allFinite() &&
                       (extent.min().array() >= -0.5f).all() && (extent.max().array() <= 0.5f).all();
-    if (!fits) throw Error("figures of tiles reach half a tile from their middles at most");
+    if (!fits) throw Error("motifs of tiles reach half a tile from their middles at most");
   }
-  if (!figures.shift.allFinite()) throw Error("tiles are shifted by no number");
+  if (!motifs.shift.allFinite()) throw Error("tiles are shifted by no number");
 }
 
-bool TileFigures::operator==(const TileFigures& other) const {
+bool TileMotifs::operator==(const TileMotifs& other) const {
   const auto alike = [](const Rect& a, const Rect& b) {
     return a.min() == b.min() && a.max() == b.max();
   };
@@ -519,7 +519,7 @@ bool BrokenTiles::is_broken(std::size_t triangle, const Vec3& barycentric,
   const Place own = uv - shift;
   const Place away = led - own;
   const Place lifted = own + Place(std::floor(away.x() + 0.5f), std::floor(away.y() + 0.5f));
-  const TileCentre middle = figure_at(layout, lifted);
+  const TileCentre middle = motif_at(layout, lifted);
   const std::size_t count = words[record + 6];
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = record + 7 + 2 * i;
@@ -539,36 +539,36 @@ BrokenTileFinder::BrokenTileFinder(std::span<const Triangle> triangles)
     : state_(std::make_shared<const State>(State{MeshEdgeTwins(triangles)})) {}
 
 BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
-                                   const TileFigures& figures, const Progress& progress) const {
-  return find(u, v, {}, figures, progress);
+                                   const TileMotifs& motifs, const Progress& progress) const {
+  return find(u, v, {}, motifs, progress);
 }
 
 BrokenTiles BrokenTileFinder::find(std::span<const CornerPhases> u, std::span<const CornerPhases> v,
-                                   std::span<const std::uint8_t> turned, const TileFigures& figures,
+                                   std::span<const std::uint8_t> turned, const TileMotifs& motifs,
                                    const Progress& progress) const {
   const MeshEdgeTwins& mesh = state_->mesh;
   const std::size_t count = mesh.triangles.size();
-  check_tile_figures(figures);
+  check_tile_motifs(motifs);
   if (u.size() != count || v.size() != count) {
     throw Error("tiles: there are waves of " + std::to_string(u.size()) + " and " +
                 std::to_string(v.size()) + " triangles for " + std::to_string(count));
   }
-  Breaks breaks(mesh, u, v, turned, figures);
+  Breaks breaks(mesh, u, v, turned, motifs);
   breaks.spread(progress);
   return breaks.result();
 }
 
-BrokenTiles BrokenTileFinder::find(const TextureWaves& waves, const TileFigures& figures,
+BrokenTiles BrokenTileFinder::find(const TextureWaves& waves, const TileMotifs& motifs,
                                    const Progress& progress) const {
   constexpr PhaseShiftKind kKind = PhaseShiftKind::aligned;  // the kind used to draw textures
   const auto u = corner_phases(waves.u, kKind, progress.part(0, 0.3));
   const auto v = corner_phases(waves.v, kKind, progress.part(0.3, 0.6));
-  return find(u, v, figures, progress.part(0.6, 1));
+  return find(u, v, motifs, progress.part(0.6, 1));
 }
 
 BrokenTiles broken_tiles(std::span<const Triangle> triangles, const TextureWaves& waves,
-                         const TileFigures& figures, const Progress& progress) {
-  return BrokenTileFinder(triangles).find(waves, figures, progress);
+                         const TileMotifs& motifs, const Progress& progress) {
+  return BrokenTileFinder(triangles).find(waves, motifs, progress);
 }
 
 }  // namespace brindle

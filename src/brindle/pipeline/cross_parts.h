@@ -8,8 +8,8 @@
 #include "brindle/cross_texture.h"
 #include "brindle/phase_shift.h"
 #include "brindle/quality.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/texture_waves.h"
-#include "brindle/yielding_frequency.h"
 
 namespace brindle {
 

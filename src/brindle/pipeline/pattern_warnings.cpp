@@ -23,27 +23,27 @@ std::string or_subdivide(int times, const WarningWords& words) {
 }
 
 /// Until a wave passes enough edges; 0: it does.
-int subdivisions_missing(const WaveFigures& figures) {
-  const double edges = figures.edges_per_period_median;
+int subdivisions_missing(const WaveMetrics& motifs) {
+  const double edges = motifs.edges_per_period_median;
   return edges > 0 ? static_cast<int>(std::ceil(std::log2(kFewestEdges / edges))) : 0;
 }
 
 std::vector<std::string> warnings_of(const Surface& surface, const StripePattern& pattern,
                                      const PatternQuality& quality, const WarningWords& words) {
-  WaveFigures figures;
+  WaveMetrics motifs;
   if (pattern.frequencies_wanted.empty()) {
-    figures = measure_waves(surface, pattern.waves);
+    motifs = measure_waves(surface, pattern.waves);
   } else {
     WaveSet wanted = pattern.waves;
     wanted.frequencies = pattern.frequencies_wanted;
-    figures = measure_waves(surface, wanted);
+    motifs = measure_waves(surface, wanted);
   }
   std::vector<std::string> result = surface_warnings(surface, words.join);
   const auto add = [&](std::vector<std::string> more) {
     for (std::string& sentence : more) result.push_back(std::move(sentence));
   };
-  add(wave_warnings(figures, words));
-  add(quality_warnings(figures, quality, surface.mesh.triangle_count(), words));
+  add(wave_warnings(motifs, words));
+  add(quality_warnings(motifs, quality, surface.mesh.triangle_count(), words));
   return result;
 }
 
@@ -59,20 +59,20 @@ std::vector<std::string> pattern_warnings(const Surface& surface, const TextureP
   return warnings_of(surface, texture.u, worse_of(texture.u.quality, texture.v.quality), words);
 }
 
-std::vector<std::string> quality_warnings(const WaveFigures& figures, const PatternQuality& quality,
+std::vector<std::string> quality_warnings(const WaveMetrics& motifs, const PatternQuality& quality,
                                           std::size_t triangles, const WarningWords& words) {
   if (quality.branch_area_share > kMostBranches) {
     return {formatted("stripes begin or end in %zu of %zu triangles, on %.0f %% of the area",
                       quality.branches, triangles, 100 * quality.branch_area_share) +
             "; " + words.fewer + "; or a smoother " + words.field +
-            or_subdivide(subdivisions_missing(figures), words)};
+            or_subdivide(subdivisions_missing(motifs), words)};
   }
   const double coarse = quality.coarse_share_over_5deg;
   if (coarse <= kMostCoarse) return {};
   return {formatted("on %.0f %% of the area stripes run more than 5 degrees off their field, in "
                     "triangles longer than half a period; ",
                     100 * coarse) +
-          words.fewer + or_subdivide(std::max(1, subdivisions_missing(figures)), words)};
+          words.fewer + or_subdivide(std::max(1, subdivisions_missing(motifs)), words)};
 }
 
 PatternQuality worse_of(const PatternQuality& u, const PatternQuality& v) {
@@ -92,7 +92,7 @@ std::vector<std::string> noise_warnings(std::size_t field_singularities, std::si
   return {
       formatted("the field is singular in %zu of %zu triangles (%.1f %%), which suggests noise; ",
                 field_singularities, triangles, 100 * singular / all) +
-      words.detail + " smooths it"};
+      words.smoothing + " smooths it"};
 }
 
 std::vector<std::string> tile_warnings(const BrokenTiles& broken, std::size_t triangles,
@@ -114,11 +114,11 @@ std::vector<std::string> turn_warnings(std::size_t turned_apart) {
                 turned_apart)};
 }
 
-std::vector<std::string> detail_warnings(const FieldSmoothingFigures& figures,
-                                         const WarningWords& words) {
-  if (figures.singularities_too_many == 0) return {};
-  return {formatted("%zu singularities of the field are left, %zu more than ",
-                    figures.singularities, figures.singularities_too_many) +
+std::vector<std::string> smoothing_warnings(const FieldSmoothingMetrics& motifs,
+                                            const WarningWords& words) {
+  if (motifs.singularities_too_many == 0) return {};
+  return {formatted("%zu singularities of the field are left, %zu more than ", motifs.singularities,
+                    motifs.singularities_too_many) +
           words.singularities + " asks for: no pair of opposite ones undoes them"};
 }
 

@@ -165,12 +165,12 @@ void relax_frequencies(const Surface& surface, WaveSet& waves, const StripeOptio
   Stopwatch watch;
   // Point clouds have to be triangulated first.
   const double begins = surface.mesh.triangles.empty() ? 0.3 : 0.02;
-  YieldingFrequency yielding(surface, options.slack, progress.part(0, begins));
-  const std::span<const float> frequencies = yielding.solve(
-      waves.positions, waves.directions, waves.frequencies, progress.part(begins, 1));
+  RelaxedFrequency relaxed(surface, options.slack, progress.part(0, begins));
+  const std::span<const float> frequencies =
+      relaxed.solve(waves.positions, waves.directions, waves.frequencies, progress.part(begins, 1));
   result.frequencies_wanted = std::move(waves.frequencies);
   waves.frequencies.assign(frequencies.begin(), frequencies.end());
-  result.frequency_change = yielding.change();
+  result.frequency_change = relaxed.change();
   result.milliseconds.frequency = watch.lap();
 }
 
@@ -200,7 +200,7 @@ namespace {
 
 std::vector<JobStage> stages_of(const StripeOptions& options) {
   std::vector<JobStage> stages = {{"solve", 10}, {"pattern", 3}};
-  if (options.slack.yields()) stages.insert(stages.begin(), {"frequency", 10});
+  if (options.slack.relaxes()) stages.insert(stages.begin(), {"frequency", 10});
   return stages;
 }
 
@@ -239,7 +239,7 @@ StripePattern stripe_pattern(const Surface& surface, WaveSet waves, const Stripe
   check_anchors(options, surface.mesh.vertex_count());
   check_slack(options.slack, surface.mesh.vertex_count());
   JobStages stages(progress, stages_of(options));
-  if (options.slack.yields()) {
+  if (options.slack.relaxes()) {
     relax_frequencies(surface, waves, options, stages.begin("frequency"), result);
   }
   solve_and_measure(surface, std::move(waves), options, stages, result);

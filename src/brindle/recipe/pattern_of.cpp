@@ -14,12 +14,12 @@ namespace {
 
 // The options with phases fixed at boundaries, if that is requested.
 StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, StripeOptions stripes,
-                            const MakingOptions& options, MakingFigures& figures) {
+                            const FabricationOptions& options, FabricationMetrics& metrics) {
   if (!options.anchor_boundary) return stripes;
   stripes.fixed_phases = boundary_phases(surface, waves, *options.anchor_boundary);
-  figures.fixed_vertices = static_cast<std::size_t>(
+  metrics.fixed_vertices = static_cast<std::size_t>(
       ranges::count_if(stripes.fixed_phases, [](const Complex& z) { return z != Complex(0); }));
-  if (figures.fixed_vertices == 0) {
+  if (metrics.fixed_vertices == 0) {
     throw Error(
         "--anchor-boundary: nowhere do stripes run along a boundary, within 45 degrees; turn the "
         "field by --along or --rotate, or leave out the option");
@@ -29,71 +29,75 @@ StripeOptions with_boundary(const Surface& surface, const WaveSet& waves, Stripe
 
 // The pattern with the requested winding numbers; fixes phases of `stripes` at boundaries.
 StripePattern wound_pattern(const Surface& surface, WaveSet waves, StripeOptions& stripes,
-                            const MakingOptions& options, const Progress& progress,
-                            MakingFigures& figures) {
+                            const FabricationOptions& options, const Progress& progress,
+                            FabricationMetrics& metrics) {
   if (options.windings.empty()) {
-    stripes = with_boundary(surface, waves, stripes, options, figures);
+    stripes = with_boundary(surface, waves, stripes, options, metrics);
     return stripe_pattern(surface, std::move(waves), stripes, progress);
   }
   WoundPattern wound = wind(surface, stripe_pattern(surface, std::move(waves), stripes, progress),
                             options.windings, stripes, progress);
-  figures.windings_before = wound.before;
-  figures.energy_before = wound.energy_before;
-  figures.largest_turn_deg = wound.largest_turn_deg;
-  figures.mean_turn_deg = wound.mean_turn_deg;
-  figures.largest_frequency_change = wound.largest_frequency_change;
+  metrics.windings_before = wound.before;
+  metrics.energy_before = wound.energy_before;
+  metrics.largest_turn_deg = wound.largest_turn_deg;
+  metrics.mean_turn_deg = wound.mean_turn_deg;
+  metrics.largest_frequency_change = wound.largest_frequency_change;
   if (!options.anchor_boundary) return std::move(wound.pattern);
-  stripes = with_boundary(surface, wound.pattern.waves, stripes, options, figures);
+  stripes = with_boundary(surface, wound.pattern.waves, stripes, options, metrics);
   WaveSet turned = wound.pattern.waves;
   return resolve_with_frequencies(surface, std::move(turned), wound.pattern, stripes, progress);
 }
 
 // Cancels pairs of branches as requested.
 template <class Pattern, class Options>
-void cancel_pairs(const Surface& surface, const MakingOptions& making, const Options& options,
-                  const Progress& progress, Pattern& pattern, MakingFigures& figures) {
-  if (!making.cancel_branches) return;
-  CancellationOptions cancellation{static_cast<double>(*making.cancel_branches)};
-  if (making.cancel_distance) cancellation.distance = static_cast<double>(*making.cancel_distance);
-  figures.cancelled_branches = cancel_branches(surface, pattern, cancellation, options, progress);
+void cancel_pairs(const Surface& surface, const FabricationOptions& fabrication,
+                  const Options& options, const Progress& progress, Pattern& pattern,
+                  FabricationMetrics& metrics) {
+  if (!fabrication.cancel_branches) return;
+  CancellationOptions cancellation{static_cast<double>(*fabrication.cancel_branches)};
+  if (fabrication.cancel_distance)
+    cancellation.distance = static_cast<double>(*fabrication.cancel_distance);
+  metrics.cancelled_branches = cancel_branches(surface, pattern, cancellation, options, progress);
 }
 
 StripePattern made_stripes(const Surface& surface, WaveSet waves, StripeOptions stripes,
-                           const MakingOptions& options, const Progress& progress,
-                           MakingFigures& figures) {
+                           const FabricationOptions& options, const Progress& progress,
+                           FabricationMetrics& metrics) {
   StripePattern pattern =
-      wound_pattern(surface, std::move(waves), stripes, options, progress, figures);
-  cancel_pairs(surface, options, stripes, progress, pattern, figures);
+      wound_pattern(surface, std::move(waves), stripes, options, progress, metrics);
+  cancel_pairs(surface, options, stripes, progress, pattern, metrics);
   return pattern;
 }
 
 PatternResult made_texture(const Surface& surface, WaveSet waves, const PatternRequest& request,
                            const Progress& progress) {
   const TextureOptions options{request.frequencies_v, request.oriented, request.solving};
-  MakingFigures figures;
+  FabricationMetrics metrics;
   TexturePattern texture = texture_pattern(surface, std::move(waves), options, progress);
-  cancel_pairs(surface, request.making, options, progress, texture, figures);
-  return {std::move(texture), std::move(figures)};
+  cancel_pairs(surface, request.fabrication, options, progress, texture, metrics);
+  return {std::move(texture), std::move(metrics)};
 }
 
 PatternResult made_crosses(const Surface& surface, const WaveSet& waves,
                            const PatternRequest& request, const Progress& progress) {
-  const bool cancels = request.making.cancel_branches.has_value();
-  MakingFigures figures;
+  const bool cancels = request.fabrication.cancel_branches.has_value();
+  FabricationMetrics metrics;
   CrossPattern cross =
       cross_pattern(surface, waves, request.solving, progress.part(0, cancels ? 0.5 : 0.9));
-  cancel_pairs(surface, request.making, request.solving, progress.part(0.5, 0.9), cross, figures);
+  cancel_pairs(surface, request.fabrication, request.solving, progress.part(0.5, 0.9), cross,
+               metrics);
   CrossTexture texture = cross_texture(surface, cross, request.solving.phase_shift,
                                        progress.part(0.9, 1).step("texture"));
-  return {CrossResult{std::move(cross), std::move(texture)}, std::move(figures)};
+  return {CrossResult{std::move(cross), std::move(texture)}, std::move(metrics)};
 }
 
-bool winds_or_begins(const MakingOptions& making) {
-  return making.anchor_boundary || !making.windings.empty() || making.measure_windings;
+bool winds_or_begins(const FabricationOptions& fabrication) {
+  return fabrication.anchor_boundary || !fabrication.windings.empty() ||
+         fabrication.measure_windings;
 }
 
 void check_request(const PatternRequest& request) {
-  if (request.kind != PatternKind::stripes && winds_or_begins(request.making)) {
+  if (request.kind != PatternKind::stripes && winds_or_begins(request.fabrication)) {
     throw Error(
         "windings and anchored boundaries are for stripes: ask for no texture and no crosses, or "
         "leave them out");
@@ -119,25 +123,25 @@ PatternResult pattern_of(const Surface& surface, WaveSet waves, const PatternReq
     case PatternKind::crosses:
       return made_crosses(surface, waves, request, progress);
   }
-  MakingFigures figures;
-  StripePattern stripes =
-      made_stripes(surface, std::move(waves), request.solving, request.making, progress, figures);
-  const bool winds = request.making.measure_windings || !request.making.windings.empty();
-  if (winds) measure_windings(surface, stripes, figures);
-  return {std::move(stripes), std::move(figures)};
+  FabricationMetrics metrics;
+  StripePattern stripes = made_stripes(surface, std::move(waves), request.solving,
+                                       request.fabrication, progress, metrics);
+  const bool winds = request.fabrication.measure_windings || !request.fabrication.windings.empty();
+  if (winds) measure_windings(surface, stripes, metrics);
+  return {std::move(stripes), std::move(metrics)};
 }
 
 void measure_windings(const Surface& surface, const StripePattern& pattern,
-                      MakingFigures& figures) {
-  figures.loops = surface_loops(surface);
-  figures.windings = windings(surface, figures.loops, pattern);
-  figures.branches.clear();
-  figures.centers.clear();
-  for (const SurfaceLoop& loop : figures.loops) {
-    figures.branches.push_back(branches_of_piece(surface, loop, pattern));
-    figures.centers.push_back(loop.center + surface.mesh.origin);
+                      FabricationMetrics& metrics) {
+  metrics.loops = surface_loops(surface);
+  metrics.windings = windings(surface, metrics.loops, pattern);
+  metrics.branches.clear();
+  metrics.centers.clear();
+  for (const SurfaceLoop& loop : metrics.loops) {
+    metrics.branches.push_back(branches_of_piece(surface, loop, pattern));
+    metrics.centers.push_back(loop.center + surface.mesh.origin);
   }
-  figures.sums = winding_sums(surface, figures.loops, pattern);
+  metrics.sums = winding_sums(surface, metrics.loops, pattern);
 }
 
 StripePattern pattern_of_frame(const FrameResult& frame, WaveSet waves, double energy,

@@ -94,7 +94,7 @@ void check_following(const IsGiven& given, bool follows, Solver solver) {
   }
 }
 
-void check_making(const MakingOptions& options, Solver solver) {
+void check_fabrication(const FabricationOptions& options, Solver solver) {
   if (options.cancel_distance && !options.cancel_branches) {
     throw RefusedOption("--cancel-distance",
                         "has no effect here: no branch pairs are cancelled; add --cancel-branches");
@@ -124,7 +124,7 @@ void check_smooth_field(const IsGiven& given, float curvature_anchor, float feat
   }
 }
 
-void check_field_smoothing(const IsGiven& given, const DetailRequest& wanted) {
+void check_field_smoothing(const IsGiven& given, const SmoothingRequest& wanted) {
   if (!wanted.measured) {
     refuse_given(given,
                  {"--field-smoothing", "--field-weight", "--hold-out", "--field-arrows",
@@ -150,7 +150,7 @@ void check_triangle_options(const IsGiven& given) {
                "points have no triangles");
 }
 
-void check_making_on_points(const IsGiven& given) {
+void check_fabrication_on_points(const IsGiven& given) {
   refuse_given(given, {"--winding", "--anchor-boundary", "--cancel-branches"},
                "points have no triangles");
 }

@@ -65,20 +65,20 @@ void check_avoid_branches(const IsGiven& given, bool yields);
 void check_following(const IsGiven& given, bool follows, Solver solver);
 
 /// Rejects fabrication options that contradict each other or the solver.
-void check_making(const MakingOptions& options, Solver solver);
+void check_fabrication(const FabricationOptions& options, Solver solver);
 
 /// Rejects anchor options of a smooth field that have no effect at these weights.
 void check_smooth_field(const IsGiven& given, float curvature_anchor, float feature_anchor);
 
 /// The requested smoothing of a field and of frequencies, and what it applies to.
-struct DetailRequest {
+struct SmoothingRequest {
   float periods = 0;            ///< --field-smoothing
   float frequency_periods = 0;  ///< --frequency-smoothing
   bool measured = false;        ///< the field is measured data
   bool cross = false;
   bool varies = false;  ///< the frequency may vary by vertex
 };
-void check_field_smoothing(const IsGiven& given, const DetailRequest& wanted);
+void check_field_smoothing(const IsGiven& given, const SmoothingRequest& wanted);
 
 /// The reason for rejecting --frequency-smoothing.
 inline constexpr const char* kSameFrequency =
@@ -86,7 +86,7 @@ inline constexpr const char* kSameFrequency =
 
 /// Rejects options that need triangles, for points.
 void check_triangle_options(const IsGiven& given);
-void check_making_on_points(const IsGiven& given);
+void check_fabrication_on_points(const IsGiven& given);
 void check_min_distance_on_points(float min_distance);
 
 /// Rejects views of branches and angle errors, which points and crosses do not have.

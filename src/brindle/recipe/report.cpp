@@ -4,7 +4,7 @@
 #include <string>
 
 #include "brindle/base/text.h"
-#include "brindle/recipe/making_report.h"
+#include "brindle/recipe/fabrication_report.h"
 #include "brindle/threads.h"
 
 namespace brindle {
@@ -37,21 +37,22 @@ nlohmann::ordered_json to_json(const MissingWaves& missing) {
   return json;
 }
 
-void print_detail(std::ostream& out, const FieldSmoothingFigures& detail) {
+void print_smoothing(std::ostream& out, const FieldSmoothingMetrics& smoothing) {
   out << formatted(
       "field     turned by %.2f degrees (median %.2f, 95 %% below %.1f, above 20 in %.1f %%), "
       "%zu singularities of %zu\n",
-      detail.turned_mean_deg, detail.turned_median_deg, detail.turned_p95_deg,
-      100 * detail.turned_share_over_20deg, detail.singularities, detail.singularities_of_data);
-  if (detail.filled + detail.unfilled > 0) {
-    out << formatted("holes     %zu vertices filled, %zu too far from all data\n", detail.filled,
-                     detail.unfilled);
+      smoothing.turned_mean_deg, smoothing.turned_median_deg, smoothing.turned_p95_deg,
+      100 * smoothing.turned_share_over_20deg, smoothing.singularities,
+      smoothing.singularities_of_data);
+  if (smoothing.filled + smoothing.unfilled > 0) {
+    out << formatted("holes     %zu vertices filled, %zu too far from all data\n", smoothing.filled,
+                     smoothing.unfilled);
   }
-  out << formatted("coherence %.2f of data, %.2f of filled holes\n", detail.coherence_mean,
-                   detail.coherence_filled_mean);
-  if (detail.held_out > 0) {
+  out << formatted("coherence %.2f of data, %.2f of filled holes\n", smoothing.coherence_mean,
+                   smoothing.coherence_filled_mean);
+  if (smoothing.held_out > 0) {
     out << formatted("held out  %zu data, %.2f degrees from the field without them\n",
-                     detail.held_out, detail.held_out_turned_mean_deg);
+                     smoothing.held_out, smoothing.held_out_turned_mean_deg);
   }
 }
 
@@ -140,7 +141,7 @@ nlohmann::ordered_json to_json(const FrequencyReport& report) {
 void print_frequency(std::ostream& out, const FrequencyReport& report) {
   const FrequencyChange& change = report.change;
   out << formatted(
-      "yielding  frequencies times %.3f to %.3f, %.3f on average, %.1f %% at the bounds; spacing "
+      "slack     frequencies times %.3f to %.3f, %.3f on average, %.1f %% at the bounds; spacing "
       "%.1f %% from that asked for\n",
       change.ratio_min, change.ratio_max, change.ratio_mean, 100 * change.share_at_bounds,
       100 * report.spacing_error_wanted_mean);
@@ -148,7 +149,7 @@ void print_frequency(std::ostream& out, const FrequencyReport& report) {
     out << formatted("branch_penalty      %zu branches\n", *report.branches_in_avoided_area);
 }
 
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const StripePattern& pattern, Solver solver) {
   Report report;
   report.vertices = surface.own_vertex_count();
@@ -169,13 +170,13 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   report.milliseconds.load += prepared.load_milliseconds;
   report.field_milliseconds = prepared.field_milliseconds;
   report.milliseconds.topology += prepared.topology_milliseconds;
-  report.waves = prepared.figures;
+  report.waves = prepared.metrics;
   report.frequency = frequency_report(pattern.frequency_change, pattern.quality);
   report.field_rows_nonfinite = prepared.field_rows_nonfinite;
   return report;
 }
 
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const TexturePattern& texture, Solver solver) {
   Report report = make_report(surface, prepared, texture.u, solver);
   const StripeMilliseconds& more = texture.v.milliseconds;
@@ -192,7 +193,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   return report;
 }
 
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const CrossTexture& texture, Solver solver) {
   Report report = make_report(surface, prepared, texture.pattern.u, solver);
   report.milliseconds.pattern += texture.pattern.orientation_milliseconds;
@@ -200,7 +201,7 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
   return report;
 }
 
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const PatternResult& pattern, Solver solver) {
   Report report = [&] {
     if (const auto* crosses = std::get_if<CrossResult>(&pattern.of)) {
@@ -211,8 +212,8 @@ Report make_report(const Surface& surface, const PreparationFigures& prepared,
     }
     return make_report(surface, prepared, std::get<StripePattern>(pattern.of), solver);
   }();
-  add_to_json(pattern.making, report.making);
-  report.making_lines = lines_of(pattern.making);
+  add_to_json(pattern.fabrication, report.fabrication);
+  report.fabrication_lines = lines_of(pattern.fabrication);
   return report;
 }
 
@@ -229,7 +230,7 @@ nlohmann::ordered_json to_json(const WaveReport& waves,
       {"vertices_without_wave", waves.without_wave}};
   if (field_rows_nonfinite) json["field_rows_nonfinite"] = *field_rows_nonfinite;
   json.update(to_json(waves.missing));
-  if (waves.detail) json.update(to_json(*waves.detail));
+  if (waves.smoothing) json.update(to_json(*waves.smoothing));
   if (waves.frequency_smoothing) {
     json["frequency_changed_median"] = waves.frequency_smoothing->changed_median;
     json["frequencies_filled"] = waves.frequency_smoothing->filled;
@@ -251,7 +252,7 @@ void print_waves(std::ostream& out, const WaveReport& waves) {
   if (waves.without_wave > 0) {
     out << formatted("no wave   at %zu of %zu vertices\n", waves.without_wave, waves.used);
   }
-  if (waves.detail) print_detail(out, *waves.detail);
+  if (waves.smoothing) print_smoothing(out, *waves.smoothing);
   if (waves.frequency_smoothing) {
     out << formatted("frequency changed by %.2f %% at the median, %zu vertices filled\n",
                      100 * waves.frequency_smoothing->changed_median,
@@ -311,7 +312,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   }
   if (report.cross) json["cross"] = to_json(*report.cross);
   if (report.followed) json.update(to_json(*report.followed));
-  if (!report.making.is_null()) json.update(report.making);
+  if (!report.fabrication.is_null()) json.update(report.fabrication);
   return json;
 }
 
@@ -346,7 +347,7 @@ void print_report(std::ostream& out, const Report& report) {
   }
   if (report.cross) print_tiles(out, *report.cross);
   if (report.followed) print_followed(out, *report.followed);
-  out << report.making_lines;
+  out << report.fabrication_lines;
   out << formatted(
       "time      load %.1f, field %.1f, topology %.1f, couple %.1f, solve %.1f, pattern %.1f",
       time.load, report.field_milliseconds, time.topology, time.couple, time.solve, time.pattern);
@@ -375,20 +376,21 @@ void print_table(std::ostream& out, const std::vector<Report>& reports) {
   }
 }
 
-nlohmann::ordered_json to_json(const FieldSmoothingFigures& detail) {
-  nlohmann::ordered_json json = {{"field_turned_mean_deg", detail.turned_mean_deg},
-                                 {"field_turned_median_deg", detail.turned_median_deg},
-                                 {"field_turned_p95_deg", detail.turned_p95_deg},
-                                 {"field_turned_share_over_20deg", detail.turned_share_over_20deg},
-                                 {"field_singularities_of_data", detail.singularities_of_data},
-                                 {"vertices_with_data", detail.data},
-                                 {"vertices_filled", detail.filled},
-                                 {"vertices_unfilled", detail.unfilled},
-                                 {"coherence_mean", detail.coherence_mean},
-                                 {"coherence_filled_mean", detail.coherence_filled_mean}};
-  if (detail.held_out > 0) {
-    json["held_out"] = detail.held_out;
-    json["held_out_turned_mean_deg"] = detail.held_out_turned_mean_deg;
+nlohmann::ordered_json to_json(const FieldSmoothingMetrics& smoothing) {
+  nlohmann::ordered_json json = {
+      {"field_turned_mean_deg", smoothing.turned_mean_deg},
+      {"field_turned_median_deg", smoothing.turned_median_deg},
+      {"field_turned_p95_deg", smoothing.turned_p95_deg},
+      {"field_turned_share_over_20deg", smoothing.turned_share_over_20deg},
+      {"field_singularities_of_data", smoothing.singularities_of_data},
+      {"vertices_with_data", smoothing.data},
+      {"vertices_filled", smoothing.filled},
+      {"vertices_unfilled", smoothing.unfilled},
+      {"coherence_mean", smoothing.coherence_mean},
+      {"coherence_filled_mean", smoothing.coherence_filled_mean}};
+  if (smoothing.held_out > 0) {
+    json["held_out"] = smoothing.held_out;
+    json["held_out_turned_mean_deg"] = smoothing.held_out_turned_mean_deg;
   }
   return json;
 }

@@ -13,7 +13,7 @@
 #include "brindle/quality.h"
 #include "brindle/recipe/wave_report.h"
 #include "brindle/samples.h"
-#include "brindle/yielding_frequency.h"
+#include "brindle/spacing_tolerance.h"
 
 namespace brindle {
 
@@ -75,25 +75,25 @@ struct Report {
   std::optional<TextureReport> texture;
   std::optional<TextureQuality> cross;  ///< other metrics are of both waves
   std::optional<FollowedReport> followed;
-  nlohmann::ordered_json making;               ///< JSON of MakingFigures; null if there are none
-  std::string making_lines;                    ///< the same as text
-  std::optional<FrequencyReport> frequency;    ///< with slack
+  nlohmann::ordered_json fabrication;        ///< JSON of FabricationMetrics; null if there are none
+  std::string fabrication_lines;             ///< the same as text
+  std::optional<FrequencyReport> frequency;  ///< with slack
   std::optional<FrequencyReport> frequency_v;  ///< of V in a texture
 };
 
 /// `prepared` belongs to `surface`.
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const StripePattern& pattern, Solver solver);
 
 /// The same for a texture; times are totals of both patterns.
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const TexturePattern& texture, Solver solver);
 
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const CrossTexture& texture, Solver solver);
 
 /// The same for any pattern, with its fabrication metrics.
-Report make_report(const Surface& surface, const PreparationFigures& prepared,
+Report make_report(const Surface& surface, const PreparationMetrics& prepared,
                    const PatternResult& pattern, Solver solver);
 
 /// "mesh" or "points".
@@ -104,7 +104,7 @@ nlohmann::ordered_json to_json(const WaveReport& waves,
                                const std::optional<std::size_t>& field_rows_nonfinite);
 
 /// Keys of a smoothed field, except its number of singularities, which every report has.
-nlohmann::ordered_json to_json(const FieldSmoothingFigures& detail);
+nlohmann::ordered_json to_json(const FieldSmoothingMetrics& smoothing);
 
 /// Evenness of samples, for the key "nearest_neighbour".
 nlohmann::ordered_json to_json(const SampleSpacing& spacing);

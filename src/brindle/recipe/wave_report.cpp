@@ -36,9 +36,9 @@ std::string warning_lines(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-std::size_t unfilled_alone(const FieldSmoothingFigures& detail, const MissingWaves& missing) {
+std::size_t unfilled_alone(const FieldSmoothingMetrics& smoothing, const MissingWaves& missing) {
   const std::size_t others = missing.without_frequency.value_or(0) + missing.too_far.value_or(0);
-  return detail.unfilled - std::min(others, detail.unfilled);
+  return smoothing.unfilled - std::min(others, smoothing.unfilled);
 }
 
 WarningWords words_of_options(const std::string& source, std::optional<int> subdivided) {
@@ -49,32 +49,32 @@ WarningWords words_of_options(const std::string& source, std::optional<int> subd
   words.subdivide = subdivided ? "--subdivide" : "";
   words.subdivided = subdivided.value_or(0);
   words.field = "--field";
-  words.detail = "--field-smoothing 1";
+  words.smoothing = "--field-smoothing 1";
   words.singularities = "--field-singularities";
   words.source = source;
   return words;
 }
 
-void check_wave_report(const WaveReport& figures, const std::string& source) {
+void check_wave_report(const WaveReport& metrics, const std::string& source) {
   std::string why;
-  for (const std::string& reason : reasons(figures.missing)) why += "; " + reason;
-  const bool all_told = figures.missing.total() >= figures.used;
-  if (figures.used > 0 && figures.without_wave == figures.used && all_told) {
+  for (const std::string& reason : reasons(metrics.missing)) why += "; " + reason;
+  const bool all_told = metrics.missing.total() >= metrics.used;
+  if (metrics.used > 0 && metrics.without_wave == metrics.used && all_told) {
     throw Error("no vertex has a wave" + why);
   }
-  check_figures(figures, words_of_options(source), why);
+  check_metrics(metrics, words_of_options(source), why);
 }
 
-std::string warnings(const WaveReport& figures, const std::string& source) {
-  const WarningWords words = words_of_options(source, figures.subdivided);
+std::string warnings(const WaveReport& metrics, const std::string& source) {
+  const WarningWords words = words_of_options(source, metrics.subdivided);
   std::string text;
-  for (const std::string& reason : reasons(figures.missing)) text += reason + "\n";
-  text += warning_lines(turn_warnings(figures.turned_apart));
-  if (figures.detail) {
-    text += warning_lines(detail_warnings(*figures.detail, words));
+  for (const std::string& reason : reasons(metrics.missing)) text += reason + "\n";
+  text += warning_lines(turn_warnings(metrics.turned_apart));
+  if (metrics.smoothing) {
+    text += warning_lines(smoothing_warnings(*metrics.smoothing, words));
   }
-  WaveFigures unexplained = figures;
-  unexplained.without_wave -= figures.missing.total();
+  WaveMetrics unexplained = metrics;
+  unexplained.without_wave -= metrics.missing.total();
   return text + warning_lines(wave_warnings(unexplained, words));
 }
 
@@ -82,11 +82,11 @@ std::string tile_warning(const BrokenTiles& broken, std::size_t triangles) {
   return warning_lines(tile_warnings(broken, triangles, words_of_options("")));
 }
 
-std::string quality_warning(const WaveReport& figures, const PatternQuality& quality,
+std::string quality_warning(const WaveReport& metrics, const PatternQuality& quality,
                             std::size_t triangles) {
-  const WarningWords words = words_of_options("", figures.subdivided);
-  std::vector<std::string> sentences = quality_warnings(figures, quality, triangles, words);
-  if (figures.measured && !figures.detail) {
+  const WarningWords words = words_of_options("", metrics.subdivided);
+  std::vector<std::string> sentences = quality_warnings(metrics, quality, triangles, words);
+  if (metrics.measured && !metrics.smoothing) {
     for (std::string& sentence : noise_warnings(quality.field_singularities, triangles, words)) {
       sentences.push_back(std::move(sentence));
     }

@@ -173,7 +173,7 @@ constexpr auto kFieldRows =
                .stale = OptionStage::field | OptionStage::values,
                .help = "--field-mesh: no wave farther away from it (default 2%)"},
               {.name = "field-smoothing",
-               .words = "detail of the field",
+               .words = "field smoothing",
                .common = true,
                .kind = OptionKind::number,
                .form = "P",
@@ -273,7 +273,7 @@ constexpr auto kStripeRows =
                .excludes = "stripes frequency",
                .help = "distance between stripes along the surface"},
               {.name = "frequency-smoothing",
-               .words = "detail of spacing",
+               .words = "frequency smoothing",
                .kind = OptionKind::number,
                .form = "P",
                .unit = "periods",
@@ -333,7 +333,7 @@ constexpr auto kStripeRows =
                .by_camera = true,
                .help = "denser stripes at larger values; vectors by magnitude"},
               {.name = "frequency-range",
-               .words = "how dense",
+               .words = "density",
                .kind = OptionKind::numbers,
                .form = "A..B[,inverse|reciprocal]",
                .standard = "0.4..2.5",
@@ -341,8 +341,8 @@ constexpr auto kStripeRows =
                .written = "@",
                .help = "--frequency-by: least and greatest factor (default 0.4..2.5)"}});
 
-constexpr auto kMakingRows =
-    in_group({.group = "Making",
+constexpr auto kFabricationRows =
+    in_group({.group = "Fabrication",
               .one_process = kNeedsWhole,
               .stale = OptionStage::phases,
               .jobs = kStripe | kCurves},
@@ -380,14 +380,14 @@ constexpr auto kMakingRows =
                .help = "stripes that wind around LOOP: 0 rings, 1 a spiral; repeatable"}});
 
 constexpr auto kWaveRows =
-    joined(kSurfaceRows, kFieldRows, kFieldOfFramesRows, kStripeRows, kMakingRows);
+    joined(kSurfaceRows, kFieldRows, kFieldOfFramesRows, kStripeRows, kFabricationRows);
 
 /// Calls `visit("--option", field)` for the numeric fabrication options.
 template <class Visit>
-void visit_making(MakingOptions& making, const Visit& visit) {
-  visit("--anchor-boundary", making.anchor_boundary);
-  visit("--cancel-branches", making.cancel_branches);
-  visit("--cancel-distance", making.cancel_distance);
+void visit_fabrication(FabricationOptions& fabrication, const Visit& visit) {
+  visit("--anchor-boundary", fabrication.anchor_boundary);
+  visit("--cancel-branches", fabrication.cancel_branches);
+  visit("--cancel-distance", fabrication.cancel_distance);
 }
 
 }  // namespace brindle

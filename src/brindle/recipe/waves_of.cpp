@@ -31,7 +31,7 @@ void mark_filled(std::vector<float>& filled, std::size_t count, const auto& is_f
 
 void see_frequencies(const WaveSurface& surface, const FrequencySmoothingOptions& options,
                      WaveInput& found, WaveResult& made, const Progress& progress) {
-  SmoothedFrequencies seen = surface.frequencies_at_detail(found.frequencies, options, progress);
+  SmoothedFrequencies seen = surface.smooth_frequencies(found.frequencies, options, progress);
   mark_filled(made.support.filled, seen.frequencies.size(), [&](std::size_t v) {
     return std::isnan(found.frequencies[v]) && !std::isnan(seen.frequencies[v]);
   });
@@ -39,26 +39,26 @@ void see_frequencies(const WaveSurface& surface, const FrequencySmoothingOptions
   made.frequency_smoothing = FrequencySmoothingReport{seen.changed_median, seen.filled};
   if (found.frequencies_v.empty()) return;
   found.frequencies_v =
-      surface.frequencies_at_detail(found.frequencies_v, options, progress).frequencies;
+      surface.smooth_frequencies(found.frequencies_v, options, progress).frequencies;
 }
 
 void see_field(const WaveSurface& surface, const FieldSmoothingOptions& options,
                const FrequencyField& places, WaveInput& found, WaveResult& made,
                const Progress& progress) {
-  auto [field, figures] =
-      surface.field_at_detail(found.measured, places, found.last, options, progress);
+  auto [field, metrics] =
+      surface.smooth_field(found.measured, places, found.last, options, progress);
   found.directions = std::move(field.directions);
   made.seen_field = found.directions;
   made.support.coherence = std::move(field.coherence);
   const std::vector<std::uint8_t>& filled = field.filled;
   mark_filled(made.support.filled, filled.size(), [&](std::size_t v) { return filled[v] != 0; });
-  made.detail = figures;
-  found.missing.unfilled = unfilled_alone(figures, found.missing);
+  made.smoothing = metrics;
+  found.missing.unfilled = unfilled_alone(metrics, found.missing);
 }
 
 /// Lines and crosses coincide with themselves turned by 90 and 45 degrees both ways.
 bool depends_on_sense(const WaveRequest& request) {
-  const float angle = request.detail.symmetry == 4 ? 45 : 90;
+  const float angle = request.smoothing.symmetry == 4 ? 45 : 90;
   return std::remainder(request.turn_deg, angle) != 0;
 }
 
@@ -73,18 +73,18 @@ std::size_t WholeSurface::drop_waves(DirectionField& directions,
   return drop_waves_without_frequency(directions, frequencies);
 }
 
-SmoothedFrequencies WholeSurface::frequencies_at_detail(std::span<const float> frequencies,
-                                                        const FrequencySmoothingOptions& options,
-                                                        const Progress& progress) const {
+SmoothedFrequencies WholeSurface::smooth_frequencies(std::span<const float> frequencies,
+                                                     const FrequencySmoothingOptions& options,
+                                                     const Progress& progress) const {
   return smoothed_frequencies(surface_, frequencies, options, progress);
 }
 
-std::pair<SmoothedField, FieldSmoothingFigures> WholeSurface::field_at_detail(
+std::pair<SmoothedField, FieldSmoothingMetrics> WholeSurface::smooth_field(
     const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
     const FieldSmoothingOptions& options, const Progress& progress) const {
-  FieldSmoothing detail(surface_, options, progress.part(0, 0.5));
-  SmoothedField field = detail.frame(measured, places, {last, {}}, progress.part(0.5, 1));
-  return {std::move(field), detail.figures()};
+  FieldSmoothing smoothing(surface_, options, progress.part(0, 0.5));
+  SmoothedField field = smoothing.frame(measured, places, {last, {}}, progress.part(0.5, 1));
+  return {std::move(field), smoothing.metrics()};
 }
 
 WaveSet waves_across(const WaveSet& waves, std::span<const Vec3> normals,
@@ -108,8 +108,8 @@ WaveResult waves_of(const WaveSurface& surface, const WaveRequest& request, Wave
     found.missing.without_frequency = surface.drop_waves(found.directions, found.frequencies);
   }
   // A field without directions is rejected later, with the metrics of the waves.
-  if (request.detail.periods > 0 && surface.any(has_data(found.measured))) {
-    see_field(surface, request.detail, places, found, made, progress.part(kFrequencies, 1));
+  if (request.smoothing.periods > 0 && surface.any(has_data(found.measured))) {
+    see_field(surface, request.smoothing, places, found, made, progress.part(kFrequencies, 1));
   }
   if (request.turn_deg != 0) {
     const float turn = request.turn_deg * std::numbers::pi_v<float> / 180;

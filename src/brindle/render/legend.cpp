@@ -14,6 +14,7 @@ namespace {
 using Eigen::Vector2f;
 
 constexpr int kMostTicks = 6;
+constexpr float kLabelGap = 0.6f;  // between a bar and its labels, in letters
 
 /// Sizes of a legend, in pixels.
 struct LegendSizes {
@@ -94,7 +95,7 @@ float label_width(const Legend& legend, const LegendSizes& sizes) {
 
 float width_of(const Legend& legend, const LegendSizes& sizes) {
   const float bar = legend.tiles.empty()
-                        ? sizes.bar + 1.25f * sizes.letter + label_width(legend, sizes)
+                        ? sizes.bar + kLabelGap * sizes.letter + label_width(legend, sizes)
                         : tiles_width(legend, sizes);
   return std::max(bar, text_width(legend.title, sizes.letter)) + 2 * sizes.margin;
 }
@@ -124,7 +125,7 @@ float draw_field_beyond(Image& image, const Legend& legend, const LegendSizes& s
   const float height = 1.5f * sizes.letter;
   fill(image, corner, corner + Vector2f(sizes.bar, height), legend.scale->beyond);
   const Vector2f label =
-      corner + Vector2f(sizes.bar + 1.25f * sizes.letter, 0.5f * (height + sizes.letter));
+      corner + Vector2f(sizes.bar + kLabelGap * sizes.letter, 0.5f * (height + sizes.letter));
   const std::vector<Stroke> letters = text_strokes(text_beyond(legend), label, sizes.letter);
   lines.insert(lines.end(), letters.begin(), letters.end());
   return height + 0.6f * sizes.letter;
@@ -136,7 +137,7 @@ void draw_tiles(Image& image, const Legend& legend, const LegendSizes& sizes, co
   const int side = tile_side(sizes), left = static_cast<int>(std::lround(top.x()));
   int upper = static_cast<int>(std::lround(top.y()));
   for (const LegendTile& tile : legend.tiles) {
-    const Image picture = tile_picture(tile.tile, side, tile.figure, legend.ground);
+    const Image picture = tile_picture(tile.tile, side, tile.motif, legend.ground);
     for (int y = 0; y < std::min(side, image.height - upper); ++y) {
       for (int x = 0; x < std::min(side, image.width - left); ++x) {
         image.at(left + x, upper + y) = picture.at(x, y);
@@ -165,10 +166,8 @@ void draw_legend(Image& image, const Legend& legend, const LegendSizes& sizes, f
   for (const auto& [value, text] : ticks_of(legend)) {
     const float place = range > 0 ? (static_cast<float>(value) - legend.lowest) / range : 0.5f;
     const float y = bottom - place * (bottom - bar.y());
-    const float x = bar.x() + sizes.bar;
-    lines.push_back({{x + 0.2f * sizes.letter, y}, {x + 0.5f * sizes.letter, y}});
-    const auto letters =
-        text_strokes(text, {x + 1.25f * sizes.letter, y + 0.5f * sizes.letter}, sizes.letter);
+    const float x = bar.x() + sizes.bar + kLabelGap * sizes.letter;
+    const auto letters = text_strokes(text, {x, y + 0.5f * sizes.letter}, sizes.letter);
     lines.insert(lines.end(), letters.begin(), letters.end());
   }
   ink(image, lines, sizes.line, legend.ink);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "brindle/base/elementary.h"
-#include "brindle/pattern/figure_middle.h"
+#include "brindle/pattern/motif_centre.h"
 #include "brindle/render/parsed_words.h"
 #include "brindle/render/surface_light.h"
 #include "brindle/renderer.h"
@@ -119,7 +119,7 @@ float plus_and_minus(const Point& p) {
 
 using Covered = Eigen::AlignedBox2f;
 
-// Symmetries of a tile, as in TileFigures.
+// Symmetries of a tile, as in TileMotifs.
 constexpr std::uint8_t kAsItIs = 1 << 0;
 constexpr std::uint8_t kMirroredAlongV = 1 << kTurnsV;
 constexpr std::uint8_t kHalfTurn = 1 << (kTurnsU | kTurnsV);
@@ -130,7 +130,7 @@ Covered covering(float half_u, float half_v) {
   return {Point(-half_u, -half_v), Point(half_u, half_v)};
 }
 
-TileFigures single_figure(const Covered& covered, std::uint8_t symmetries) {
+TileMotifs single_motif(const Covered& covered, std::uint8_t symmetries) {
   return {TileLayout::single, {covered, covered}, symmetries};
 }
 
@@ -145,7 +145,7 @@ Covered opaque_part(const Image& picture) {
       covered.extend(Point(corner + Point(1, 1)));
     }
   }
-  if (covered.isEmpty()) return TileFigures::whole_tile();
+  if (covered.isEmpty()) return TileMotifs::whole_tile();
   const Point scale(1 / static_cast<float>(picture.width), 1 / static_cast<float>(picture.height));
   const Point half(0.5f, 0.5f);
   return {Point(covered.min().cwiseProduct(scale) - half),
@@ -163,16 +163,16 @@ bool is_transparent_round(const Image& picture) {
   return true;
 }
 
-TileFigures figures_of(BuiltInTile tile) {
+TileMotifs motifs_of(BuiltInTile tile) {
   switch (tile) {
     case BuiltInTile::dots:
-      return single_figure(covering(kDotRadius, kDotRadius), kOfSquare);
+      return single_motif(covering(kDotRadius, kDotRadius), kOfSquare);
     case BuiltInTile::arrows:
-      return single_figure({Point(-0.40f, -0.21f), Point(0.42f, 0.21f)}, kAsItIs | kMirroredAlongV);
+      return single_motif({Point(-0.40f, -0.21f), Point(0.42f, 0.21f)}, kAsItIs | kMirroredAlongV);
     case BuiltInTile::plus:
-      return single_figure(covering(kSignLength, kSignLength), kOfSquare);
+      return single_motif(covering(kSignLength, kSignLength), kOfSquare);
     case BuiltInTile::minus:
-      return single_figure(covering(kSignLength, kSignWidth), kOfRectangle);
+      return single_motif(covering(kSignLength, kSignWidth), kOfRectangle);
     case BuiltInTile::plus_minus:
       return {TileLayout::middle_and_corner,
               {covering(kSmallSign * kSignLength, kSmallSign * kSignLength),
@@ -186,11 +186,11 @@ TileFigures figures_of(BuiltInTile tile) {
               Point(0, 0),
               true};
     case BuiltInTile::stripes:
-      return single_figure(TileFigures::whole_tile(), kOfRectangle);
+      return single_motif(TileMotifs::whole_tile(), kOfRectangle);
     case BuiltInTile::checker:
-      return single_figure(TileFigures::whole_tile(), kOfSquare);
+      return single_motif(TileMotifs::whole_tile(), kOfSquare);
     case BuiltInTile::hatch:
-      return single_figure(TileFigures::whole_tile(), kAsItIs | kHalfTurn);
+      return single_motif(TileMotifs::whole_tile(), kAsItIs | kHalfTurn);
   }
   return {};
 }
@@ -212,7 +212,7 @@ Image halved(const Image& image) {
   return half;
 }
 
-Image figure_picture(BuiltInTile tile, int side, const Vec3& figure, const Vec3& ground) {
+Image motif_picture(BuiltInTile tile, int side, const Vec3& motif, const Vec3& ground) {
   Image image(side, side);
   const auto pixels = static_cast<float>(side);
   for (int y = 0; y < side; ++y) {
@@ -220,7 +220,7 @@ Image figure_picture(BuiltInTile tile, int side, const Vec3& figure, const Vec3&
       const float u = (static_cast<float>(x) + 0.5f) / pixels;
       const float v = 1 - (static_cast<float>(y) + 0.5f) / pixels;
       const float coverage = std::clamp(0.5f - pixels * tile_distance(tile, u, v), 0.0f, 1.0f);
-      image.at(x, y) = opaque_pixel(ground + coverage * (figure - ground));
+      image.at(x, y) = opaque_pixel(ground + coverage * (motif - ground));
     }
   }
   return image;
@@ -281,19 +281,19 @@ float tile_distance(BuiltInTile tile, float u, float v) {
   return 1;
 }
 
-TileFigures tile_figures(const TextureTile& tile) {
+TileMotifs tile_motifs(const TextureTile& tile) {
   if (const auto* picture = std::get_if<Image>(&tile)) {
-    return single_figure(opaque_part(*picture), kAsItIs);
+    return single_motif(opaque_part(*picture), kAsItIs);
   }
-  return figures_of(std::get<BuiltInTile>(tile));
+  return motifs_of(std::get<BuiltInTile>(tile));
 }
 
-TileFigures figures_within(const TileFigures& figures, float size, const Eigen::Vector2f& shift) {
-  TileFigures within = figures;
+TileMotifs motifs_within(const TileMotifs& motifs, float size, const Eigen::Vector2f& shift) {
+  TileMotifs within = motifs;
   within.shift = shift;
   if (size >= 1) return within;
-  const bool single = figures.layout == TileLayout::single;
-  const Covered& covered = single ? figures.extents[0] : TileFigures::whole_tile();
+  const bool single = motifs.layout == TileLayout::single;
+  const Covered& covered = single ? motifs.extents[0] : TileMotifs::whole_tile();
   within.layout = TileLayout::single;
   within.split = false;
   within.extents.fill({Point(size * covered.min()), Point(size * covered.max())});
@@ -315,10 +315,10 @@ bool has_own_shape(const TextureTile& tile) {
   }
 }
 
-Image tile_picture(const TextureTile& tile, int side, const Color& figure, const Color& ground) {
+Image tile_picture(const TextureTile& tile, int side, const Color& motif, const Color& ground) {
   const Vec3 ground_light = linear_light(ground);
   if (const auto* picture = std::get_if<Image>(&tile)) return over(*picture, ground_light);
-  return figure_picture(std::get<BuiltInTile>(tile), side, linear_light(figure), ground_light);
+  return motif_picture(std::get<BuiltInTile>(tile), side, linear_light(motif), ground_light);
 }
 
 Eigen::Vector4f premultiplied_light(const Pixel& pixel) {

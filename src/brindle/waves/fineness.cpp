@@ -8,7 +8,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 
 namespace brindle {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "brindle/yielding_frequency.h"
+#include "brindle/spacing_tolerance.h"
 
 namespace brindle {
 

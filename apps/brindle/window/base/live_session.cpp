@@ -189,26 +189,26 @@ std::vector<std::string> notes_of(const SessionFrame& frame) {
 
 void LiveSession::log_frame(const SessionFrame& frame) {
   if (!log_.is_open()) return;
-  const LiveFigures& figures = frame.state->figures;
+  const LiveMetrics& metrics = frame.state->metrics;
   auto stages = nlohmann::ordered_json::object();
-  for (const auto& [name, milliseconds] : figures.milliseconds) stages[name] = milliseconds;
+  for (const auto& [name, milliseconds] : metrics.milliseconds) stages[name] = milliseconds;
   auto shown = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : figures.shown) shown[name] = value;
+  for (const auto& [name, value] : metrics.shown) shown[name] = value;
   log_.write("frame", {{"number", frame.number},
                        {"revision", frame.revision},
                        {"final", frame.quality == PictureQuality::final},
                        {"width", frame.image.width},
                        {"height", frame.image.height},
-                       {"vertices", figures.vertices},
-                       {"branches", figures.branches},
-                       {"singularities", figures.singularities},
-                       {"energy", figures.energy},
-                       {"spacing_error", figures.mean_spacing_error},
-                       {"edges_per_period", figures.edges_per_period},
+                       {"vertices", metrics.vertices},
+                       {"branches", metrics.branches},
+                       {"singularities", metrics.singularities},
+                       {"energy", metrics.energy},
+                       {"spacing_error", metrics.mean_spacing_error},
+                       {"edges_per_period", metrics.edges_per_period},
                        {"notes", notes_of(frame)},
                        {"nothing_left", frame.nothing_left},
                        {"shown", std::move(shown)},
-                       {"followed", figures.followed},
+                       {"followed", metrics.followed},
                        {"milliseconds", frame.milliseconds},
                        {"draw_milliseconds", frame.draw_milliseconds},
                        {"stages", std::move(stages)}});

@@ -51,7 +51,7 @@ WindowSettings read_settings(const std::filesystem::path& path) {
   take(json, "recent", settings.recent);
   take(json, "dark", settings.dark);
   take(json, "show_options", settings.show_options);
-  take(json, "show_figures", settings.show_figures);
+  take(json, "show_metrics", settings.show_metrics);
   take(json, "folder", settings.folder);
   if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
   return settings;
@@ -64,7 +64,7 @@ void write_settings(const std::filesystem::path& path, const WindowSettings& set
   const nlohmann::ordered_json json = {{"recent", settings.recent},
                                        {"dark", settings.dark},
                                        {"show_options", settings.show_options},
-                                       {"show_figures", settings.show_figures},
+                                       {"show_metrics", settings.show_metrics},
                                        {"folder", settings.folder}};
   write_file(path, [&](OutputStream& out) {
     out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';

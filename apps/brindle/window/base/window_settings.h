@@ -11,7 +11,7 @@ struct WindowSettings {
   std::vector<std::string> recent;  ///< opened meshes and sessions, newest first
   bool dark = true;
   bool show_options = true;
-  bool show_figures = true;
+  bool show_metrics = true;
   std::string folder;  ///< last folder of the file browser
 };
 

@@ -70,8 +70,8 @@ CatalogOption entry_of(const OptionInfo& info) {
 
 /// Groups in order of use; others follow in the order of the table.
 constexpr std::array<std::string_view, 9> kTitles = {
-    "Stripes", "Field",   "Textures", "Look", "Colours by value", "Outlines and depth",
-    "Making",  "Surface", "Solver"};
+    "Stripes",     "Field",   "Textures", "Look", "Colours by value", "Outlines and depth",
+    "Fabrication", "Surface", "Solver"};
 
 std::size_t rank_of(const OptionGroup& group) {
   return static_cast<std::size_t>(std::ranges::find(kTitles, group.title) - kTitles.begin());

@@ -136,7 +136,7 @@ void OtherSurfaces::draw_choice(OtherSurfaceChoice choice, const Changed& change
     label("tile", column, "of its texture");
     draw_tile(choice, changed);
   }
-  label("colours", column, "of the surface, and of its stripes or figures");
+  label("colours", column, "of the surface, and of its stripes or motifs");
   draw_colors(choice, changed);
   label("colours by", column,
         "a value of this surface, such as array:NAME of its file: its stripes have the colours, or "

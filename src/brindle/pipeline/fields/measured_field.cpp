@@ -40,7 +40,7 @@ void require(bool holds, const std::string& message) {
 
 bool is_strength(float number) { return std::isfinite(number) && number >= 0; }
 
-void check_detail(const FieldSmoothingOptions& options) {
+void check_smoothing(const FieldSmoothingOptions& options) {
   check_scale("measured field", options.periods, options.fill);
   require(options.symmetry >= 1, "the symmetry N must be 1 or above");
   require(is_strength(options.memory), "the memory must be a finite number of 0 or above");
@@ -87,7 +87,7 @@ double quantile(std::span<const DatumTurn> sorted, double total, double share) {
 /// Directional coherence of the data around a vertex, 0 to 1.
 float coherence(const Complex& u) { return std::min(std::sqrt(std::norm(u)), 1.0f); }
 
-void tell_turns(std::vector<DatumTurn> turns, FieldSmoothingFigures& figures) {
+void tell_turns(std::vector<DatumTurn> turns, FieldSmoothingMetrics& metrics) {
   ranges::sort(turns, {}, &DatumTurn::degrees);
   double total = 0, sum = 0, over = 0;
   for (const DatumTurn& turn : turns) {
@@ -97,10 +97,10 @@ void tell_turns(std::vector<DatumTurn> turns, FieldSmoothingFigures& figures) {
     over += turn.degrees > 20 ? weight : 0;
   }
   if (!(total > 0)) return;
-  figures.turned_mean_deg = sum / total;
-  figures.turned_median_deg = quantile(turns, total, 0.5);
-  figures.turned_p95_deg = quantile(turns, total, 0.95);
-  figures.turned_share_over_20deg = over / total;
+  metrics.turned_mean_deg = sum / total;
+  metrics.turned_median_deg = quantile(turns, total, 0.5);
+  metrics.turned_p95_deg = quantile(turns, total, 0.95);
+  metrics.turned_share_over_20deg = over / total;
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ struct FieldDatum {
 struct FieldSmoothing::State {
   State(const Surface& given, const FieldSmoothingOptions& wanted, const Progress& progress)
       : options(wanted), surface(given) {
-    check_detail(options);
+    check_smoothing(options);
     check_positions(surface.mesh.positions);
     require(!options.singularities || !surface.mesh.triangles.empty(),
             "points have no triangles that a field could turn round");
@@ -434,13 +434,13 @@ FieldSmoothing::State::HeldOut FieldSmoothing::State::hold_out(const MeasuredFie
   require(ranges::any_of(found.data.weight, [](float w) { return w > 0; }),
           "no datum is left beside those to hold out; hold out a smaller share");
   const DirectionField field = seen(found, frequencies, progress.part(0.8, 1)).directions;
-  FieldSmoothingFigures figures;
+  FieldSmoothingMetrics metrics;
   const std::vector<DatumTurn> turned = turns(hidden, found.u, field);
-  tell_turns(turned, figures);
+  tell_turns(turned, metrics);
   require(!turned.empty(),
           "holes are filled over too short a distance to reach data held out; fill "
           "them farther, or hold out a smaller share");
-  return {turned.size(), figures.turned_mean_deg};
+  return {turned.size(), metrics.turned_mean_deg};
 }
 
 std::vector<DatumTurn> FieldSmoothing::State::turns(const MeasuredField& measured,
@@ -495,34 +495,34 @@ SmoothedField FieldSmoothing::frame(const MeasuredField& measured,
   return state_->frame(measured, frequencies, last, progress);
 }
 
-FieldSmoothingFigures FieldSmoothing::figures() const {
+FieldSmoothingMetrics FieldSmoothing::metrics() const {
   const State& state = *state_;
-  require(state.measured_.has_value(), "there is no frame yet that figures could be of");
-  FieldSmoothingFigures figures;
-  tell_turns(state.turns(*state.measured_, state.found_.u, state.directions), figures);
-  figures.coherence_mean = state.mean_coherence(true);
-  figures.coherence_filled_mean = state.mean_coherence(false);
-  figures.held_out = state.held_out_.count;
-  figures.held_out_turned_mean_deg = state.held_out_.mean_deg;
+  require(state.measured_.has_value(), "there is no frame yet that metrics could be of");
+  FieldSmoothingMetrics metrics;
+  tell_turns(state.turns(*state.measured_, state.found_.u, state.directions), metrics);
+  metrics.coherence_mean = state.mean_coherence(true);
+  metrics.coherence_filled_mean = state.mean_coherence(false);
+  metrics.held_out = state.held_out_.count;
+  metrics.held_out_turned_mean_deg = state.held_out_.mean_deg;
   std::vector<Complex> before(state.count());
   for (Index i = 0; i < state.count(); ++i) {
     const bool has_datum = state.found_.data.weight[i] > 0,
                has_direction = !state.directions[i].isZero(0);
     if (has_datum) before[i] = state.found_.data.pull[i];
-    figures.filled += has_direction && !has_datum ? 1 : 0;
-    figures.unfilled += !has_direction && !state.surface.neighborhood->of(i).empty() ? 1 : 0;
-    figures.data += has_datum ? 1 : 0;
+    metrics.filled += has_direction && !has_datum ? 1 : 0;
+    metrics.unfilled += !has_direction && !state.surface.neighborhood->of(i).empty() ? 1 : 0;
+    metrics.data += has_datum ? 1 : 0;
   }
   const int symmetry = state.options.symmetry;
   DirectionField given = directions_of(before, state.surface.normals, symmetry);
   for (Index i = 0; i < state.count(); ++i) {
     if (before[i] == Complex(0)) given[i] = Vec3::Zero();
   }
-  figures.singularities_of_data = count_singularities(state.surface.mesh, given, symmetry);
-  figures.singularities = count_singularities(state.surface.mesh, state.directions, symmetry);
-  const std::size_t wanted = state.options.singularities.value_or(figures.singularities);
-  figures.singularities_too_many = figures.singularities - std::min(wanted, figures.singularities);
-  return figures;
+  metrics.singularities_of_data = count_singularities(state.surface.mesh, given, symmetry);
+  metrics.singularities = count_singularities(state.surface.mesh, state.directions, symmetry);
+  const std::size_t wanted = state.options.singularities.value_or(metrics.singularities);
+  metrics.singularities_too_many = metrics.singularities - std::min(wanted, metrics.singularities);
+  return metrics;
 }
 
 }  // namespace brindle

@@ -179,7 +179,7 @@ std::vector<Vec3> CrossAnimator::State::normals_on_cover(const CrossFrameInput& 
 /// A new animator that continues from the last frame's phases, if any.
 StripeAnimator CrossAnimator::State::animator_of(const CrossCover& made,
                                                  std::span<const Vec3> normals) const {
-  StripeAnimator result = on_cover.slack.yields()
+  StripeAnimator result = on_cover.slack.relaxes()
                               ? StripeAnimator(cover_surface(made, normals), on_cover)
                               : StripeAnimator(made.neighborhood, on_cover);
   if (!laid.z.empty()) {
@@ -195,7 +195,7 @@ CrossAnimator::CrossAnimator(const Surface& surface, const AnimatorOptions& opti
   state_ = std::make_unique<State>(State{surface, options});
   state_->on_cover = options;
   state_->on_cover.slack = slack_on_cover(options.slack);
-  state_->made_with_slack = options.slack.yields();
+  state_->made_with_slack = options.slack.relaxes();
   state_->on_cover.edge_weights = weights_on_cover(*surface.neighborhood, options.edge_weights);
 }
 
@@ -305,7 +305,7 @@ void CrossAnimator::set_slack(const Slack& slack) {
   check_made_with_slack(s.made_with_slack);
   Slack of_cover = slack_on_cover(slack);
   // An animator built without slack cannot take one: create another one for the next frame.
-  if (s.animator && !s.on_cover.slack.yields()) s.animator.reset();
+  if (s.animator && !s.on_cover.slack.relaxes()) s.animator.reset();
   if (s.animator) s.animator->set_slack(of_cover);
   s.on_cover.slack = std::move(of_cover);
   s.options.slack = slack;

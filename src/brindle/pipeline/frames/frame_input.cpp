@@ -82,7 +82,7 @@ AnimatorOptions without_slack(AnimatorOptions options) {
 }
 
 void refuse_slack(const AnimatorOptions& options) {
-  if (!options.slack.yields()) return;
+  if (!options.slack.relaxes()) return;
   throw Error("animator options: slack needs the surface; make the animator of a Surface");
 }
 
@@ -93,58 +93,58 @@ void check_made_with_slack(bool made_with_slack) {
 
 FrameFrequencies::FrameFrequencies(const Surface& surface, const Slack& slack) {
   check_slack(slack, surface.mesh.vertex_count());
-  if (slack.yields()) yielding_.emplace(yielding_setting(surface, slack));
+  if (slack.relaxes()) relaxed_.emplace(relaxed_setting(surface, slack));
 }
 
 FrameFrequencies FrameFrequencies::sibling() const {
   FrameFrequencies other;
-  if (yielding_) other.yielding_.emplace(yielding_->sibling());
+  if (relaxed_) other.relaxed_.emplace(relaxed_->sibling());
   return other;
 }
 
 void FrameFrequencies::set_slack(const Slack& slack) {
-  check_made_with_slack(yields());
-  yielding_->set_slack(slack);
+  check_made_with_slack(relaxes());
+  relaxed_->set_slack(slack);
   has_kept_ = false;
 }
 
-void FrameFrequencies::set_setting(std::shared_ptr<const YieldingSetting> setting,
+void FrameFrequencies::set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting,
                                    bool weighs_as_before) {
-  yielding_->set_setting(std::move(setting), weighs_as_before);
+  relaxed_->set_setting(std::move(setting), weighs_as_before);
   has_kept_ = false;
 }
 
 bool FrameFrequencies::is_kept(const FrameInput& input) const {
-  return yielding_ && has_kept_ && ranges::equal(input.frequencies, wanted_) &&
+  return relaxed_ && has_kept_ && ranges::equal(input.frequencies, wanted_) &&
          ranges::equal(input.directions, directions_, same_bits) &&
          ranges::equal(input.positions, positions_, same_bits);
 }
 
 FrameInput FrameFrequencies::yielded(const FrameInput& input, const Progress& progress) {
-  if (!yielding_) return input;
+  if (!relaxed_) return input;
   positions_.reserve(input.positions.size());
   directions_.reserve(input.directions.size());
   wanted_.reserve(input.frequencies.size());
   return {input.positions, input.directions,
-          yielding_->solve({input.positions, input.directions, input.frequencies}, progress)};
+          relaxed_->solve({input.positions, input.directions, input.frequencies}, progress)};
 }
 
 void FrameFrequencies::keep(const FrameInput& input) {
-  if (!yielding_) return;
-  yielding_->keep();
+  if (!relaxed_) return;
+  relaxed_->keep();
   has_kept_ = true;
-  change_ = yielding_->change();
+  change_ = relaxed_->change();
   positions_.assign(input.positions.begin(), input.positions.end());
   directions_.assign(input.directions.begin(), input.directions.end());
   wanted_.assign(input.frequencies.begin(), input.frequencies.end());
 }
 
 void FrameFrequencies::restart() {
-  if (yielding_) yielding_->restart();
+  if (relaxed_) relaxed_->restart();
 }
 
 std::span<const float> FrameFrequencies::frequencies() const {
-  return yielding_ ? yielding_->frequencies() : std::span<const float>();
+  return relaxed_ ? relaxed_->frequencies() : std::span<const float>();
 }
 
 }  // namespace brindle

@@ -12,7 +12,7 @@
 #include "brindle/geometry/topology.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"
-#include "brindle/waves/yielding_solver.h"
+#include "brindle/waves/relaxed_frequency_solver.h"
 
 namespace brindle {
 
@@ -84,9 +84,9 @@ class FrameFrequencies {
   FrameFrequencies(const Surface& surface, const Slack& slack);
 
   /// For a part of a surface: input has own vertices first, then those of other processes.
-  explicit FrameFrequencies(YieldingSolver solver) : yielding_(std::move(solver)) {}
+  explicit FrameFrequencies(RelaxedFrequencySolver solver) : relaxed_(std::move(solver)) {}
 
-  bool yields() const { return yielding_.has_value(); }
+  bool relaxes() const { return relaxed_.has_value(); }
 
   /// A new object for the same surface and slack.
   FrameFrequencies sibling() const;
@@ -94,14 +94,14 @@ class FrameFrequencies {
   /// As StripeAnimator::set_slack.
   void set_slack(const Slack& slack);
 
-  /// As YieldingSolver::set_setting; needs slack.
-  void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
-  const YieldingSetting& setting() const { return yielding_->setting(); }
+  /// As RelaxedFrequencySolver::set_setting; needs slack.
+  void set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting, bool weighs_as_before);
+  const RelaxedFrequencySetting& setting() const { return relaxed_->setting(); }
 
   /// Whether there is slack and the input equals the one kept last.
   bool is_kept(const FrameInput& input) const;
 
-  /// The input with relaxed frequencies. Throws what `YieldingFrequency::solve` does.
+  /// The input with relaxed frequencies. Throws what `RelaxedFrequency::solve` does.
   FrameInput yielded(const FrameInput& input, const Progress& progress);
 
   /// Commits the last `yielded` input as the last frame. Does not throw.
@@ -113,7 +113,7 @@ class FrameFrequencies {
   const FrequencyChange& change() const { return change_; }
 
  private:
-  std::optional<YieldingSolver> yielding_;
+  std::optional<RelaxedFrequencySolver> relaxed_;
   bool has_kept_ = false;
   std::vector<Vec3> positions_, directions_;  ///< of the kept frame
   std::vector<float> wanted_;

@@ -22,7 +22,7 @@ struct StripeAnimator::State {
   bool is_sibling = false;   ///< whether the hierarchy came from another animator
   FramePhases phases = FramePhases(options);
   bool has_yielded = false;  ///< whether the frame being solved has relaxed frequencies
-  FrameFrequencies yielding = {};
+  FrameFrequencies relaxed = {};
   RestNormals in_place = {};
   FrameSewing sewing = {};
 
@@ -99,7 +99,7 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
 StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& options)
     : StripeAnimator(surface.neighborhood, without_slack(options)) {
   state_->sewing = FrameSewing(surface);
-  state_->yielding = FrameFrequencies(surface, options.slack);
+  state_->relaxed = FrameFrequencies(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
 }
@@ -128,10 +128,10 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   if (heard.is_heard()) allow_take_back();
   s.has_yielded = false;
   const bool follows = s.phases.has_last && !s.phases.has_given;
-  if (follows && s.yielding.is_kept(input)) return unchanged_result();
+  if (follows && s.relaxed.is_kept(input)) return unchanged_result();
   FrameClock clock;
   const Progress progress = progress_of_frame(heard);
-  const FrameInput yielded = s.yielding.yielded(input, progress.part(0, 0.3));
+  const FrameInput yielded = s.relaxed.yielded(input, progress.part(0, 0.3));
   s.has_yielded = true;
   progress.report(0.3);
   clock.add(&FrameMilliseconds::frequency);
@@ -167,10 +167,10 @@ void StripeAnimator::keep(const FrameInput& input, FrameResult& solved) {
   State& s = *state_;
   Stopwatch watch;
   if (!solved.unchanged) s.phases.keep(s.finest());
-  if (s.has_yielded) s.yielding.keep(input);
+  if (s.has_yielded) s.relaxed.keep(input);
   solved.z = s.phases.z_by_node;
-  solved.frequencies = s.yielding.frequencies();
-  solved.frequency_change = s.yielding.change();
+  solved.frequencies = s.relaxed.frequencies();
+  solved.frequency_change = s.relaxed.change();
   if (!solved.unchanged) solved.milliseconds.solve += watch.lap();
 }
 
@@ -216,7 +216,7 @@ StripeAnimator StripeAnimator::sibling() const {
   state->hierarchy = brindle::sibling(state_->hierarchy);
   state->is_sibling = !state->hierarchy.levels.empty();
   state->phases.may_be_taken_back = state_->phases.may_be_taken_back;
-  state->yielding = state_->yielding.sibling();
+  state->relaxed = state_->relaxed.sibling();
   state->in_place = state_->in_place;
   state->sewing = state_->sewing;
   return StripeAnimator(std::move(state));
@@ -229,11 +229,11 @@ void StripeAnimator::set_last_phases(std::span<const Complex> z) {
 
 void StripeAnimator::restart() {
   state_->phases.restart();
-  state_->yielding.restart();
+  state_->relaxed.restart();
 }
 
 void StripeAnimator::set_slack(const Slack& slack) {
-  state_->yielding.set_slack(slack);
+  state_->relaxed.set_slack(slack);
   state_->options.slack = slack;
 }
 

@@ -145,7 +145,7 @@ void TextureAnimator::State::measure(TextureFrameResult& result) {
 
 TextureAnimator::TextureAnimator(const Surface& surface, const TextureAnimatorOptions& options) {
   if (surface.mesh.triangles.empty()) throw Error("textures need triangles; points have none");
-  if (options.whole_tiles) check_tile_figures(*options.whole_tiles);
+  if (options.whole_tiles) check_tile_motifs(*options.whole_tiles);
   state_ = std::make_unique<State>(surface, options);
 }
 
@@ -200,9 +200,9 @@ void TextureAnimator::set_slack(const Slack& slack) {
   s.options.stripes.slack = slack;
 }
 
-void TextureAnimator::set_whole_tiles(const std::optional<TileFigures>& figures) {
-  if (figures) check_tile_figures(*figures);
-  state_->options.whole_tiles = figures;
+void TextureAnimator::set_whole_tiles(const std::optional<TileMotifs>& metrics) {
+  if (metrics) check_tile_motifs(*metrics);
+  state_->options.whole_tiles = metrics;
 }
 
 void TextureAnimator::restart() {

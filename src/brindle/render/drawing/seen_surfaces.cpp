@@ -13,7 +13,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/corner_phases.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/pattern/figure_middle.h"
+#include "brindle/pattern/motif_centre.h"
 
 namespace brindle {
 namespace {
@@ -190,12 +190,12 @@ bool is_left_out(const SeenPoint& point, const RegionTexture& texture, const Reg
   if (!tile.broken->is_broken(point.triangle, point.barycentric, uv + texture.shift)) return false;
   if (!tile.broken->split) return true;
   // A joint splits a broken brick along its middle.
-  const Point middle = place_of(figure_at(tile.broken->layout, uv));
+  const Point middle = place_of(motif_at(tile.broken->layout, uv));
   return std::abs(uv.x() - middle.x()) <= kHalfJoint;
 }
 
 /// `size`: share of its cell that the tile fills.
-bool figure_covers(BuiltInTile tile, const Point& uv, float size) {
+bool motif_covers(BuiltInTile tile, const Point& uv, float size) {
   if (size >= 1) return tile_distance(tile, uv.x(), uv.y()) <= 0;
   if (!(size > kSmallestSize)) return false;
   const Point from_middle(uv.x() - std::floor(uv.x()) - 0.5f, uv.y() - std::floor(uv.y()) - 0.5f);
@@ -225,7 +225,7 @@ std::optional<std::size_t> tile_at(const SeenPoint& point) {
   const RegionTile& tile = texture.tiles[region];
   if (is_left_out(point, texture, tile, *uv)) return std::nullopt;
   const float size = texture.sizes.empty() ? 1.0f : value_of_tile(point, texture.sizes, pixels);
-  if (!figure_covers(std::get<BuiltInTile>(tile.tile), *uv, size)) return std::nullopt;
+  if (!motif_covers(std::get<BuiltInTile>(tile.tile), *uv, size)) return std::nullopt;
   return region;
 }
 

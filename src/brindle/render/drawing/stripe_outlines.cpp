@@ -30,7 +30,7 @@ void check_texture(const RegionTexture& texture, const Mesh& mesh) {
   for (const RegionTile& tile : texture.tiles) {
     if (std::holds_alternative<BuiltInTile>(tile.tile)) continue;
     throw Error(
-        "a drawing has outlines of figures, and a tile is a picture of pixels; take a "
+        "a drawing has outlines of motifs, and a tile is a picture of pixels; take a "
         "built-in tile, or write .png");
   }
 }

@@ -1,5 +1,5 @@
 // Which motifs of a texture's tiles are left out. Twin of is_broken in pattern/broken_tiles.cpp and
-// figure_at of pattern/figure_middle.h.
+// motif_at of pattern/motif_centre.h.
 
 layout(std430, binding = 3) readonly buffer BrokenTiles { uint broken_tiles[]; };
 
@@ -11,7 +11,7 @@ const int kSingle = 0;
 const int kCourses = 2;
 
 // Twice the U and twice the V of the motif's middle.
-ivec2 figure_at(vec2 uv) {
+ivec2 motif_at(vec2 uv) {
   ivec2 cell = 2 * ivec2(floor(uv)) + 1;
   ivec2 corner = 2 * ivec2(floor(uv + 0.5));
   if (tile_layout == kCourses) {
@@ -48,13 +48,13 @@ bool is_broken(SurfacePoint p, vec2 uv) {
   if (!has_broken_tiles) return false;
   uint record = broken_tiles[p.triangle];
   if (record < 2u) return record == 1u;
-  return is_listed(record, figure_at(lifted(p, record, uv)));
+  return is_listed(record, motif_at(lifted(p, record, uv)));
 }
 
 // The share of a pixel outside the joint that splits a broken brick along its middle.
 float beside_split(SurfacePoint p, Footprint f) {
   const float kJoint = 0.035;  // half of it
-  float across = f.uv.x - 0.5 * float(figure_at(f.uv).x);
+  float across = f.uv.x - 0.5 * float(motif_at(f.uv).x);
   float pixel = length(vec2(f.dx.x, f.dy.x));
   return clamp((abs(across) - kJoint) / max(pixel, 1e-6) + 0.5, 0.0, 1.0);
 }

@@ -1,6 +1,6 @@
 // A texture with different tiles per region. Each pass draws one region.
 
-uniform vec3 figure_color;
+uniform vec3 motif_color;
 uniform vec2 texture_shift;
 uniform vec2 region;        // from this value to that
 uniform bool first_region;  // also draws parts without a tile
@@ -21,18 +21,18 @@ float value_of_tile(SurfacePoint p, Footprint f, uint which) {
 }
 
 // One colour for the whole motif.
-vec3 color_of_figure(SurfacePoint p, Footprint f) {
-  float place = kFigurePlaces ? value_of_tile(p, f, kPlaceOfFigure) : kNoValue;
-  return place > kNoValue ? scale_color(place) : figure_color;
+vec3 color_of_motif(SurfacePoint p, Footprint f) {
+  float place = kMotifPlaces ? value_of_tile(p, f, kPlaceOfMotif) : kNoValue;
+  return place > kNoValue ? scale_color(place) : motif_color;
 }
 
 // The tile, scaled about its middle.
-vec4 decal_light(vec3 figure, Footprint f, float size) {
+vec4 decal_light(vec3 motif, Footprint f, float size) {
   vec2 from_middle = f.uv - floor(f.uv) - 0.5;
   vec2 pixel = vec2(length(vec2(f.dx.x, f.dy.x)), length(vec2(f.dx.y, f.dy.y)));
   vec2 inside = clamp((0.5 * size - abs(from_middle)) / max(pixel, 1e-6) + 0.5, 0.0, 1.0);
   Footprint decal = Footprint(from_middle / size + 0.5, f.dx / size, f.dy / size);
-  return inside.x * inside.y * tile_light(figure, decal);
+  return inside.x * inside.y * tile_light(motif, decal);
 }
 
 // The tile's light as in `tile_light`. False in other regions.
@@ -50,9 +50,9 @@ bool tile_at(SurfacePoint p, out vec4 tile) {
   }
   float size = kTileSizes ? value_of_tile(p, f, kSizeOfTile) : 1.0;
   if (size >= 1.0) {
-    tile = left * tile_light(color_of_figure(p, f), f);
+    tile = left * tile_light(color_of_motif(p, f), f);
   } else if (size > 1e-3) {
-    tile = decal_light(color_of_figure(p, f), f, size);
+    tile = decal_light(color_of_motif(p, f), f, size);
   }
   return true;
 }

@@ -8,7 +8,7 @@ const uint kStyleValues = 8u;  // per vertex: width, opacity and colour of the f
 const uint kPlaceOfSurface = 6u;
 const uint kValueOfRegion = 7u;
 const uint kSizeOfTile = 0u;  // shares the place of strokes, as does the next
-const uint kPlaceOfFigure = 1u;
+const uint kPlaceOfMotif = 1u;
 const float kNoValue = -1e30;
 
 // The value at a point; far below zero if a corner has none.

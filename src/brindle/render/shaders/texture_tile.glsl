@@ -41,7 +41,7 @@ TextureFragment texture_at(SurfacePoint p) {
 
 uniform sampler2D tile_colors;     // premultiplied light of a picture, or coverage by a motif
 uniform sampler2D tile_distances;  // of a motif, to its border, in tile sides
-uniform bool tile_is_figure;
+uniform bool tile_is_motif;
 
 const float kMostSamples = 16.0;
 
@@ -53,7 +53,7 @@ struct Footprint {
 
 // Where texels are magnified, the distance is more precise: borders stay sharp at any
 // magnification.
-float figure_from_distance(Footprint f) {
+float motif_from_distance(Footprint f) {
   vec2 step = 1.0 / vec2(textureSize(tile_distances, 0));
   float distance = textureLod(tile_distances, f.uv, 0.0).r;
   vec2 slope = 0.5 / step *
@@ -88,13 +88,13 @@ vec4 filtered_tile(Footprint f) {
 }
 
 // The tile's premultiplied light and alpha. U and V are phases.
-vec4 tile_light(vec3 figure_color, Footprint f) {
+vec4 tile_light(vec3 motif_color, Footprint f) {
   vec4 tile = filtered_tile(f);
-  if (!tile_is_figure) return tile;
+  if (!tile_is_motif) return tile;
   float texels = max(length(f.dx), length(f.dy)) * float(textureSize(tile_colors, 0).x);
   float coverage = tile.r;
-  if (texels < 1.0) coverage = mix(figure_from_distance(f), tile.r, smoothstep(0.5, 1.0, texels));
-  return coverage * vec4(figure_color, 1.0);
+  if (texels < 1.0) coverage = mix(motif_from_distance(f), tile.r, smoothstep(0.5, 1.0, texels));
+  return coverage * vec4(motif_color, 1.0);
 }
 
 vec3 with_tile(vec3 surface, vec4 tile) { return tile.rgb + (1.0 - tile.a) * surface; }

@@ -18,7 +18,7 @@ constexpr std::size_t kLayerValues = 3;
 constexpr std::size_t kSurfacePlace = 6;
 constexpr std::size_t kRegionValue = 7;
 constexpr std::size_t kTileSize = 0;  // a surface with a texture has no strokes
-constexpr std::size_t kFigurePlace = 1;
+constexpr std::size_t kMotifPlace = 1;
 constexpr float kNoValue = -2e30f;  // below the one of style_buffers.glsl
 
 constexpr GLuint kValuesBinding = 0;
@@ -71,7 +71,7 @@ void check_texture(const StyledSurface& surface) {
   }
   check_style_count(texture.values.size(), surface.mesh.vertex_count(), "values of regions");
   check_style_count(texture.sizes.size(), surface.mesh.vertex_count(), "sizes of tiles");
-  check_style_count(texture.color_places.size(), surface.mesh.vertex_count(), "colours of figures");
+  check_style_count(texture.color_places.size(), surface.mesh.vertex_count(), "colours of motifs");
   for (std::size_t i = 2; i < texture.tiles.size(); ++i) {
     if (!(texture.tiles[i].from > texture.tiles[i - 1].from)) {
       refuse_style("the regions of its texture must begin at rising values");
@@ -99,7 +99,7 @@ std::vector<float> packed_values(const StyledSurface& surface) {
   if (!surface.texture) return packed;
   put_values(surface.texture->values, kRegionValue, packed);
   put_values(surface.texture->sizes, kTileSize, packed);
-  put_values(surface.texture->color_places, kFigurePlace, packed);
+  put_values(surface.texture->color_places, kMotifPlace, packed);
   return packed;
 }
 
@@ -144,7 +144,7 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
     shift_ = surface.texture->shift;
     has_regions_ = !surface.texture->values.empty();
     has_sizes_ = !surface.texture->sizes.empty();
-    has_figure_places_ = !surface.texture->color_places.empty();
+    has_motif_places_ = !surface.texture->color_places.empty();
     for (const RegionTile& tile : surface.texture->tiles) {
       tiles_.push_back({tile_of(tile.tile, last), linear_light(tile.color), tile.from,
                         GlBrokenTiles(tile.broken, surface.mesh.triangle_count())});
@@ -186,7 +186,7 @@ std::string GlStyle::features() const {
          glsl_constant("kSpacing", any([](const Layer& l) { return l.looks[2] != 0; })) +
          glsl_constant("kSurfacePlaces", has_places_) + glsl_constant("kRegions", has_regions_) +
          glsl_constant("kTileSizes", has_sizes_) +
-         glsl_constant("kFigurePlaces", has_figure_places_) +
+         glsl_constant("kMotifPlaces", has_motif_places_) +
          glsl_constant("kWholeTiles", whole_tiles_);
 }
 
@@ -214,7 +214,7 @@ void GlStyle::bind_region(const ShaderProgram& program, std::size_t region) cons
   const Region& tile = tiles_[region];
   tile.tile->textures.bind(program);
   tile.broken.bind(program);
-  program.set("figure_color", tile.color);
+  program.set("motif_color", tile.color);
   program.set("texture_shift", shift_);
   program.set("region",
               Eigen::Vector2f(region == 0 ? -kFar : tile.from,

@@ -74,7 +74,7 @@ class GlStyle {
   Eigen::Vector2f shift_ = Eigen::Vector2f::Zero();
   bool has_regions_ = false;
   bool has_sizes_ = false;  ///< of tiles
-  bool has_figure_places_ = false;
+  bool has_motif_places_ = false;
   bool whole_tiles_ = false;
 };
 

@@ -16,7 +16,7 @@ enum Unit { kColorUnit = 0, kDistanceUnit = 1 };
 constexpr GLuint kBrokenTilesBinding = 3;  // as in broken_tiles.glsl
 
 /// Texels along a side of a built-in tile.
-constexpr int kFigureSide = 512;
+constexpr int kMotifSide = 512;
 
 GlTexture repeated_texture(GLenum format, int width, int height, bool smaller_ones) {
   const auto longest = static_cast<unsigned>(std::max(width, height));
@@ -27,28 +27,26 @@ GlTexture repeated_texture(GLenum format, int width, int height, bool smaller_on
 /// Signed distances of all texel centres, in rows from v = 0.
 std::vector<float> distances_of(BuiltInTile tile) {
   std::vector<float> distances;
-  distances.reserve(kFigureSide * kFigureSide);
-  for (int y = 0; y < kFigureSide; ++y) {
-    for (int x = 0; x < kFigureSide; ++x) {
-      distances.push_back(tile_distance(tile, (static_cast<float>(x) + 0.5f) / kFigureSide,
-                                        (static_cast<float>(y) + 0.5f) / kFigureSide));
+  distances.reserve(kMotifSide * kMotifSide);
+  for (int y = 0; y < kMotifSide; ++y) {
+    for (int x = 0; x < kMotifSide; ++x) {
+      distances.push_back(tile_distance(tile, (static_cast<float>(x) + 0.5f) / kMotifSide,
+                                        (static_cast<float>(y) + 0.5f) / kMotifSide));
     }
   }
   return distances;
 }
 
 GlTexture distance_texture(const std::vector<float>& distances) {
-  GlTexture texture = repeated_texture(GL_R32F, kFigureSide, kFigureSide, false);
-  glTextureSubImage2D(texture, 0, 0, 0, kFigureSide, kFigureSide, GL_RED, GL_FLOAT,
-                      distances.data());
+  GlTexture texture = repeated_texture(GL_R32F, kMotifSide, kMotifSide, false);
+  glTextureSubImage2D(texture, 0, 0, 0, kMotifSide, kMotifSide, GL_RED, GL_FLOAT, distances.data());
   return texture;
 }
 
 GlTexture coverage_texture(std::vector<float> distances) {
-  for (float& d : distances) d = std::clamp(0.5f - kFigureSide * d, 0.0f, 1.0f);
-  GlTexture texture = repeated_texture(GL_R16F, kFigureSide, kFigureSide, true);
-  glTextureSubImage2D(texture, 0, 0, 0, kFigureSide, kFigureSide, GL_RED, GL_FLOAT,
-                      distances.data());
+  for (float& d : distances) d = std::clamp(0.5f - kMotifSide * d, 0.0f, 1.0f);
+  GlTexture texture = repeated_texture(GL_R16F, kMotifSide, kMotifSide, true);
+  glTextureSubImage2D(texture, 0, 0, 0, kMotifSide, kMotifSide, GL_RED, GL_FLOAT, distances.data());
   glGenerateTextureMipmap(texture);
   return texture;
 }
@@ -105,7 +103,7 @@ GlTextureTile::GlTextureTile(const TextureTile& tile) {
 void GlTextureTile::bind(const ShaderProgram& program) const {
   program.set("tile_colors", static_cast<int>(kColorUnit));
   program.set("tile_distances", static_cast<int>(kDistanceUnit));
-  program.set("tile_is_figure", distances_ != 0);
+  program.set("tile_is_motif", distances_ != 0);
   program.set("wave_count", 2);
   glBindTextureUnit(kColorUnit, colors_);
   glBindTextureUnit(kDistanceUnit, distances_);

@@ -1,4 +1,4 @@
-/// The solver of `YieldingFrequency`, for a whole surface or for the parts of several processes.
+/// The solver of `RelaxedFrequency`, for a whole surface or for the parts of several processes.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "brindle/progress.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/types.h"
 #include "brindle/waves/bounded_multigrid.h"
 #include "brindle/waves/frequency_rows.h"
-#include "brindle/yielding_frequency.h"
 
 namespace brindle {
 
@@ -22,7 +22,7 @@ std::vector<float> penalty_weights(std::span<const Triangle> triangles,
                                    std::span<const float> branch_penalty);
 
 /// The constant input. Vertices of other processes (ghosts) come last.
-struct YieldingSetting {
+struct RelaxedFrequencySetting {
   std::vector<float> slack;           ///< by vertex
   std::vector<float> branch_penalty;  ///< by vertex, from 0 to 1; empty: 0
   FrequencyTriangles triangles;
@@ -30,8 +30,9 @@ struct YieldingSetting {
 };
 
 /// For a whole surface. Throws Error as `check_slack` does; Cancelled if `progress` cancels.
-std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
-                                                        const Progress& progress = {});
+std::shared_ptr<const RelaxedFrequencySetting> relaxed_setting(const Surface& surface,
+                                                               const Slack& slack,
+                                                               const Progress& progress = {});
 
 /// Sums of areas times ratios g / f: over all rows, those not at a bound, and weighted by
 /// `branch_penalty`.
@@ -51,15 +52,15 @@ struct RatioSums {
   }
 };
 
-/// YieldingFrequency for one or several processes. With peers, all processes must call all
+/// RelaxedFrequency for one or several processes. With peers, all processes must call all
 /// functions except `keep`, `frequencies` and `change`, and `progress` must throw on all or none.
-class YieldingSolver {
+class RelaxedFrequencySolver {
  public:
-  explicit YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
-                          std::shared_ptr<MultigridPeers> peers = nullptr);
+  explicit RelaxedFrequencySolver(std::shared_ptr<const RelaxedFrequencySetting> setting,
+                                  std::shared_ptr<MultigridPeers> peers = nullptr);
 
   /// A solver for the same setting without a kept result; only without peers.
-  YieldingSolver sibling() const { return YieldingSolver(setting_); }
+  RelaxedFrequencySolver sibling() const { return RelaxedFrequencySolver(setting_); }
 
   /// Changes the slack from the next `solve` on. It starts from the kept result unless
   /// `branch_penalty` changes weights of triangles. Throws Error as `check_slack` does; only
@@ -68,10 +69,10 @@ class YieldingSolver {
 
   /// The same by a setting with the same adjacency; with peers, all must call it.
   /// `weighs_as_before`: whether all triangles, also those of peers, keep their weights.
-  void set_setting(std::shared_ptr<const YieldingSetting> setting, bool weighs_as_before);
-  const YieldingSetting& setting() const { return *setting_; }
+  void set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting, bool weighs_as_before);
+  const RelaxedFrequencySetting& setting() const { return *setting_; }
 
-  /// As in YieldingFrequency; frequencies include those of ghosts.
+  /// As in RelaxedFrequency; frequencies include those of ghosts.
   std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
   void keep();
   void restart() { starts_ = true; }
@@ -92,7 +93,7 @@ class YieldingSolver {
   void relax_to_means(const Progress& progress);
   void take(std::span<const float> wanted);
 
-  std::shared_ptr<const YieldingSetting> setting_;
+  std::shared_ptr<const RelaxedFrequencySetting> setting_;
   std::shared_ptr<MultigridPeers> peers_;
   std::unique_ptr<FrequencyRows> rows_;  ///< null before the first `solve`
   std::unique_ptr<BoundedMultigrid> multigrid_;

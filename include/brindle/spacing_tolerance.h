@@ -26,7 +26,7 @@ struct Slack {
   std::vector<float> branch_penalty;
 
   /// Whether frequencies may change.
-  bool yields() const { return everywhere > 0 || !by_vertex.empty(); }
+  bool relaxes() const { return everywhere > 0 || !by_vertex.empty(); }
 
   bool operator==(const Slack&) const = default;
 };
@@ -55,15 +55,15 @@ struct FrequencyChange {
 /// common orientation have no circulation; those with a corner without a wave are ignored, and a
 /// vertex with no other triangles keeps its frequency. Points use the triangles with their
 /// neighbours.
-class YieldingFrequency {
+class RelaxedFrequency {
  public:
   /// Throws Error for a slack that is negative or not finite and for `branch_penalty` outside 0 to
   /// 1, naming the vertex, and unless lists are empty or have one entry per vertex; Cancelled if
   /// `progress` cancels.
-  YieldingFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
-  ~YieldingFrequency();
-  YieldingFrequency(YieldingFrequency&&) noexcept;
-  YieldingFrequency& operator=(YieldingFrequency&&) noexcept;
+  RelaxedFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
+  ~RelaxedFrequency();
+  RelaxedFrequency(RelaxedFrequency&&) noexcept;
+  RelaxedFrequency& operator=(RelaxedFrequency&&) noexcept;
 
   /// The frequency per vertex; the span is valid until the next call but one. Arguments have one
   /// entry per vertex and values that `stripe_pattern` accepts; neither is checked. Starts from the
@@ -77,7 +77,7 @@ class YieldingFrequency {
   void keep();
 
   /// Another one for the same surface and slack, without a kept result.
-  YieldingFrequency sibling() const;
+  RelaxedFrequency sibling() const;
 
   /// The kept frequencies.
   std::span<const float> frequencies() const;
@@ -90,7 +90,7 @@ class YieldingFrequency {
 
  private:
   struct State;
-  explicit YieldingFrequency(std::unique_ptr<State> state);
+  explicit RelaxedFrequency(std::unique_ptr<State> state);
   Pimpl<State> state_;
 };
 

@@ -14,11 +14,11 @@ namespace brindle {
 inline constexpr std::size_t kMostWindings = 12;
 
 /// JSON keys, and lines of text.
-void add_to_json(const MakingFigures& figures, nlohmann::ordered_json& json);
-std::string lines_of(const MakingFigures& figures);
+void add_to_json(const FabricationMetrics& metrics, nlohmann::ordered_json& json);
+std::string lines_of(const FabricationMetrics& metrics);
 
 /// Those lines without the winding numbers: sums that do not add up, rotation of the field and
 /// cancelled branches.
-std::string remarks_of(const MakingFigures& figures);
+std::string remarks_of(const FabricationMetrics& metrics);
 
 }  // namespace brindle

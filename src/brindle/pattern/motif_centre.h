@@ -1,4 +1,4 @@
-/// The motif (figure) of a tile to which a point belongs.
+/// The motif of a tile to which a point belongs.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ inline std::size_t kind_of(TileLayout layout, const TileCentre& m) {
 
 /// The motif that covers a point, or would if it were larger. Keep in step with
 /// render/shaders/broken_tiles.glsl.
-inline TileCentre figure_at(TileLayout layout, const Eigen::Vector2f& uv) {
+inline TileCentre motif_at(TileLayout layout, const Eigen::Vector2f& uv) {
   const auto floor = [](float x) { return static_cast<std::int32_t>(std::floor(x)); };
   const TileCentre cell{2 * floor(uv.x()) + 1, 2 * floor(uv.y()) + 1};
   const TileCentre corner{2 * floor(uv.x() + 0.5f), 2 * floor(uv.y() + 0.5f)};

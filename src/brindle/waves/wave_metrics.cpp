@@ -1,4 +1,4 @@
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 
 #include <algorithm>
 
@@ -38,52 +38,52 @@ WaveTally tally_waves(const Surface& surface, const WaveSet& waves) {
   return tally;
 }
 
-WaveFigures figures_of(const WaveTally& tally, double diagonal) {
-  WaveFigures figures;
-  figures.used = tally.used;
-  figures.without_wave = tally.without_wave;
+WaveMetrics metrics_of(const WaveTally& tally, double diagonal) {
+  WaveMetrics metrics;
+  metrics.used = tally.used;
+  metrics.without_wave = tally.without_wave;
   const std::size_t with_wave = tally.used - tally.without_wave;
-  if (with_wave == 0) return figures;
-  figures.frequency_min = tally.frequency_min;
-  figures.frequency_max = tally.frequency_max;
-  figures.stripes = tally.frequency_sum / static_cast<double>(with_wave) * diagonal;
-  return figures;
+  if (with_wave == 0) return metrics;
+  metrics.frequency_min = tally.frequency_min;
+  metrics.frequency_max = tally.frequency_max;
+  metrics.stripes = tally.frequency_sum / static_cast<double>(with_wave) * diagonal;
+  return metrics;
 }
 
-WaveFigures measure_waves(const Surface& surface, const WaveSet& waves) {
+WaveMetrics measure_waves(const Surface& surface, const WaveSet& waves) {
   WaveTally tally = tally_waves(surface, waves);
   std::vector<double>& edges_per_period = tally.edges_per_period;
-  WaveFigures figures =
-      figures_of(tally, static_cast<double>(bounding_box(surface.mesh).diagonal()));
+  WaveMetrics metrics =
+      metrics_of(tally, static_cast<double>(bounding_box(surface.mesh).diagonal()));
   if (edges_per_period.empty()) {
-    figures.stripes = 0;
-    return figures;
+    metrics.stripes = 0;
+    return metrics;
   }
   const auto median =
       edges_per_period.begin() + static_cast<std::ptrdiff_t>(edges_per_period.size() / 2);
   std::nth_element(edges_per_period.begin(), median, edges_per_period.end());
-  figures.edges_per_period_median = *median;
-  figures.edges_per_period_min = *std::min_element(edges_per_period.begin(), median + 1);
-  return figures;
+  metrics.edges_per_period_median = *median;
+  metrics.edges_per_period_min = *std::min_element(edges_per_period.begin(), median + 1);
+  return metrics;
 }
 
-void check_figures(const WaveFigures& figures, const WarningWords& words, const std::string& why) {
-  if (figures.used > 0 && figures.without_wave == figures.used) {
+void check_metrics(const WaveMetrics& metrics, const WarningWords& words, const std::string& why) {
+  if (metrics.used > 0 && metrics.without_wave == metrics.used) {
     const std::string normal =
         words.source + " is zero, not finite or normal to the surface at all ";
     throw Error("no vertex has a wave" +
                 (why.empty() ? ": " + normal + "of them" : why + "; " + normal + "others") +
                 "; choose other directions");
   }
-  const double edges = figures.edges_per_period_median;
+  const double edges = metrics.edges_per_period_median;
   if (edges != 0 && edges <= kFewestEdgesAtHalf) refuse_noise(edges, "", words.fewer);
 }
 
-std::vector<std::string> wave_warnings(const WaveFigures& figures, const WarningWords& words) {
+std::vector<std::string> wave_warnings(const WaveMetrics& metrics, const WarningWords& words) {
   std::vector<std::string> result;
-  const std::size_t without = figures.without_wave;
-  if (static_cast<double>(without) > kMostWithoutWave * static_cast<double>(figures.used)) {
-    result.push_back(of_all(without, figures.used) + " vertices have no wave: " + words.source +
+  const std::size_t without = metrics.without_wave;
+  if (static_cast<double>(without) > kMostWithoutWave * static_cast<double>(metrics.used)) {
+    result.push_back(of_all(without, metrics.used) + " vertices have no wave: " + words.source +
                      " is zero, not finite or normal to the surface there");
   }
   return result;

@@ -1,4 +1,4 @@
-#include "brindle/yielding_frequency.h"
+#include "brindle/spacing_tolerance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ using testing_support::WavySurface;
 Surface surface_of(const WavySurface& s) { return {s.mesh, s.neighborhood, s.normals}; }
 
 FrequencyField yielded(const WavySurface& s, const Slack& slack) {
-  YieldingFrequency yielding(surface_of(s), slack);
-  const auto g = yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+  RelaxedFrequency relaxed(surface_of(s), slack);
+  const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
   return {g.begin(), g.end()};
 }
 
@@ -51,7 +51,7 @@ void expect_least(const WavySurface& s, const Slack& slack, std::span<const floa
                                 relative(g, s.waves.frequencies));
 }
 
-TEST(YieldingFrequency, EnergyIsThatOfTheActiveSet) {
+TEST(RelaxedFrequency, EnergyIsThatOfTheActiveSet) {
   for (const char* shape : {"torus,resolution=30", "trefoil,resolution=24", "box,resolution=8",
                             "mobius,resolution=16", "plane,resolution=30"}) {
     for (const float slack : {0.05f, 0.25f, 1.0f}) {
@@ -102,7 +102,7 @@ WavySurface odd_surface() {
   return s;
 }
 
-TEST(YieldingFrequency, TakesAnyTopology) {
+TEST(RelaxedFrequency, TakesAnyTopology) {
   const WavySurface s = odd_surface();
   const FrequencyField g = yielded(s, 0.25f);
   expect_least(s, 0.25f, g);
@@ -110,7 +110,7 @@ TEST(YieldingFrequency, TakesAnyTopology) {
   EXPECT_EQ(g[7], s.waves.frequencies[7]);
 }
 
-TEST(YieldingFrequency, FollowsFrequenciesThatVary) {
+TEST(RelaxedFrequency, FollowsFrequenciesThatVary) {
   auto s = wavy_surface("torus,resolution=30", kAxis, 20);
   std::mt19937 random(3);
   std::uniform_real_distribution<float> factor(0.7f, 1.5f);
@@ -118,7 +118,7 @@ TEST(YieldingFrequency, FollowsFrequenciesThatVary) {
   expect_least(s, 0.25f, yielded(s, 0.25f));
 }
 
-TEST(YieldingFrequency, StaysWhereThereIsNoCurl) {
+TEST(RelaxedFrequency, StaysWhereThereIsNoCurl) {
   const auto s = wavy_surface("plane,resolution=40", kAxis, 20);
   const Eigen::VectorXd x = relative(yielded(s, 0.5f), s.waves.frequencies);
   // Floats leave a curl of their rounding, which a smooth change answers with as much more as the
@@ -152,7 +152,7 @@ double spread(const WavySurface& s, float distance, std::span<const float> g) {
   return std::sqrt(squares / count - mean * mean) / mean;
 }
 
-TEST(YieldingFrequency, FallsWithTheDistanceFromACommonCentre) {
+TEST(RelaxedFrequency, FallsWithTheDistanceFromACommonCentre) {
   const float distance = 8;
   const auto s = fan(distance);
   const double before = spread(s, distance, s.waves.frequencies);
@@ -161,19 +161,19 @@ TEST(YieldingFrequency, FallsWithTheDistanceFromACommonCentre) {
 }
 
 #ifdef BRINDLE_HAS_NANOFLANN
-TEST(YieldingFrequency, PointsAreJoinedToTheirNeighbours) {
+TEST(RelaxedFrequency, PointsAreJoinedToTheirNeighbours) {
   const float distance = 8;
   auto s = fan(distance);
   PointCloud cloud = make_point_cloud(s.mesh.positions, s.normals).cloud;
   const Surface points = make_point_surface(std::move(cloud));
-  YieldingFrequency yielding(points, 0.5f);
-  const auto g = yielding.solve(points.mesh.positions, s.waves.directions, s.waves.frequencies);
+  RelaxedFrequency relaxed(points, 0.5f);
+  const auto g = relaxed.solve(points.mesh.positions, s.waves.directions, s.waves.frequencies);
   EXPECT_LT(spread(s, distance, g), 0.5 * spread(s, distance, s.waves.frequencies));
-  EXPECT_EQ(yielding.change().share_at_bounds, 0);
+  EXPECT_EQ(relaxed.change().share_at_bounds, 0);
 }
 #endif
 
-TEST(YieldingFrequency, TurningDirectionsRoundChangesNothing) {
+TEST(RelaxedFrequency, TurningDirectionsRoundChangesNothing) {
   auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   const FrequencyField before = yielded(s, 0.2f);
   flip_half(s.waves, 5);
@@ -184,7 +184,7 @@ double mean_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).cwiseAbs().mean();
 }
 
-TEST(YieldingFrequency, MovingTurningAndScalingChangeLittle) {
+TEST(RelaxedFrequency, MovingTurningAndScalingChangeLittle) {
   const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   const auto x = relative(yielded(s, 0.2f), s.waves.frequencies);
   const Eigen::Matrix3f turn = (Eigen::AngleAxisf(1.1f, Vec3(1, 2, 3).normalized())).matrix();
@@ -199,7 +199,7 @@ TEST(YieldingFrequency, MovingTurningAndScalingChangeLittle) {
   }
 }
 
-TEST(YieldingFrequency, OrderOfVerticesChangesLittle) {
+TEST(RelaxedFrequency, OrderOfVerticesChangesLittle) {
   const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   std::vector<Index> place(s.mesh.vertex_count());
   std::iota(place.begin(), place.end(), 0u);
@@ -217,7 +217,7 @@ TEST(YieldingFrequency, OrderOfVerticesChangesLittle) {
 }
 
 #ifdef BRINDLE_HAS_TBB
-TEST(YieldingFrequency, IsTheSameForEveryNumberOfThreads) {
+TEST(RelaxedFrequency, IsTheSameForEveryNumberOfThreads) {
   const auto s = wavy_surface("torus,resolution=200", kAxis, 40);
   const auto run = [&](int threads) {
     FrequencyField g;
@@ -231,14 +231,14 @@ TEST(YieldingFrequency, IsTheSameForEveryNumberOfThreads) {
 }
 #endif  // BRINDLE_HAS_TBB
 
-TEST(YieldingFrequency, KeepsOnlyWhatWasFound) {
+TEST(RelaxedFrequency, KeepsOnlyWhatWasFound) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
-  YieldingFrequency once(surface_of(s), 0.2f), again(surface_of(s), 0.2f);
+  RelaxedFrequency once(surface_of(s), 0.2f), again(surface_of(s), 0.2f);
   again.keep();  // nothing
-  const auto next = [&](YieldingFrequency& yielding) {
-    yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
-    yielding.keep();
-    return FrequencyField(yielding.frequencies().begin(), yielding.frequencies().end());
+  const auto next = [&](RelaxedFrequency& relaxed) {
+    relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+    relaxed.keep();
+    return FrequencyField(relaxed.frequencies().begin(), relaxed.frequencies().end());
   };
   const FrequencyField first = next(once);
   EXPECT_EQ(next(again), first);
@@ -255,36 +255,36 @@ TEST(YieldingFrequency, KeepsOnlyWhatWasFound) {
   EXPECT_EQ(next(again), next(once));
 }
 
-TEST(YieldingFrequency, FramesKeepUpWithFieldsThatTurn) {
+TEST(RelaxedFrequency, FramesKeepUpWithFieldsThatTurn) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
-  YieldingFrequency yielding(surface_of(s), 0.2f);
+  RelaxedFrequency relaxed(surface_of(s), 0.2f);
   for (int n = 0; n < 12; ++n) {
     s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
-    const auto g = yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
-    yielding.keep();
-    EXPECT_LE(yielding.change().sweeps, n == 0 ? 80 : 6);
+    const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+    relaxed.keep();
+    EXPECT_LE(relaxed.change().sweeps, n == 0 ? 80 : 6);
     expect_least(s, 0.2f, g);
-    EXPECT_TRUE(std::ranges::equal(g, yielding.frequencies()));
+    EXPECT_TRUE(std::ranges::equal(g, relaxed.frequencies()));
   }
 }
 
-TEST(YieldingFrequency, WhatIsNotKeptLeavesNoTrace) {
+TEST(RelaxedFrequency, WhatIsNotKeptLeavesNoTrace) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
   const DirectionField other = rotated(s.waves.directions, s.normals, 0.3f);
   const auto see = [&](bool disturbed) {
-    YieldingFrequency yielding(surface_of(s), 0.2f);
+    RelaxedFrequency relaxed(surface_of(s), 0.2f);
     FrequencyField seen;
     for (int n = 0; n < 3; ++n) {
-      if (disturbed) yielding.solve(s.mesh.positions, other, s.waves.frequencies);
+      if (disturbed) relaxed.solve(s.mesh.positions, other, s.waves.frequencies);
       Reports cancelled(3);
       if (disturbed && n == 0) {
         EXPECT_THROW(
-            yielding.solve(s.mesh.positions, other, s.waves.frequencies, cancelled.progress()),
+            relaxed.solve(s.mesh.positions, other, s.waves.frequencies, cancelled.progress()),
             Cancelled);
       }
-      yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
-      yielding.keep();
-      const auto g = yielding.frequencies();
+      relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+      relaxed.keep();
+      const auto g = relaxed.frequencies();
       seen.insert(seen.end(), g.begin(), g.end());
     }
     return seen;
@@ -292,7 +292,7 @@ TEST(YieldingFrequency, WhatIsNotKeptLeavesNoTrace) {
   EXPECT_EQ(see(true), see(false));
 }
 
-TEST(YieldingFrequency, SlackOfEachVertexIsKept) {
+TEST(RelaxedFrequency, SlackOfEachVertexIsKept) {
   const auto s = wavy_surface("torus,resolution=40", kAxis, 20);
   Slack slack;
   for (const Vec3& p : s.mesh.positions) slack.by_vertex.push_back(p.x() > 0 ? 0.3f : 0.0f);
@@ -324,7 +324,7 @@ std::vector<float> left_half(const Mesh& mesh) {
   return branch_penalty;
 }
 
-TEST(YieldingFrequency, MeanStaysWhatWasAskedFor) {
+TEST(RelaxedFrequency, MeanStaysWhatWasAskedFor) {
   for (const char* shape : {"torus,resolution=60", "trefoil,resolution=60", "box,resolution=20"}) {
     auto s = wavy_surface(shape, kAxis, 40);
     const std::vector<float> all(s.mesh.vertex_count(), 1), branch_penalty = left_half(s.mesh);
@@ -333,10 +333,10 @@ TEST(YieldingFrequency, MeanStaysWhatWasAskedFor) {
       EXPECT_NEAR(mean_ratio(s, yielded(s, slack), all), 1, 1e-4);
       Slack with_penalty = slack;
       with_penalty.branch_penalty = branch_penalty;
-      YieldingFrequency yielding(surface_of(s), with_penalty);
+      RelaxedFrequency relaxed(surface_of(s), with_penalty);
       for (int n = 0; n < 4; ++n) {
-        const auto g = yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
-        yielding.keep();
+        const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+        relaxed.keep();
         EXPECT_NEAR(mean_ratio(s, g, all), 1, 1e-4);
         EXPECT_NEAR(mean_ratio(s, g, branch_penalty), 1, 0.03);
         s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
@@ -345,12 +345,12 @@ TEST(YieldingFrequency, MeanStaysWhatWasAskedFor) {
   }
 }
 
-TEST(YieldingFrequency, ChangeSaysWhatHasBecomeOfIt) {
+TEST(RelaxedFrequency, ChangeSaysWhatHasBecomeOfIt) {
   const auto s = wavy_surface("torus,resolution=40", kAxis, 20);
-  YieldingFrequency yielding(surface_of(s), 0.1f);
-  const auto g = yielding.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+  RelaxedFrequency relaxed(surface_of(s), 0.1f);
+  const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
   const auto x = relative(g, s.waves.frequencies);
-  const FrequencyChange& change = yielding.change();
+  const FrequencyChange& change = relaxed.change();
   EXPECT_NEAR(change.ratio_min, x.minCoeff(), 1e-6);
   EXPECT_NEAR(change.ratio_max, x.maxCoeff(), 1e-6);
   const Eigen::VectorXd mass = least_squares(s.mesh, s.waves).mass;
@@ -361,17 +361,17 @@ TEST(YieldingFrequency, ChangeSaysWhatHasBecomeOfIt) {
   EXPECT_LT(change.residual, 0.05);
 }
 
-TEST(YieldingFrequency, NothingAtAllIsFine) {
-  YieldingFrequency yielding(make_surface({}), 0.1f);
-  EXPECT_TRUE(yielding.solve({}, {}, {}).empty());
+TEST(RelaxedFrequency, NothingAtAllIsFine) {
+  RelaxedFrequency relaxed(make_surface({}), 0.1f);
+  EXPECT_TRUE(relaxed.solve({}, {}, {}).empty());
 }
 
-TEST(YieldingFrequency, RefusesWhatIsNoSlack) {
+TEST(RelaxedFrequency, RefusesWhatIsNoSlack) {
   const auto s = wavy_surface("torus,resolution=10", kAxis, 5);
   const std::size_t count = s.mesh.vertex_count();
   const auto refuse = [&](const Slack& slack, const std::string& what) {
     try {
-      YieldingFrequency(surface_of(s), slack);
+      RelaxedFrequency(surface_of(s), slack);
       FAIL() << what;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();

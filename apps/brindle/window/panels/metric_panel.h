@@ -10,9 +10,9 @@
 
 namespace brindle::tool {
 
-class FigurePanel {
+class MetricPanel {
  public:
-  FigurePanel(const LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
+  MetricPanel(const LiveSession& live, WindowLog& log) : live_(live), log_(log) {}
 
   /// Draws into the current Dear ImGui window. `window_milliseconds`: the time that the window's
   /// own thread takes to draw.
@@ -33,7 +33,7 @@ class FigurePanel {
 
   void note_frame();
   void draw_counts(const SessionFrame& frame);
-  void draw_followed(const LiveFigures& figures);
+  void draw_followed(const LiveMetrics& metrics);
   void draw_notes(const std::vector<std::string>& notes);
   void draw_times(const SessionFrame& frame, double window_milliseconds);
   void draw_histories();

@@ -1,4 +1,4 @@
-#include "brindle/yielding_frequency.h"
+#include "brindle/spacing_tolerance.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,8 +16,8 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/waves/relaxed_frequency_solver.h"
 #include "brindle/waves/slack_check.h"
-#include "brindle/waves/yielding_solver.h"
 
 namespace brindle {
 namespace {
@@ -107,11 +107,12 @@ void check_slack(const Slack& slack, std::size_t vertices) {
   check_numbers(slack.branch_penalty, 1, "avoid_branches", "give a number from 0 to 1");
 }
 
-std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, const Slack& slack,
-                                                        const Progress& progress) {
+std::shared_ptr<const RelaxedFrequencySetting> relaxed_setting(const Surface& surface,
+                                                               const Slack& slack,
+                                                               const Progress& progress) {
   const Mesh& mesh = surface.mesh;
   check_slack(slack, mesh.vertex_count());
-  auto setting = std::make_shared<YieldingSetting>();
+  auto setting = std::make_shared<RelaxedFrequencySetting>();
   setting->slack = slack_by_vertex(slack, mesh.vertex_count());
   FrequencyTriangles& triangles = setting->triangles;
   if (mesh.triangles.empty()) {
@@ -131,40 +132,40 @@ std::shared_ptr<const YieldingSetting> yielding_setting(const Surface& surface, 
   return setting;
 }
 
-struct YieldingFrequency::State {
-  YieldingSolver solver;
+struct RelaxedFrequency::State {
+  RelaxedFrequencySolver solver;
 };
 
-YieldingFrequency::YieldingFrequency(const Surface& surface, const Slack& slack,
-                                     const Progress& progress)
-    : state_(std::make_unique<State>(
-          State{YieldingSolver(yielding_setting(surface, slack, progress.step("frequency")))})) {}
+RelaxedFrequency::RelaxedFrequency(const Surface& surface, const Slack& slack,
+                                   const Progress& progress)
+    : state_(std::make_unique<State>(State{
+          RelaxedFrequencySolver(relaxed_setting(surface, slack, progress.step("frequency")))})) {}
 
-YieldingFrequency::YieldingFrequency(std::unique_ptr<State> state) : state_(std::move(state)) {}
+RelaxedFrequency::RelaxedFrequency(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-YieldingFrequency YieldingFrequency::sibling() const {
-  return YieldingFrequency(std::make_unique<State>(State{state_->solver.sibling()}));
+RelaxedFrequency RelaxedFrequency::sibling() const {
+  return RelaxedFrequency(std::make_unique<State>(State{state_->solver.sibling()}));
 }
 
-YieldingFrequency::~YieldingFrequency() = default;
-YieldingFrequency::YieldingFrequency(YieldingFrequency&&) noexcept = default;
-YieldingFrequency& YieldingFrequency::operator=(YieldingFrequency&&) noexcept = default;
+RelaxedFrequency::~RelaxedFrequency() = default;
+RelaxedFrequency::RelaxedFrequency(RelaxedFrequency&&) noexcept = default;
+RelaxedFrequency& RelaxedFrequency::operator=(RelaxedFrequency&&) noexcept = default;
 
-std::span<const float> YieldingFrequency::solve(std::span<const Vec3> positions,
-                                                std::span<const Vec3> directions,
-                                                std::span<const float> wanted,
-                                                const Progress& progress) {
+std::span<const float> RelaxedFrequency::solve(std::span<const Vec3> positions,
+                                               std::span<const Vec3> directions,
+                                               std::span<const float> wanted,
+                                               const Progress& progress) {
   return state_->solver.solve({positions, directions, wanted}, progress);
 }
 
-void YieldingFrequency::keep() { state_->solver.keep(); }
+void RelaxedFrequency::keep() { state_->solver.keep(); }
 
-std::span<const float> YieldingFrequency::frequencies() const {
+std::span<const float> RelaxedFrequency::frequencies() const {
   return state_->solver.frequencies();
 }
 
-void YieldingFrequency::restart() { state_->solver.restart(); }
+void RelaxedFrequency::restart() { state_->solver.restart(); }
 
-const FrequencyChange& YieldingFrequency::change() const { return state_->solver.change(); }
+const FrequencyChange& RelaxedFrequency::change() const { return state_->solver.change(); }
 
 }  // namespace brindle

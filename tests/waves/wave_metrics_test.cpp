@@ -1,4 +1,4 @@
-#include "brindle/wave_figures.h"
+#include "brindle/wave_metrics.h"
 
 #include <cmath>
 #include <string>
@@ -37,38 +37,38 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-TEST(WaveFigures, CountsEdgesAPeriod) {
+TEST(WaveMetrics, CountsEdgesAPeriod) {
   // Edges of a grid run along x by their length, by 0, or by that of the diagonal's shadow: inside,
   // four of six neighbours are an edge away along x.
   const Surface plane = make_surface(make_shape("plane,resolution=20"));
   const double edge = (plane.mesh.positions[1] - plane.mesh.positions[0]).norm();
-  const WaveFigures figures = measure_waves(plane, waves_along_x(plane, 3));
-  EXPECT_NEAR(figures.edges_per_period_median, 1 / (3 * edge * 4 / 6), 1e-4);
-  EXPECT_NEAR(figures.stripes, 3 * bounding_box(plane.mesh).diagonal(), 1e-4);
-  EXPECT_EQ(figures.used, plane.mesh.vertex_count());
-  EXPECT_EQ(figures.without_wave, 0u);
+  const WaveMetrics metrics = measure_waves(plane, waves_along_x(plane, 3));
+  EXPECT_NEAR(metrics.edges_per_period_median, 1 / (3 * edge * 4 / 6), 1e-4);
+  EXPECT_NEAR(metrics.stripes, 3 * bounding_box(plane.mesh).diagonal(), 1e-4);
+  EXPECT_EQ(metrics.used, plane.mesh.vertex_count());
+  EXPECT_EQ(metrics.without_wave, 0u);
 }
 
-TEST(WaveFigures, WarningsTellOfMissingWaves) {
+TEST(WaveMetrics, WarningsTellOfMissingWaves) {
   const Surface plane = make_surface(make_shape("plane,resolution=20"));
   WaveSet waves = waves_along_x(plane, 1);
   for (std::size_t v = 0; v < 10; ++v) waves.directions[v].setZero();
-  const WaveFigures figures = measure_waves(plane, waves);
-  const std::vector<std::string> found = wave_warnings(figures);
+  const WaveMetrics metrics = measure_waves(plane, waves);
+  const std::vector<std::string> found = wave_warnings(metrics);
   ASSERT_EQ(found.size(), 1u);
   const std::string count = std::to_string(plane.mesh.vertex_count());
   EXPECT_TRUE(has(found[0], "10 of " + count + " vertices have no wave: the field is zero"))
       << found[0];
 }
 
-TEST(WaveFigures, NoWaveAtAllIsRefused) {
+TEST(WaveMetrics, NoWaveAtAllIsRefused) {
   const Surface plane = make_surface(make_shape("plane,resolution=5"));
   WaveSet waves = waves_along_x(plane, 1);
   for (Vec3& d : waves.directions) d.setZero();
-  EXPECT_TRUE(has(message_of([&] { check_figures(measure_waves(plane, waves)); }),
+  EXPECT_TRUE(has(message_of([&] { check_metrics(measure_waves(plane, waves)); }),
                   "no vertex has a wave: the field is zero"));
   EXPECT_TRUE(
-      has(message_of([&] { check_figures(measure_waves(plane, waves), {}, "; 3 are far"); }),
+      has(message_of([&] { check_metrics(measure_waves(plane, waves), {}, "; 3 are far"); }),
           "no vertex has a wave; 3 are far; the field is zero, not finite or normal to the "
           "surface at all others"));
 }
@@ -81,7 +81,7 @@ TEST(Fineness, WavesWhosePhasesAreRoundingErrorsAreRefusedByName) {
     EXPECT_TRUE(has(message, "nothing can be told of such stripes")) << message;
     EXPECT_TRUE(has(message, "whose frequency is")) << message;
     EXPECT_TRUE(has(message, "take fewer stripes")) << message;
-    EXPECT_NE(message_of([&] { check_figures(measure_waves(plane, waves)); }), "");
+    EXPECT_NE(message_of([&] { check_metrics(measure_waves(plane, waves)); }), "");
   }
   for (const float taken : {1e-30f, 1.0f, 1e4f}) {
     EXPECT_NO_THROW(check(plane, waves_along_x(plane, taken)));

@@ -1,4 +1,4 @@
-#include "brindle/waves/yielding_solver.h"
+#include "brindle/waves/relaxed_frequency_solver.h"
 
 #include <algorithm>
 #include <array>
@@ -73,11 +73,11 @@ std::vector<float> slack_by_vertex(const Slack& slack, std::size_t vertices) {
   return result;
 }
 
-YieldingSolver::YieldingSolver(std::shared_ptr<const YieldingSetting> setting,
-                               std::shared_ptr<MultigridPeers> peers)
+RelaxedFrequencySolver::RelaxedFrequencySolver(
+    std::shared_ptr<const RelaxedFrequencySetting> setting, std::shared_ptr<MultigridPeers> peers)
     : setting_(std::move(setting)), peers_(std::move(peers)) {}
 
-void YieldingSolver::build(const FrequencyInput& input, const Progress& progress) {
+void RelaxedFrequencySolver::build(const FrequencyInput& input, const Progress& progress) {
   auto built = std::make_unique<FrequencyRows>(setting_->triangles, *setting_->adjacency, input,
                                                peers_.get(), progress);
   progress.tick();
@@ -95,7 +95,7 @@ void YieldingSolver::build(const FrequencyInput& input, const Progress& progress
   set_bounds();
 }
 
-void YieldingSolver::set_bounds() {
+void RelaxedFrequencySolver::set_bounds() {
   const std::span<float> lower = multigrid_->lower(), upper = multigrid_->upper();
   for (std::size_t place = 0; place < upper.size(); ++place) {
     const float most = 1 + setting_->slack[rows_->levels()->node_at[place]];
@@ -105,9 +105,9 @@ void YieldingSolver::set_bounds() {
   }
 }
 
-void YieldingSolver::set_slack(const Slack& slack) {
+void RelaxedFrequencySolver::set_slack(const Slack& slack) {
   check_slack(slack, setting_->slack.size());
-  auto setting = std::make_shared<YieldingSetting>(*setting_);
+  auto setting = std::make_shared<RelaxedFrequencySetting>(*setting_);
   setting->slack = slack_by_vertex(slack, setting->slack.size());
   setting->branch_penalty = slack.branch_penalty;
   setting->triangles.weights = penalty_weights(setting->triangles.corners, slack.branch_penalty);
@@ -115,8 +115,8 @@ void YieldingSolver::set_slack(const Slack& slack) {
   set_setting(std::move(setting), weighs_as_before);
 }
 
-void YieldingSolver::set_setting(std::shared_ptr<const YieldingSetting> setting,
-                                 bool weighs_as_before) {
+void RelaxedFrequencySolver::set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting,
+                                         bool weighs_as_before) {
   setting_ = std::move(setting);
   has_next_ = false;
   if (!weighs_as_before) {
@@ -128,7 +128,7 @@ void YieldingSolver::set_setting(std::shared_ptr<const YieldingSetting> setting,
   }
 }
 
-void YieldingSolver::set_start(const Progress& progress) {
+void RelaxedFrequencySolver::set_start(const Progress& progress) {
   if (starts_) return multigrid_->start(progress);
   const std::span<const float> lower = multigrid_->lower(), upper = multigrid_->upper();
   for (std::size_t place = 0; place < kept_.size(); ++place) {
@@ -137,7 +137,7 @@ void YieldingSolver::set_start(const Progress& progress) {
 }
 
 /// Runs cycles until they hardly lower the energy.
-void YieldingSolver::relax(const Progress& progress) {
+void RelaxedFrequencySolver::relax(const Progress& progress) {
   auto constant = parallel_sum<double>(masses_.size(), [&](std::size_t begin, std::size_t end) {
     double part = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -176,14 +176,14 @@ void YieldingSolver::relax(const Progress& progress) {
   change_.residual = first_gradient > 0 ? gradient / first_gradient : 0;
 }
 
-float YieldingSolver::penalty_at(std::size_t place) const {
+float RelaxedFrequencySolver::penalty_at(std::size_t place) const {
   return setting_->branch_penalty.empty()
              ? 0
              : setting_->branch_penalty[rows_->levels()->node_at[place]];
 }
 
 /// Sums of ratios if all logarithms were less by `shift`, within their bounds.
-RatioSums YieldingSolver::ratios(float shift) const {
+RatioSums RelaxedFrequencySolver::ratios(float shift) const {
   BoundedMultigrid& m = *multigrid_;
   const auto sums_of = [&](std::size_t begin, std::size_t end) {
     RatioSums sums;
@@ -206,7 +206,7 @@ RatioSums YieldingSolver::ratios(float shift) const {
 /// Shifts all logarithms so that the mean of ratios is 1, since curl does not depend on the scale
 /// of frequencies. Newton's method, with bisection where it leaves the bracket; a solution exists,
 /// because all bounds include the requested frequencies. Skips vertices without triangles.
-RatioSums YieldingSolver::shift_to_mean() {
+RatioSums RelaxedFrequencySolver::shift_to_mean() {
   constexpr int kMostShiftSteps = 40;
   float shift = 0, low = -2 * kMostLogarithm, high = 2 * kMostLogarithm;
   RatioSums sums = ratios(shift);
@@ -233,7 +233,7 @@ RatioSums YieldingSolver::shift_to_mean() {
   return sums;
 }
 
-void YieldingSolver::set_branch_penalty(float target) {
+void RelaxedFrequencySolver::set_branch_penalty(float target) {
   const std::span<float> right = multigrid_->right();
   const float change = target - target_;
   target_ = target;
@@ -248,7 +248,7 @@ void YieldingSolver::set_branch_penalty(float target) {
 /// Relaxes until the mean of all ratios is 1, and about 1 under branch avoidance, whose slack and
 /// weight would otherwise change the mean there. Moves the target of logarithms there, the farther
 /// the less they follow it; between frames by one such step.
-void YieldingSolver::relax_to_means(const Progress& progress) {
+void RelaxedFrequencySolver::relax_to_means(const Progress& progress) {
   constexpr int kMostRounds = 5;
   constexpr float kSmallExcess = 0.02f;
   const bool goes_far = starts_ || other_bounds_;
@@ -270,7 +270,7 @@ void YieldingSolver::relax_to_means(const Progress& progress) {
 }
 
 /// Sets frequencies by vertex and `change_`.
-void YieldingSolver::take(std::span<const float> wanted) {
+void RelaxedFrequencySolver::take(std::span<const float> wanted) {
   BoundedMultigrid& m = *multigrid_;
   const std::vector<Index>& node_at = rows_->levels()->node_at;
   const std::size_t own = rows_->own();
@@ -306,7 +306,8 @@ void YieldingSolver::take(std::span<const float> wanted) {
   change_.share_at_bounds = sums.at_bounds / sums.count;
 }
 
-std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const Progress& heard) {
+std::span<const float> RelaxedFrequencySolver::solve(const FrequencyInput& input,
+                                                     const Progress& heard) {
   const Progress progress = heard.step("frequency");
   const auto report = [&](double done) {
     if (starts_) progress.report(done);
@@ -330,7 +331,7 @@ std::span<const float> YieldingSolver::solve(const FrequencyInput& input, const 
   return next_;
 }
 
-void YieldingSolver::keep() {
+void RelaxedFrequencySolver::keep() {
   if (!has_next_) return;
   has_next_ = false;
   std::swap(relaxed_, kept_);

@@ -1,4 +1,4 @@
-#include "input/making_options.h"
+#include "input/fabrication_options.h"
 
 #include <cmath>
 
@@ -36,8 +36,8 @@ WantedWinding parse_winding(const std::string& option, const std::string& text) 
   return {name, parse_whole(option, expected, number, text)};
 }
 
-void add_making_options(CLI::App& app, MakingOptions& options) {
-  visit_making(options, AddField(app));
+void add_fabrication_options(CLI::App& app, FabricationOptions& options) {
+  visit_fabrication(options, AddField(app));
   app.add_option_function<std::vector<std::string>>(
          "--winding",
          [&options](const std::vector<std::string>& texts) {
@@ -51,8 +51,8 @@ void add_making_options(CLI::App& app, MakingOptions& options) {
       ->allow_extra_args(false);
 }
 
-void check_making_options(const MakingOptions& options, Solver solver) {
-  refuse_usage([&] { check_making(options, solver); });
+void check_fabrication_options(const FabricationOptions& options, Solver solver) {
+  refuse_usage([&] { check_fabrication(options, solver); });
 }
 
 }  // namespace brindle::tool

@@ -7,7 +7,7 @@
 
 #include "brindle/distributed/levels/rank_rows.h"
 #include "brindle/distributed/surface/rank_surface.h"
-#include "brindle/waves/yielding_solver.h"
+#include "brindle/waves/relaxed_frequency_solver.h"
 
 namespace brindle {
 
@@ -17,8 +17,8 @@ std::vector<float> owners_values(const RankSurface& surface, std::span<const flo
 
 /// Collective. The setting of a rank's own vertices and ghosts; `slack` is by vertex of the
 /// partition.
-std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& surface,
-                                                             const Slack& slack);
+std::shared_ptr<const RelaxedFrequencySetting> rank_relaxed_setting(const RankSurface& surface,
+                                                                    const Slack& slack);
 
 /// Collective. Throws Error on all ranks for a tolerance that `check` rejects, or that is per
 /// vertex on some ranks only.

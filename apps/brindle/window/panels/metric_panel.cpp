@@ -1,4 +1,4 @@
-#include "window/panels/figure_panel.h"
+#include "window/panels/metric_panel.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostValues = 200;
 constexpr double kPause = 0.5;  // seconds without frames after which motion ends
 
-void figure_row(const char* name, const std::string& value) {
+void metric_row(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
   ImGui::TextUnformatted(value.c_str());
@@ -34,14 +34,14 @@ std::string name_beside(const std::string& name) {
 }
 
 /// Counts with all digits.
-std::string text_of_figure(double value) {
+std::string text_of_metric(double value) {
   if (std::isnan(value)) return "none";
   return formatted(value == std::round(value) ? "%.0f" : "%.5g", value);
 }
 
 }  // namespace
 
-void FigurePanel::note_frame() {
+void MetricPanel::note_frame() {
   const auto& frame = live_.frame();
   if (!frame || frame->number == noted_) return;
   noted_ = frame->number;
@@ -49,9 +49,9 @@ void FigurePanel::note_frame() {
   if (!arrivals_.empty() && now - arrivals_.back() > kPause) arrivals_.clear();
   arrivals_.push_back(now);
   while (now - arrivals_.front() > 1) arrivals_.pop_front();
-  const LiveFigures& figures = frame->state->figures;
-  const std::array values = {static_cast<double>(figures.branches), figures.energy,
-                             figures.mean_angle_error_deg, frame->milliseconds,
+  const LiveMetrics& metrics = frame->state->metrics;
+  const std::array values = {static_cast<double>(metrics.branches), metrics.energy,
+                             metrics.mean_angle_error_deg, frame->milliseconds,
                              frames_per_second()};
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::vector<float>& history = histories_[i].values;
@@ -60,12 +60,12 @@ void FigurePanel::note_frame() {
   }
 }
 
-double FigurePanel::frames_per_second() const {
+double MetricPanel::frames_per_second() const {
   if (arrivals_.size() < 2) return 0;
   return static_cast<double>(arrivals_.size() - 1) / (arrivals_.back() - arrivals_.front());
 }
 
-void FigurePanel::draw(double window_milliseconds, bool dark) {
+void MetricPanel::draw(double window_milliseconds, bool dark) {
   dark_ = dark;
   asks_to_solve_again_ = false;
   note_frame();
@@ -82,29 +82,29 @@ void FigurePanel::draw(double window_milliseconds, bool dark) {
   draw_histories();
 }
 
-void FigurePanel::draw_counts(const SessionFrame& frame) {
-  const LiveFigures& figures = frame.state->figures;
-  figure_row("vertices", count_text(figures.vertices));
-  figure_row("triangles", count_text(figures.triangles));
-  figure_row("branches", count_text(figures.branches));
-  log_.note_widget("figure branches");
-  figure_row("singularities", count_text(figures.singularities));
-  figure_row("energy", formatted("%.5g", figures.energy));
-  figure_row("angle error", formatted("%.2f\u00b0", figures.mean_angle_error_deg));
-  figure_row("spacing error", formatted("%.2f%%", 100 * figures.mean_spacing_error));
-  if (figures.edges_per_period > 0) {
-    figure_row("edges a period", formatted("%.3g", figures.edges_per_period));
-    log_.note_widget("figure edges a period");
+void MetricPanel::draw_counts(const SessionFrame& frame) {
+  const LiveMetrics& metrics = frame.state->metrics;
+  metric_row("vertices", count_text(metrics.vertices));
+  metric_row("triangles", count_text(metrics.triangles));
+  metric_row("branches", count_text(metrics.branches));
+  log_.note_widget("metric branches");
+  metric_row("singularities", count_text(metrics.singularities));
+  metric_row("energy", formatted("%.5g", metrics.energy));
+  metric_row("angle error", formatted("%.2f\u00b0", metrics.mean_angle_error_deg));
+  metric_row("spacing error", formatted("%.2f%%", 100 * metrics.mean_spacing_error));
+  if (metrics.edges_per_period > 0) {
+    metric_row("edges a period", formatted("%.3g", metrics.edges_per_period));
+    log_.note_widget("metric edges a period");
   }
-  for (const auto& [name, value] : figures.shown) {
-    figure_row(name_beside(name).c_str(), text_of_figure(value));
-    log_.note_widget("figure " + name);
+  for (const auto& [name, value] : metrics.shown) {
+    metric_row(name_beside(name).c_str(), text_of_metric(value));
+    log_.note_widget("metric " + name);
   }
-  if (figures.followed) draw_followed(figures);
+  if (metrics.followed) draw_followed(metrics);
 }
 
-void FigurePanel::draw_followed(const LiveFigures& figures) {
-  figure_row("phases moved", formatted("%.3f rad", figures.phase_step));
+void MetricPanel::draw_followed(const LiveMetrics& metrics) {
+  metric_row("phases moved", formatted("%.3f rad", metrics.phase_step));
   asks_to_solve_again_ = ImGui::Button("solve again (N)", {-FLT_MIN, 0});
   log_.note_widget("solve again");
   if (ImGui::IsItemHovered()) {
@@ -113,7 +113,7 @@ void FigurePanel::draw_followed(const LiveFigures& figures) {
 }
 
 // Notes as the tool prints them; likely mistakes stand out.
-void FigurePanel::draw_notes(const std::vector<std::string>& notes) {
+void MetricPanel::draw_notes(const std::vector<std::string>& notes) {
   ImGui::PushTextWrapPos(0);
   std::size_t number = 0;
   for (const std::string& note : notes) {
@@ -128,21 +128,21 @@ void FigurePanel::draw_notes(const std::vector<std::string>& notes) {
   ImGui::PopTextWrapPos();
 }
 
-void FigurePanel::draw_times(const SessionFrame& frame, double window_milliseconds) {
+void MetricPanel::draw_times(const SessionFrame& frame, double window_milliseconds) {
   const auto row = [](const char* name, double milliseconds) {
-    figure_row(name, formatted("%.1f ms", milliseconds));
+    metric_row(name, formatted("%.1f ms", milliseconds));
   };
-  for (const auto& [name, milliseconds] : frame.state->figures.milliseconds) {
+  for (const auto& [name, milliseconds] : frame.state->metrics.milliseconds) {
     row(name.c_str(), milliseconds);
   }
   row("drawing", frame.draw_milliseconds);
   row("all together", frame.milliseconds);
   row("this window", window_milliseconds);
   const double rate = frames_per_second();
-  figure_row("frames a second", rate > 0 ? formatted("%.1f", rate) : "-");
+  metric_row("frames a second", rate > 0 ? formatted("%.1f", rate) : "-");
 }
 
-void FigurePanel::draw_histories() {
+void MetricPanel::draw_histories() {
   const ImVec2 size(ImGui::GetContentRegionAvail().x, 2 * ImGui::GetFontSize());
   for (const History& history : histories_) {
     if (history.values.size() < 2) continue;

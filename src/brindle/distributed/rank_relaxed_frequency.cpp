@@ -1,4 +1,4 @@
-#include "brindle/distributed/rank_yielding.h"
+#include "brindle/distributed/rank_relaxed_frequency.h"
 
 #include <algorithm>
 
@@ -32,12 +32,12 @@ std::vector<float> owners_values(const RankSurface& surface, std::span<const flo
   return values;
 }
 
-std::shared_ptr<const YieldingSetting> rank_yielding_setting(const RankSurface& surface,
-                                                             const Slack& slack) {
+std::shared_ptr<const RelaxedFrequencySetting> rank_relaxed_setting(const RankSurface& surface,
+                                                                    const Slack& slack) {
   Slack of_vertices = slack;
   of_vertices.by_vertex = owners_values(surface, slack.by_vertex);
   of_vertices.branch_penalty = owners_values(surface, slack.branch_penalty);
-  auto setting = std::make_shared<YieldingSetting>();
+  auto setting = std::make_shared<RelaxedFrequencySetting>();
   setting->slack = slack_by_vertex(of_vertices, surface.vertex_count());
   setting->slack.resize(surface.graph.node_count());
   exchange(*surface.ranks, surface.graph.halo, std::span(setting->slack));
