@@ -20,7 +20,7 @@ GalleryPicture needle_picture(const std::string& name, const std::string& what,
           "stripe {surface=vessels.vtp} --field {field=curvature} --along --frequency 10 "
           "--frequency-by {values=distance:" +
               tip + "}@0.001..0.125,reciprocal --width-by {values=distance:" + tip +
-              "}@0.55..0.22 --legend {own='mm to the tip: ten stripes'} "
+              "}@0.55..0.22 --legend {own='distance to needle tip in mm'} "
               "--depth-cue chroma --with {file=tumour.vtp}@untinted@#eab04c "
               "--with {file=needle.vtp}@untinted@#9aa1a8@" +
               tip + " --colors #17141c,#ffffff,#ffffff --up z --camera 20,12,0.86",
