@@ -164,8 +164,8 @@ class Bench:
     def __init__(self, arguments, drivers, folder):
         self.tool, self.drivers, self.folder = arguments.tool, drivers, folder
         self.threads, self.seconds = arguments.threads, arguments.seconds
-        self.bench_seconds = arguments.bench_seconds
-        self.mesh, self.frequency = folder / "mesh.obj", 0.0
+        self.benchmarks, self.bench_seconds = arguments.benchmarks, arguments.bench_seconds
+        self.mesh, self.frequency, self.stripes = folder / "mesh.obj", 0.0, arguments.stripes
 
     def run(self, words, said_by):
         """The processor's time that the whole program took, in seconds; others on the machine hardly
@@ -275,31 +275,33 @@ def of_surface_lic(bench):
     return {**read, "processor_s": None}
 
 
-def benched(bench):
-    """`brindle bench` without the solver that takes long: frames and pictures, once a turn."""
+def benched(bench, name):
+    """A result of `brindle-bench`, with as many threads as were asked for; frames and pictures are
+    measured once a turn."""
     path = bench.folder / "bench.json"
     if not path.exists():
-        bench.report([bench.tool, "bench", bench.mesh, "--quiet", "--subdivide", 0, "--threads",
-                      bench.threads, "--global-limit", 0, "--seconds", bench.bench_seconds,
-                      "--direction", DIRECTION, "--frequency", f"{bench.frequency:.9g}",
-                      "--json", REPORT], "brindle", "bench.json")
-    return json.loads(path.read_text())["meshes"][0]
+        if not bench.benchmarks.is_file():
+            raise Failed("skipped", f"no {bench.benchmarks}; configure with -DBRINDLE_BENCH=ON")
+        bench.report([bench.benchmarks, bench.mesh, "--subdivide", 0, "--threads", bench.threads,
+                      "--stripes", f"{bench.stripes:.9g}", f"--benchmark_min_time={bench.bench_seconds}",
+                      f"--benchmark_filter=^(topology|frame|picture_.*)/.*/threads:{bench.threads}/",
+                      f"--benchmark_out={path}"], "brindle-bench", "bench.json")
+    for run in json.loads(path.read_text())["benchmarks"]:
+        if run["name"].startswith(f"{name}/"):
+            return run
+    raise Failed("skipped", "no OpenGL here")
 
 
 def frame(bench):
-    read = benched(bench)
-    # With 1, 2, 4, ... threads, up to as many as were asked for.
-    took = max(read["frames"], key=lambda measured: measured["threads"])["milliseconds"]
-    return {"vertices": read["vertices"], "prepare_ms": took["topology"]["min"],
-            "pattern_ms": took["total"]["min"]}
+    took = benched(bench, "frame")
+    return {"vertices": int(took["vertices"]), "prepare_ms": benched(bench, "topology")["min_ms"],
+            "pattern_ms": took["min_ms"]}
 
 
 def picture(quality):
     def measure(bench):
-        read = benched(bench)
-        if "draw" not in read:
-            raise Failed("skipped", "no OpenGL here")
-        return {"vertices": read["vertices"], "picture_ms": read["draw"]["milliseconds"][quality]["min"]}
+        took = benched(bench, f"picture_{quality}")
+        return {"vertices": int(took["vertices"]), "picture_ms": took["min_ms"]}
     return measure
 
 
@@ -506,6 +508,8 @@ def parsed(words):
     arguments.meshes = arguments.meshes or list(SHAPES)
     arguments.peer = list(dict.fromkeys(arguments.peer or names))
     arguments.build = arguments.build.absolute()
+    # Both are of one build.
+    arguments.benchmarks = pathlib.Path(arguments.tool).absolute().parents[2] / "bench" / "brindle-bench"
     if arguments.threads > processors:
         parser.error(f"--threads {arguments.threads}: there are {processors} here")
     for mesh in arguments.meshes:

@@ -147,10 +147,10 @@ int parse_and_run(int argc, char** argv, RankJobs* ranks) {
   app.require_subcommand(1);
   app.footer(kToolExamples);
   const std::vector<Command> commands = {
-      add_stripe_command(app, ranks), add_compare_command(app), add_curves_command(app, ranks),
-      add_sample_command(app, ranks), add_animate_command(app), add_info_command(app),
-      add_view_command(app),          add_render_command(app),  add_gallery_command(app),
-      add_bench_command(app),         add_help_command(app),    add_completion_command(app)};
+      add_stripe_command(app, ranks), add_compare_command(app),   add_curves_command(app, ranks),
+      add_sample_command(app, ranks), add_animate_command(app),   add_info_command(app),
+      add_view_command(app),          add_render_command(app),    add_gallery_command(app),
+      add_help_command(app),          add_completion_command(app)};
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const std::string first = words.empty() ? "" : words.front();
   try {

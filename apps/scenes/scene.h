@@ -1,4 +1,4 @@
-/// Input that changes from frame to frame, for animations and benchmarks.
+/// Input that changes from frame to frame, for animations.
 #pragma once
 
 #include <memory>

@@ -18,7 +18,7 @@ TEST_F(ToolTest, HelpHasExamples) {
 #ifdef BRINDLE_HAS_GL
                               "render",
 #endif
-                              "bench", "gallery"}) {
+                              "gallery"}) {
     const ToolResult result = run({command, "--help"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_TRUE(has(result.out, std::string("brindle ") + command)) << result.out;
@@ -46,7 +46,7 @@ std::size_t option_count(const std::string& help) {
 }
 
 TEST_F(ToolTest, HelpIsShortAndNamesTheWholeOne) {
-  for (const std::string command : {"stripe", "compare", "curves", "sample", "animate", "bench"}) {
+  for (const std::string command : {"stripe", "compare", "curves", "sample", "animate"}) {
     const std::string some = run({command, "--help"}).out, all = run({command, "--help-all"}).out;
     EXPECT_LE(option_count(some), 30u) << some;
     EXPECT_TRUE(has(some, "'brindle " + command + " --help-all' lists " +

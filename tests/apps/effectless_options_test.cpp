@@ -56,13 +56,13 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"stripe", "--feature-anchor", "0,angle=30"},
       {"curves", "--feature-anchor", "0,radius=5%"},
       {"sample", "--feature-anchor", "0,angle=30"},
-      {"bench", "--curvature-anchor", "0.1"},
+      {"compare", "--curvature-anchor", "0.1"},
       {"stripe", "--tensor", "minor"},
       {"stripe", "--tensor", "minor", "--field", "field.csv"},
       {"curves", "--tensor", "minor", "--frequency-by", "array:a"},
       {"compare", "--frequency-by", "array:a", "--frequency", "array:b"},
       {"stripe", "--field-mesh", "mesh.obj"},
-      {"bench", "--field-mesh", "mesh.obj", "--field", "field.csv"},
+      {"compare", "--field-mesh", "mesh.obj", "--field", "field.csv"},
       {"stripe", "--along", "--cross"},
       {"stripe", "--solver", "multilevel,weights=cotangent", "--points"},
       {"stripe", "--feature-anchor", "1", "--points"},
@@ -87,8 +87,6 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"animate", "--solver", "multilevel,iterations=3"},
       {"animate", "--fps", "25"},
       {"animate", "--direction", "1,0,0", "--scene", "brush"},
-      {"bench", "--subdivide", "1", "--figure", "13"},
-      {"bench", "--global-limit", "100", "--figure", "14"},
 #ifdef BRINDLE_HAS_GL
       {"stripe", "--solver", "relaxation,cycles=2", "--device", "gpu"},
       {"stripe", "--stripes-v", "20"},
@@ -135,7 +133,6 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"animate", "--quality", "interactive"},
       {"animate", "--view", "branches"},
       {"animate", "--fps", "25", "--output", "%d.png"},
-      {"bench", "--global-limit", "100", "--device", "gpu"},
 #endif
   };
   for (const Arguments& row : refused) {

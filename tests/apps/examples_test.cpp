@@ -61,7 +61,6 @@ Arguments shortened(Arguments arguments) {
   if (draws(arguments)) set_option(arguments, "--size", "64x48");
   const bool series = std::ranges::find(arguments, "--series") != arguments.end();
   if (arguments.front() == "animate" && !series) set_option(arguments, "--frames", "2");
-  if (arguments.front() == "bench") arguments.push_back("--quick");
   if (arguments.front() == "gallery" && arguments.size() > 1)
     set_option(arguments, "--detail", "0.25");
   return arguments;
@@ -160,7 +159,7 @@ std::vector<Arguments> examples_of(const ToolTest& test, const std::string& comm
 }
 
 const std::vector<std::string> kCommands = {"",        "stripe", "compare", "curves", "sample",
-                                            "animate", "info",   "render",  "bench",  "gallery"};
+                                            "animate", "info",   "render",  "gallery"};
 
 // A test for each, so that they can run beside each other.
 struct ExamplesOf : Examples, testing::WithParamInterface<std::string> {};

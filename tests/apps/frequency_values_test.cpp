@@ -129,7 +129,6 @@ TEST_F(FrequencyValues, OfACameraNeedOne) {
   write_square("square", 0);
   for (const char* value : {"distance:camera", "light"}) {
     expect_refusal(2, "camera", {"compare", "square.obj", "--frequency-by", value});
-    expect_refusal(2, "camera", {"bench", "square.obj", "--frequency-by", value});
 #ifndef BRINDLE_HAS_GL
     expect_refusal(2, "camera", {"stripe", "square.obj", "--frequency-by", value});
 #endif

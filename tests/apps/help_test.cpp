@@ -15,7 +15,7 @@ namespace {
 using Words = std::set<std::string>;
 
 const std::vector<std::string> kCommands = {"stripe", "compare", "curves",  "sample", "animate",
-                                            "info",   "render",  "gallery", "bench",  "help"};
+                                            "info",   "render",  "gallery", "help"};
 
 Words all_matches(const std::string& text, const std::regex& pattern) {
   Words matches;

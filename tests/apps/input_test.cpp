@@ -218,7 +218,6 @@ TEST_F(Input, AFileTakenForPointsIsSpokenOf) {
   write_text(folder / "a.obj", obj + "v 0 0 0\n");
   write_text(folder / "a.csv", csv + "0,0,0\n");
   expect_refusal(1, "animate", {"animate", "a.obj", "--frames", "1", "--report", "r.json"});
-  expect_refusal(1, "bench", {"bench", "a.csv", "--quick"});
 #ifdef BRINDLE_HAS_NANOFLANN
   const std::string note = "a.obj has no faces: its vertices are taken for points";
   EXPECT_TRUE(contains(run({"stripe", "a.obj", "--direction", "1,0,0"}).err, note));

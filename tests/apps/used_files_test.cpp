@@ -46,9 +46,7 @@ TEST_F(UsedFiles, OfTheInputAreNotOverwrittenByReports) {
   for (const char* command : {"stripe", "curves", "sample", "animate"}) {
     expect_kept("MESH", {command, "mesh.obj", "--report", "link.json"});
   }
-  for (const char* command : {"compare", "bench"}) {
-    expect_kept("MESH", {command, "mesh.obj", "--json", "link.json"});
-  }
+  expect_kept("MESH", {"compare", "mesh.obj", "--json", "link.json"});
   fs::create_symlink(folder / "field.csv", folder / "field.json");
   expect_kept("--field", {"compare", "mesh.obj", "--field", "field.csv", "--json", "field.json"});
 }
@@ -73,9 +71,7 @@ TEST_F(UsedFiles, OfReportsEndInJson) {
     expect_kept(".json", {command, "mesh.obj", "--report", "victim.obj"});
     expect_kept(".json", {command, "mesh.obj", "--report", "report"});
   }
-  for (const char* command : {"compare", "bench"}) {
-    expect_kept(".json", {command, "mesh.obj", "--json", "victim.obj"});
-  }
+  expect_kept(".json", {"compare", "mesh.obj", "--json", "victim.obj"});
   EXPECT_EQ(content(folder / "victim.obj"), kSquareObj);
 }
 

@@ -20,7 +20,7 @@ constexpr std::string_view kIntroduction = R"(# Options
 
 This page lists the options of all commands by group, as `brindle help options` prints them. `brindle help` explains
 values, arrays, lengths, cameras, solvers and output files. Parts of values are listed below their option:
-`--solver relaxation,epsilon=0.01`. `view` takes the options of `stripe`; `info` and `bench` take those
+`--solver relaxation,epsilon=0.01`. `view` takes the options of `stripe`; `info` takes those
 of surfaces and fields.
 )";
 

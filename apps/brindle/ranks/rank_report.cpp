@@ -5,10 +5,10 @@
 #include <ostream>
 #include <vector>
 
+#include "brindle/base/resident_memory.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/distributed/surface/rank_surface.h"
-#include "outputs/resident_memory.h"
 
 namespace brindle::tool {
 namespace {

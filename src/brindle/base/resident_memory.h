@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace brindle::tool {
+namespace brindle {
 
 /// Bytes of the process's resident pages.
 struct ResidentMemory {
@@ -21,4 +21,4 @@ void return_free_memory();
 /// Resets `peak` if the system can.
 void reset_memory_peak();
 
-}  // namespace brindle::tool
+}  // namespace brindle

@@ -1,4 +1,4 @@
-#include "outputs/resident_memory.h"
+#include "brindle/base/resident_memory.h"
 
 #include <fstream>
 #include <sstream>
@@ -8,7 +8,7 @@
 #include <malloc.h>
 #endif
 
-namespace brindle::tool {
+namespace brindle {
 namespace {
 
 constexpr std::size_t kKibibyte = 1024;
@@ -38,4 +38,4 @@ void return_free_memory() {
 
 void reset_memory_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
-}  // namespace brindle::tool
+}  // namespace brindle

@@ -1,39 +1,26 @@
-/// How fast the kernels of the solvers are on one thread, against what the machine can copy and
-/// gather at most in the same run. docs/benchmarks.md explains the metrics.
-
+// How fast the kernels of the solvers are on one thread, against what the machine can copy and
+// gather at most in the same run.
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
-#include <iterator>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include <benchmark/benchmark.h>
-
-#include "brindle/direction_field.h"
-#include "brindle/frequency_field.h"
-#include "brindle/mesh.h"
+#include "benchmarks.h"
+#include "brindle/base/stopwatch.h"
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_kernels.h"
 #include "brindle/phases/sliced_waves.h"
-#include "brindle/shapes.h"
-#include "brindle/surface.h"
 #include "gather.h"
 
 namespace brindle::bench {
 namespace {
 
-constexpr const char* kShape = "vessels,resolution=124";
-constexpr int kSubdivisions[] = {0, 2};
-
 // ---- What the kernels work on -------------------------------------------------------------------
 
 struct Workload {
-  WaveSet waves;
   Hierarchy hierarchy;
   std::vector<SlicedWave> sliced_waves;
   std::vector<float> degree;
@@ -55,21 +42,15 @@ std::size_t count_below(const std::vector<Index>& entries, std::size_t limit) {
       std::ranges::count_if(entries, [&](Index entry) { return entry < limit; }));
 }
 
-std::unique_ptr<Workload> make_workload(int subdivisions) {
-  const Surface surface = make_surface(subdivide(make_shape(kShape), subdivisions));
-  const Mesh& mesh = surface.mesh;
+std::unique_ptr<Workload> make_workload(const Subject& subject) {
+  const WaveSet& waves = subject.fields[0];
   auto work = std::make_unique<Workload>();
-  work->vertices = mesh.vertex_count();
-  work->directed_edges = surface.neighborhood->directed_edge_count();
-  work->waves = {mesh.positions,
-                 projected_direction_field(Vec3(0.31f, 0.9f, 0.27f), surface.normals),
-                 constant_frequency_field(frequency_of_stripes(40, bounding_box(mesh).diagonal()),
-                                          mesh.vertex_count())};
-  work->hierarchy = build_hierarchy(build_phase_graph(surface.neighborhood, work->waves));
+  work->vertices = subject.vertex_count();
+  work->directed_edges = subject.surface.neighborhood->directed_edge_count();
+  work->hierarchy = build_hierarchy(build_phase_graph(subject.surface.neighborhood, waves));
   descend(work->hierarchy, 2);
   const SlicedLayout& layout = work->fine().layout();
-  load_waves(layout, work->waves.positions, work->waves.directions, work->waves.frequencies,
-             work->sliced_waves);
+  load_waves(layout, waves.positions, waves.directions, waves.frequencies, work->sliced_waves);
   work->degree.resize(layout.slot_count());
   work->gauged.resize(work->fine().aggregation().sources.places);
   work->momentum.resize(layout.slot_count());
@@ -212,21 +193,23 @@ const Job kJobs[] = {
      "a vertex: coarse slot 4, gauge 8, coarse z 8; writes z 8"},
 };
 
-std::string name_of(const std::string& job, const std::string& kernels, std::size_t vertices) {
-  return job + '/' + kernels + '/' + std::to_string(vertices);
+/// Times `work`, which moves `bytes`; the best run counts, because disturbances only slow it down.
+void repeat_moving(benchmark::State& state, double bytes, const std::function<void()>& work) {
+  repeat(state, [&] {
+    Stopwatch watch;
+    work();
+    benchmark::ClobberMemory();
+    return Sample{watch.lap()};
+  });
+  state.counters["bytes_per_second"] = 1000 * bytes / state.counters["min_ms"].value;
 }
 
 void run_job(benchmark::State& state, Workload& work, const Kernels& kernels, const Job& job) {
   gauge(work, kernels);
-  for (auto _ : state) {
-    job.run(work, kernels);
-    benchmark::ClobberMemory();
-  }
-  const double elements =
-      static_cast<double>(state.iterations()) * static_cast<double>(work.*job.elements);
-  state.counters["elements/s"] = benchmark::Counter(elements, benchmark::Counter::kIsRate);
-  state.counters["bytes/s"] = benchmark::Counter(elements * job.bytes, benchmark::Counter::kIsRate,
-                                                 benchmark::Counter::kIs1024);
+  repeat_moving(state, job.bytes * static_cast<double>(work.*job.elements),
+                [&] { job.run(work, kernels); });
+  state.counters["entries_per_edge"] = static_cast<double>(work.fine().layout().entry_count()) /
+                                       static_cast<double>(work.directed_edges);
 }
 
 /// Copies as many bytes as a sweep's state has; both reading and writing count.
@@ -234,112 +217,30 @@ void run_copy(benchmark::State& state, const Workload& work) {
   const std::size_t size = work.directed_edges * static_cast<std::size_t>(kIndex + 2 * kComplex);
   const std::vector<char> from(size, 1);
   std::vector<char> to(size);
-  for (auto _ : state) {
+  repeat_moving(state, 2 * static_cast<double>(size), [&] {
     std::memcpy(to.data(), from.data(), size);
     benchmark::DoNotOptimize(to.data());
-    benchmark::ClobberMemory();
-  }
-  state.counters["bytes/s"] =
-      benchmark::Counter(2.0 * static_cast<double>(state.iterations()) * static_cast<double>(size),
-                         benchmark::Counter::kIsRate, benchmark::Counter::kIs1024);
-}
-
-// ---- Ratios -------------------------------------------------------------------------------------
-
-/// Prints medians and keeps the best repetition of every benchmark: what disturbs a measurement can
-/// only make it slower.
-class KeepingReporter : public benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    std::vector<Run> medians;
-    std::ranges::copy_if(runs, std::back_inserter(medians),
-                         [](const Run& run) { return run.aggregate_name == "median"; });
-    ConsoleReporter::ReportRuns(medians);
-    for (const Run& run : runs) {
-      const auto counter = run.counters.find("bytes/s");
-      if (run.run_type != Run::RT_Iteration || counter == run.counters.end()) continue;
-      double& best = bytes_per_second_[run.run_name.function_name];
-      best = std::max(best, static_cast<double>(counter->second));
-    }
-  }
-
-  /// Zero if it did not run.
-  double bytes_per_second(const std::string& name) const {
-    const auto found = bytes_per_second_.find(name);
-    return found == bytes_per_second_.end() ? 0 : found->second;
-  }
-
- private:
-  std::map<std::string, double> bytes_per_second_;
-};
-
-double best_gather(const KeepingReporter& reporter, std::size_t vertices) {
-  double best = 0;
-  for (const Kernels& kernels : all_kernels()) {
-    best = std::max(best, reporter.bytes_per_second(name_of("gather", kernels.name, vertices)));
-  }
-  return best;
-}
-
-void print_ratios(const KeepingReporter& reporter, Workload& work) {
-  constexpr double kGiga = 1e9;
-  const double copy = reporter.bytes_per_second(name_of("copy", "memcpy", work.vertices));
-  const double gathers = best_gather(reporter, work.vertices);
-  std::printf("\n%zu vertices, %.3f entries an edge (filling), copy %.2f GB/s, gather %.2f GB/s\n",
-              work.vertices,
-              static_cast<double>(work.fine().layout().entry_count()) /
-                  static_cast<double>(work.directed_edges),
-              copy / kGiga, gathers / kGiga);
-  if (copy <= 0 || gathers <= 0) return;  // filtered out
-  std::printf("kernel             10^6/s    GB/s  / gather   / copy  bytes\n");
-  for (const Job& job : kJobs) {
-    for (const Kernels& kernels : all_kernels()) {
-      const double speed =
-          reporter.bytes_per_second(name_of(job.name, kernels.name, work.vertices));
-      if (speed <= 0) continue;
-      std::printf("%-8s %-8s %7.1f %7.2f %9.2f %8.2f  %.0f %s\n", job.name, kernels.name,
-                  speed / job.bytes / 1e6, speed / kGiga, speed / gathers, speed / copy, job.bytes,
-                  job.parts);
-    }
-  }
-}
-
-void configure(benchmark::internal::Benchmark* benchmark) {
-  benchmark->Unit(benchmark::kMillisecond)->MinTime(0.05)->Repetitions(5);
-}
-
-void register_all(Workload& work, const std::vector<Kernels>& kernels) {
-  configure(
-      benchmark::RegisterBenchmark(name_of("copy", "memcpy", work.vertices).c_str(),
-                                   [&work](benchmark::State& state) { run_copy(state, work); }));
-  for (const Job& job : kJobs) {
-    for (const Kernels& either : kernels) {
-      configure(benchmark::RegisterBenchmark(
-          name_of(job.name, either.name, work.vertices).c_str(),
-          [&](benchmark::State& state) { run_job(state, work, either, job); }));
-    }
-  }
-}
-
-int run(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  std::vector<std::unique_ptr<Workload>> workloads;
-  const std::vector<Kernels> kernels = all_kernels();
-  for (const int subdivisions : kSubdivisions) {
-    workloads.push_back(make_workload(subdivisions));
-    register_all(*workloads.back(), kernels);
-  }
-  KeepingReporter reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-#ifdef BRINDLE_HAS_HIGHWAY
-  std::printf("\nsimd is %s; best of all repetitions\n", simd::target_name());
-#endif
-  for (const auto& work : workloads) print_ratios(reporter, *work);
-  return 0;
+  });
 }
 
 }  // namespace
-}  // namespace brindle::bench
 
-int main(int argc, char** argv) { return brindle::bench::run(argc, argv); }
+void add_kernels(const Subject& subject) {
+  // Made by the first benchmark that runs.
+  const auto made = std::make_shared<std::unique_ptr<Workload>>();
+  const auto work = [made, &subject]() -> Workload& {
+    if (!*made) *made = make_workload(subject);
+    return **made;
+  };
+  add_benchmark("kernel_copy", subject, 1,
+                [work](benchmark::State& state) { run_copy(state, work()); });
+  for (const Job& job : kJobs) {
+    for (const Kernels& kernels : all_kernels()) {
+      add_benchmark(
+          std::string("kernel_") + job.name + '_' + kernels.name, subject, 1,
+          [work, kernels, &job](benchmark::State& state) { run_job(state, work(), kernels, job); });
+    }
+  }
+}
+
+}  // namespace brindle::bench
