@@ -147,12 +147,22 @@ int parse_and_run(int argc, char** argv, RankJobs* ranks) {
   app.require_subcommand(1);
   app.footer(kToolExamples);
   const std::vector<Command> commands = {
-      add_stripe_command(app, ranks), add_compare_command(app),   add_curves_command(app, ranks),
-      add_sample_command(app, ranks), add_animate_command(app),   add_info_command(app),
-      add_view_command(app),          add_render_command(app),    add_gallery_command(app),
-      add_help_command(app),          add_completion_command(app)};
+      add_stripe_command(app, ranks), add_compare_command(app), add_curves_command(app, ranks),
+      add_sample_command(app, ranks), add_animate_command(app), add_info_command(app),
+#ifdef BRINDLE_HAS_WINDOW
+      add_view_command(app),
+#endif
+      add_render_command(app),        add_gallery_command(app), add_help_command(app),
+      add_completion_command(app)};
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const std::string first = words.empty() ? "" : words.front();
+#ifndef BRINDLE_HAS_WINDOW
+  if (first == "view") {
+    throw Error(
+        "this build has no window; install GLFW and Dear ImGui (libglfw3-dev, libimgui-dev), and "
+        "configure with -DBRINDLE_WINDOW=ON; 'brindle render' draws sessions without a window");
+  }
+#endif
   try {
     words = command_line_with_parts_apart(app, words);
   } catch (const CLI::ValidationError& error) {
