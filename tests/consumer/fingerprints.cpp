@@ -1,5 +1,5 @@
 // What the library makes of a few surfaces, every bit of it as a number. Builds with and without
-// vectors and all processors must print the same (scripts/check_processors.py, .ci/run).
+// vectors and all processors must print the same (tests/scripts/processors_test.py, .ci/run).
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

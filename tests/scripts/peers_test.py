@@ -1,7 +1,5 @@
 """That `scripts/peers.py` prints what it could measure, and says what is missing, crashed or hung. The
 sources of a peer are made here: a header that does as it is told.
-
-    peers_test.py scripts/peers.py build/release/apps/brindle/brindle
 """
 
 import csv
@@ -13,7 +11,9 @@ import sys
 import tempfile
 import unittest
 
-PEERS, TOOL = sys.argv[1:3]
+from conftest import ROOT
+
+PEERS, TOOL = str(ROOT / "scripts/peers.py"), os.environ["BRINDLE_TOOL"]
 SHAPE = "shape:torus,resolution=40"
 
 # In the place of libigl's principal directions.
@@ -200,7 +200,3 @@ class Peers(unittest.TestCase):
         self.assertIn("refused: ", done.stdout)
         self.assertNotIn("\x1b", done.stdout)
         self.assertIn("torus,resolution=40", done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

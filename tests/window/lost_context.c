@@ -1,4 +1,4 @@
-/* Preloaded by scripts/check_window.py: OpenGL says that the graphics driver was reset, as soon as
+/* Preloaded by tests/scripts/window_test.py: OpenGL says that the graphics driver was reset, as soon as
    the file that LOST_CONTEXT_SIGN names is there. */
 #include <stdlib.h>
 #include <unistd.h>

@@ -7,23 +7,19 @@ import pathlib
 import shutil
 import signal
 import subprocess
-import sys
 import time
 
-SKIPPED = 77
 PATIENCE = float(os.environ.get("BRINDLE_PATIENCE", 240))  # seconds until what never comes is a failure
 
 
-def say_what_is_missing():
-    """Whether a program or module that all of this needs is missing."""
+def missing_programs():
+    """The programs and modules that all of this needs and that are missing."""
     missing = [program for program in ("Xvfb", "xdotool") if shutil.which(program) is None]
     try:
         import Xlib  # noqa: F401
     except ImportError:
         missing.append("python3-xlib")
-    if missing:
-        print(f"skipped: {' and '.join(missing)} missing", file=sys.stderr)
-    return bool(missing)
+    return missing
 
 
 class Failure(Exception):

@@ -1,36 +1,58 @@
-#!/usr/bin/python3
 """Works with the window of brindle view as a user does, and looks at what happens.
 
-    scripts/check_window.py build/release/apps/brindle/brindle [NAME...] [--keep FOLDER]
-    scripts/check_window.py build/release/apps/brindle/brindle --only NAME
+    BRINDLE_TOOL=build/release/apps/brindle/brindle /usr/bin/python3 -m pytest tests/scripts/window_test.py [-k NAME]
 
 Starts a display of its own (Xvfb), moves the mouse and presses keys (xdotool), drops files
 (python3-xlib) and reads the window's log (brindle view --log) for where widgets are and what has been
-drawn. Of the checks, those are run whose names contain a NAME, or the one of this name; checks may run at the
-same time, each on a display of its own. Ends with 0 if all is well, 1 if not, and
-77 where Xvfb or xdotool is missing.
+drawn. Tests may run at the same time, each on a display of its own. They are skipped where Xvfb or xdotool is
+missing.
 """
 
-import argparse
 import json
 import math
 import os
-import pathlib
 import select
 import shutil
 import subprocess
-import sys
-import tempfile
 import time
-import traceback
 
-from window_driver import (PATIENCE, SKIPPED, Display, Failure, Window, expect, open_gallery, save_picture,
-                           save_session, say_what_is_missing, wait_for_file)
+import pytest
 
-# Each check is given the window's maker and a folder.
+from conftest import ROOT
+from window_driver import (PATIENCE, Display, Failure, Window, expect, missing_programs, open_gallery, save_picture,
+                           save_session)
 
 
-def check_open_by_command_line_and_menu(start, folder):
+class Starter:
+    def __init__(self, tool, display, folder):
+        self.tool, self.display, self.folder = tool, display, folder
+        self.windows = []
+
+    def __call__(self, *arguments, environment=None):
+        window = Window(self.tool, self.display, self.folder, arguments, environment=environment)
+        self.windows.append(window)
+        return window
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return tmp_path
+
+
+@pytest.fixture
+def start(tool, folder):
+    """Opens windows, which end with the test."""
+    if missing := missing_programs():
+        pytest.skip(f"{' and '.join(missing)} missing")
+    display = Display()
+    starter = Starter(tool, display.name, folder)
+    yield starter
+    for window in starter.windows:
+        window.kill()
+    display.close()
+
+
+def test_open_by_command_line_and_menu(start, folder):
     window = start("shape:torus,resolution=90", "--rotate", "40")
     window.settled()
     expect(window.wait_for("frame")["branches"] > 0, "the first picture has no branches")
@@ -48,7 +70,7 @@ def check_open_by_command_line_and_menu(start, folder):
     window.quit()
 
 
-def check_slider_changes_branches(start, folder):
+def test_slider_changes_branches(start, folder):
     window = start("shape:torus,resolution=90", "--rotate", "40")
     first = window.settled()
     since = window.now()
@@ -82,7 +104,7 @@ def write_noisy_flow(path, side=60):
          f"POINT_DATA {len(places)}", "VECTORS flow float", *(f"{u} {v} 0" for u, v in flow), ""]))
 
 
-def check_measured_field_is_seen_at_its_scale(start, folder):
+def test_measured_field_is_seen_at_its_scale(start, folder):
     write_noisy_flow(folder / "flow.vtk")
     window = start(str(folder / "flow.vtk"), "--field", "array:flow", "--stripes", "12")
     as_given = window.settled()
@@ -104,7 +126,7 @@ def check_measured_field_is_seen_at_its_scale(start, folder):
     window.quit()
 
 
-def check_stroke_and_undo(start, folder):
+def test_stroke_and_undo(start, folder):
     window = start("shape:sphere,resolution=40", "--stripes", "16")
     window.settled()
     before = save_picture(window, folder / "before.png")
@@ -136,7 +158,7 @@ def check_stroke_and_undo(start, folder):
     window.quit()
 
 
-def check_strokes_end_where_the_surface_does(start, folder):
+def test_strokes_end_where_the_surface_does(start, folder):
     window = start("shape:torus,resolution=60", "--stripes", "16", "--camera", "0,90")
     window.settled()
     before = save_session(window, folder / "before.json")
@@ -156,8 +178,8 @@ def check_strokes_end_where_the_surface_does(start, folder):
     window.quit()
 
 
-def check_files_are_those_that_can_be_read(start, folder):
-    shutil.copy(pathlib.Path(__file__).parent.parent / "docs" / "images" / "window.png", folder / "tile.png")
+def test_files_are_those_that_can_be_read(start, folder):
+    shutil.copy(ROOT / "docs" / "images" / "window.png", folder / "tile.png")
     (folder / "plate.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n")
     window = start("shape:torus,resolution=20")
     window.settled()
@@ -169,7 +191,7 @@ def check_files_are_those_that_can_be_read(start, folder):
     window.quit()
 
 
-def check_singularity_is_steered(start, folder):
+def test_singularity_is_steered(start, folder):
     window = start("shape:sphere,resolution=50", "--stripes", "20")
     window.settled()
     before = save_session(window, folder / "before.json")
@@ -210,7 +232,7 @@ def check_singularity_is_steered(start, folder):
     window.quit()
 
 
-def check_singularities_that_cannot_be_steered_say_why(start, folder):
+def test_singularities_that_cannot_be_steered_say_why(start, folder):
     window = start("shape:vessels", "--field", "raw-curvature")
     window.settled()
     window.key("g")
@@ -224,7 +246,7 @@ def check_singularities_that_cannot_be_steered_say_why(start, folder):
     window.quit()
 
 
-def check_zoom_changes_frequency(start, folder):
+def test_zoom_changes_frequency(start, folder):
     window = start("shape:torus,resolution=90", "--stripes", "20", "--rotate", "40")
     first = window.settled()
     since = window.now()
@@ -242,7 +264,7 @@ def check_zoom_changes_frequency(start, folder):
     window.quit()
 
 
-def check_screenshot_is_rendered_picture(start, folder):
+def test_screenshot_is_rendered_picture(start, folder):
     window = start("shape:trefoil,resolution=40", "--stripes", "30")
     window.settled()
     since = window.now()
@@ -265,7 +287,7 @@ def metrics_of(window, shown, since):
     return window.settled(since)["shown"]
 
 
-def check_curves_and_samples_are_live(start, folder):
+def test_curves_and_samples_are_live(start, folder):
     window = start("shape:sphere,resolution=30")
     window.settled()
     curves = metrics_of(window, "curves", window.now())
@@ -295,7 +317,7 @@ def check_curves_and_samples_are_live(start, folder):
     window.quit()
 
 
-def check_curves_are_exported(start, folder):
+def test_curves_are_exported(start, folder):
     words = ("shape:trefoil,resolution=60", "--stripes", "24")
     window = start(*words)
     window.settled()
@@ -333,7 +355,7 @@ def check_curves_are_exported(start, folder):
     window.quit()
 
 
-def check_typed_values_count_as_a_whole(start, folder):
+def test_typed_values_count_as_a_whole(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "30")
     window.settled()
 
@@ -367,7 +389,7 @@ def check_typed_values_count_as_a_whole(start, folder):
     window.quit()
 
 
-def check_escape_closes_lists(start, folder):
+def test_escape_closes_lists(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "20")
     window.settled()
     window.click("names frequency-by")
@@ -382,7 +404,7 @@ def check_escape_closes_lists(start, folder):
     window.quit()
 
 
-def check_options_are_searched(start, folder):
+def test_options_are_searched(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "20")
     window.settled()
     window.click("search")
@@ -405,7 +427,7 @@ def check_options_are_searched(start, folder):
     window.quit()
 
 
-def check_stripes_run_across_or_along_strokes(start, folder):
+def test_stripes_run_across_or_along_strokes(start, folder):
     window = start("shape:plane,resolution=40", "--stripes", "20", "--camera", "0,89")
     window.settled()
     window.click("tool Comb")
@@ -423,7 +445,7 @@ def check_stripes_run_across_or_along_strokes(start, folder):
     window.quit()
 
 
-def check_values_under_the_mouse(start, folder):
+def test_values_under_the_mouse(start, folder):
     window = start("shape:plane,resolution=40", "--stripes", "20", "--camera", "0,89")
     window.settled()
     window.move(*window.point("picture"))
@@ -436,7 +458,7 @@ def check_values_under_the_mouse(start, folder):
     window.quit()
 
 
-def check_warnings_are_shown(start, folder):
+def test_warnings_are_shown(start, folder):
     fine = ("shape:sphere,resolution=8", "--stripes", "200")
     window = start(*fine)
     frame = window.settled()
@@ -457,7 +479,7 @@ def check_warnings_are_shown(start, folder):
     window.quit()
 
 
-def check_pictures_are_what_they_are_called(start, folder):
+def test_pictures_are_what_they_are_called(start, folder):
     window = start("shape:torus,resolution=40")
     window.settled()
     window.key("ctrl+p")
@@ -494,7 +516,7 @@ def rendered(start, folder, session, name, *more):
     return (folder / name).read_bytes()
 
 
-def check_picture_is_exported(start, folder):
+def test_picture_is_exported(start, folder):
     window = start("shape:trefoil,resolution=40", "--stripes", "30", "--stripe-width", "3px")
     window.settled()
     since = window.now()
@@ -540,7 +562,7 @@ def check_picture_is_exported(start, folder):
     window.quit()
 
 
-def check_export_is_cancelled(start, folder):
+def test_export_is_cancelled(start, folder):
     window = start("shape:torus,resolution=200", "--occlusion", "1")
     window.settled()
     window.key("ctrl+shift+p")
@@ -561,7 +583,7 @@ def check_export_is_cancelled(start, folder):
     expect(not list(folder.glob("*again*")), "something is left of what was being written")
 
 
-def check_coloured_views_have_legends(start, folder):
+def test_coloured_views_have_legends(start, folder):
     window = start("shape:sphere,resolution=30", "--stripes", "20")
     window.settled()
     before = save_picture(window, folder / "stripes.png")
@@ -583,7 +605,7 @@ def camera_of(window, path):
     return json.loads(save_session(window, path))["camera"]
 
 
-def check_undo_leaves_the_camera(start, folder):
+def test_undo_leaves_the_camera(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "20")
     window.settled()
     first = camera_of(window, folder / "first.json")
@@ -618,7 +640,7 @@ def check_undo_leaves_the_camera(start, folder):
     window.quit()
 
 
-def check_solve_again(start, folder):
+def test_solve_again(start, folder):
     window = start("shape:torus,resolution=60")
     window.settled()
     since = window.now()
@@ -643,7 +665,7 @@ def check_solve_again(start, folder):
     window.quit()
 
 
-def check_what_follows_the_light_fits_at_rest(start, folder):
+def test_what_follows_the_light_fits_at_rest(start, folder):
     window = start("shape:torus,resolution=60", "--frequency-by", "light", "--stripes", "24")
     window.settled()
     since = window.now()
@@ -670,7 +692,7 @@ def search_option(window, text):
     window.type(text)
 
 
-def check_light_is_moved(start, folder):
+def test_light_is_moved(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "20", "--width-by", "light")
     window.settled()
     before = save_picture(window, folder / "before.png")
@@ -743,7 +765,7 @@ def expect_word_of_empty_slices(window, folder):
     expect(frame["nothing_left"] == "" and "why empty" not in window.places, "undo does not bring it back")
 
 
-def check_slice_opens_the_surface(start, folder):
+def test_slice_opens_the_surface(start, folder):
     window = start("shape:sphere,resolution=40", "--stripes", "20", "--camera", "0,0", "--up", "y")
     window.settled()
     expect(place_under_mouse(window)[2] > 0.9, "the front is not seen")
@@ -780,7 +802,7 @@ def check_slice_opens_the_surface(start, folder):
     window.quit()
 
 
-def check_bad_file_dropped(start, folder):
+def test_bad_file_dropped(start, folder):
     window = start("shape:torus,resolution=90")
     window.settled()
     before = save_picture(window, folder / "before.png")
@@ -801,7 +823,7 @@ def check_bad_file_dropped(start, folder):
     window.quit()
 
 
-def check_video_is_recorded_or_refused(start, folder):
+def test_video_is_recorded_or_refused(start, folder):
     window = start("shape:trefoil,resolution=30", "--stripes", "20")
     window.settled()
     since = window.now()
@@ -822,7 +844,7 @@ def check_video_is_recorded_or_refused(start, folder):
     window.quit()
 
 
-def check_video_without_or_with_a_broken_ffmpeg(start, folder):
+def test_video_without_or_with_a_broken_ffmpeg(start, folder):
     programs = folder / "bin"
     programs.mkdir()
     (programs / "xdotool").symlink_to(shutil.which("xdotool"))
@@ -860,7 +882,7 @@ def close_by_window_manager(window):
     connection.close()
 
 
-def check_window_manager_closes_it(start, folder):
+def test_window_manager_closes_it(start, folder):
     window = start("shape:torus,resolution=40")
     window.settled()
     close_by_window_manager(window)
@@ -884,10 +906,10 @@ def check_window_manager_closes_it(start, folder):
     expect(window.process.wait(PATIENCE) == 0, "it does not close once that is answered")
 
 
-def check_lost_context_keeps_the_work(start, folder):
+def test_lost_context_keeps_the_work(start, folder):
     if shutil.which("cc") is None:
-        return print("without a C compiler no context is lost")
-    source = pathlib.Path(__file__).resolve().parent.parent / "tests" / "window" / "lost_context.c"
+        pytest.skip("without a C compiler no context is lost")
+    source = ROOT / "tests/window/lost_context.c"
     library = folder / "lost_context.so"
     subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source], check=True)
     sign = folder / "sign"
@@ -917,7 +939,7 @@ def check_lost_context_keeps_the_work(start, folder):
     window.quit()
 
 
-def check_quit_while_solving(start, folder):
+def test_quit_while_solving(start, folder):
     window = start("shape:sphere,resolution=400")
     window.wait_for("widgets")
     window.hand()
@@ -925,7 +947,7 @@ def check_quit_while_solving(start, folder):
     expect(window.wait_until_end()["busy"], "it was not solving any more")
 
 
-def check_what_is_refused(start, folder):
+def test_what_is_refused(start, folder):
     for arguments, code in ((["no_such_mesh.ply", "--stripes", "-3"], 2),
                             (["shape:torus", "--field-mesh", "none.vtp,within=3"], 2)):
         result = subprocess.run([start.tool, "view", *arguments], cwd=folder, capture_output=True, text=True,
@@ -988,7 +1010,7 @@ def options_of(window, path):
     return json.loads(save_session(window, path))["options"]
 
 
-def check_gallery_needle_is_dragged(start, folder):
+def test_gallery_needle_is_dragged(start, folder):
     window = start("shape:torus,resolution=40")
     window.settled()
     open_gallery(window, "liver", "near")
@@ -1014,7 +1036,7 @@ def check_gallery_needle_is_dragged(start, folder):
     window.quit()
 
 
-def check_place_follows_mouse(start, folder):
+def test_place_follows_mouse(start, folder):
     window = start("shape:sphere,resolution=40", "--width-by", "distance:1,0,0")
     window.settled()
     window.click("place at mouse")
@@ -1035,7 +1057,7 @@ def check_place_follows_mouse(start, folder):
 PLATE = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
 
 
-def check_opening_asks_for_what_is_not_saved(start, folder):
+def test_opening_asks_for_what_is_not_saved(start, folder):
     (folder / "plate.obj").write_text(PLATE)
     window = start("shape:sphere,resolution=40", "--stripes", "16")
     window.settled()
@@ -1073,7 +1095,7 @@ def check_opening_asks_for_what_is_not_saved(start, folder):
     window.quit()
 
 
-def check_shapes_keep_strokes_or_say_why_not(start, folder):
+def test_shapes_keep_strokes_or_say_why_not(start, folder):
     window = start("shape:sphere,resolution=40", "--stripes", "16")
     window.settled()
     window.click("tool Comb")
@@ -1106,7 +1128,7 @@ def check_shapes_keep_strokes_or_say_why_not(start, folder):
     window.quit()
 
 
-def check_what_takes_long_is_cancelled(start, folder):
+def test_what_takes_long_is_cancelled(start, folder):
     window = start("shape:sphere,resolution=20")
     window.settled()
     before = save_session(window, folder / "before.json")
@@ -1129,7 +1151,7 @@ def check_what_takes_long_is_cancelled(start, folder):
     window.quit()
 
 
-def check_surfaces_have_their_styles(start, folder):
+def test_surfaces_have_their_styles(start, folder):
     window = start("shape:torus,resolution=40", "--stripes", "16")
     window.settled()
 
@@ -1201,7 +1223,7 @@ end_header
 """
 
 
-def check_surfaces_have_values_and_tiles(start, folder):
+def test_surfaces_have_values_and_tiles(start, folder):
     square = folder / "square.ply"
     square.write_text(MEASURED_SQUARE)
     window = start("shape:torus,resolution=40", "--stripes", "16", "--with", f"{square}@0,0,1")
@@ -1249,7 +1271,7 @@ def check_surfaces_have_values_and_tiles(start, folder):
     window.quit()
 
 
-def check_recent_files_can_be_read(start, folder):
+def test_recent_files_can_be_read(start, folder):
     for name in ("good.obj", "gone.obj", "bad.obj"):
         (folder / name).write_text(PLATE)
     window = start("shape:torus,resolution=40")
@@ -1276,7 +1298,7 @@ def check_recent_files_can_be_read(start, folder):
     expect(str(folder / "good.obj") in recent and str(folder / "bad.obj") not in recent, f"kept are {recent}")
 
 
-def check_quit_asks_for_what_is_not_saved(start, folder):
+def test_quit_asks_for_what_is_not_saved(start, folder):
     window = start("shape:torus,resolution=40")
     window.settled()
     since = window.now()
@@ -1298,63 +1320,3 @@ def check_quit_asks_for_what_is_not_saved(start, folder):
     window.settled()
     window.xdotool("key", "ctrl+q")
     expect(window.process.wait(PATIENCE) == 0, "it asks though nothing has changed")
-
-
-class Starter:
-    def __init__(self, tool, display, folder):
-        self.tool, self.display, self.folder = tool, display, folder
-        self.windows = []
-
-    def __call__(self, *arguments, environment=None):
-        window = Window(self.tool, self.display, self.folder, arguments, environment=environment)
-        self.windows.append(window)
-        return window
-
-
-def run(name, check, tool, display, folder):
-    folder.mkdir(parents=True)
-    start = Starter(tool, display, folder)
-    try:
-        check(start, folder)
-        print(f"{name}: ok", flush=True)
-        return True
-    except (Failure, subprocess.SubprocessError, OSError, KeyError, ValueError) as failure:
-        print(f"{name}: {failure}", flush=True)
-        if not isinstance(failure, Failure):
-            traceback.print_exc()
-        return False
-    finally:
-        for window in start.windows:
-            window.kill()
-
-
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("tool")
-    parser.add_argument("names", nargs="*")
-    parser.add_argument("--only", action="append", default=[])
-    parser.add_argument("--keep", type=pathlib.Path)
-    arguments = parser.parse_intermixed_args()
-    if say_what_is_missing():
-        return SKIPPED
-    checks = {name.removeprefix("check_"): check for name, check in globals().items() if name.startswith("check_")}
-    if arguments.only:
-        checks = {name: check for name, check in checks.items() if name in arguments.only}
-    if arguments.names:
-        checks = {name: check for name, check in checks.items() if any(n in name for n in arguments.names)}
-    expect(checks, "no check has such a name")
-    tool = str(pathlib.Path(arguments.tool).resolve())
-    folder = (arguments.keep or pathlib.Path(tempfile.mkdtemp(prefix="brindle_window_"))).resolve()
-    display = Display()
-    try:
-        passed = [run(name, check, tool, display.name, folder / name) for name, check in checks.items()]
-    finally:
-        display.close()
-        if not arguments.keep:
-            shutil.rmtree(folder, ignore_errors=True)
-    print(f"{sum(passed)} passed, {len(passed) - sum(passed)} failed")
-    return 0 if all(passed) else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
 """Frames a second in the window of brindle view.
 
-    scripts/measure_window.py build/release/apps/brindle/brindle MESH
-    scripts/measure_window.py build/release/apps/brindle/brindle --gallery [ITEM...]
+    tests/scripts/measure_window.py build/release/apps/brindle/brindle MESH
+    tests/scripts/measure_window.py build/release/apps/brindle/brindle --gallery [ITEM...]
 
 Drags a slider to and fro, in a window of 1280x720 on a display of its own, and says how many frames a second
-there were and what they and the window itself cost; --gallery does so with every item of the gallery. Ends with
-77 where Xvfb or xdotool is missing.
+there were and what they and the window itself cost; --gallery does so with every item of the gallery.
 """
 
 import argparse
@@ -17,7 +16,7 @@ import sys
 import tempfile
 import time
 
-from window_driver import SKIPPED, Display, Window, open_gallery, say_what_is_missing
+from window_driver import Display, Window, missing_programs, open_gallery
 
 SIZE = (1280, 720)
 
@@ -125,8 +124,8 @@ def main():
     arguments = parser.parse_intermixed_args()
     if not arguments.gallery and len(arguments.names) != 1:
         parser.error("name one mesh, or give --gallery")
-    if say_what_is_missing():
-        return SKIPPED
+    if missing := missing_programs():
+        sys.exit(f"{' and '.join(missing)} missing")
     tool = str(pathlib.Path(arguments.tool).resolve())
     folder = pathlib.Path(tempfile.mkdtemp(prefix="brindle_window_"))
     display = Display()

@@ -1,8 +1,6 @@
-#!/usr/bin/python3
 """Reads Brindle's mesh files back with other programs, renders them there and compares pictures.
 
-    scripts/check_files.py build/release/apps/brindle/brindle [--mesh MESH] [--keep FOLDER]
-                           [--tiles stripes,arrows,bricks]
+    BRINDLE_TOOL=build/release/apps/brindle/brindle /usr/bin/python3 -m pytest tests/scripts/files_test.py [--mesh MESH]
 
 VTK (python3-vtk9) reads and draws .obj with its material, .ply, .vtp, .gltf and .glb; Assimp's
 command line (assimp-utils) turns .obj, .ply, .gltf and .glb into OBJ files, which VTK then draws.
@@ -14,20 +12,23 @@ And the other way round: VTK writes .vtp, .vtu and .vtk files with arrays of all
 encodings and compressions; Brindle reads them and writes them as .vtp, where VTK must find every
 number as it was, bit for bit, at its point and in the triangles of its cell.
 
-Needs a display, or xvfb-run (xvfb, xauth). Exits with 0 if all agree, 1 if not, 77 if a program is
-missing.
+Needs a display, or Xvfb. Skipped without numpy and VTK.
 """
 
-import argparse
 import itertools
 import os
 import re
 import shutil
 import subprocess
-import sys
-import tempfile
 
-SKIPPED = 77
+import pytest
+
+from window_driver import Display
+
+np = pytest.importorskip("numpy")
+vtk = pytest.importorskip("vtk")
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
+
 WIDTH, HEIGHT = 800, 600
 AZIMUTH_DEG, ELEVATION_DEG = 30, 20
 FIELD_OF_VIEW_DEG, MARGIN = 28, 0.05  # of render/camera.cpp
@@ -35,23 +36,25 @@ FORMATS = ("obj", "ply", "vtp", "gltf", "glb")
 ASSIMP_FORMATS = ("obj", "ply", "gltf", "glb")
 WANTED_AGREEMENT = 0.99
 
-try:
-    import numpy as np
-    import vtk
-    from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-except ImportError as missing:
-    print(f"skipped: {missing}; install python3-vtk9 and python3-numpy")
-    sys.exit(SKIPPED)
 
-
-def ensure_display():
-    """Starts this script again under xvfb-run where there is no display."""
+@pytest.fixture(scope="module", autouse=True)
+def display():
+    """VTK draws on one, even without a window."""
     if os.environ.get("DISPLAY"):
+        yield
         return
-    if not shutil.which("xvfb-run"):
-        print("skipped: no display; install xvfb and xauth")
-        sys.exit(SKIPPED)
-    os.execvp("xvfb-run", ["xvfb-run", "-a", sys.executable, *sys.argv])
+    if not shutil.which("Xvfb"):
+        pytest.skip("no display; install xvfb")
+    own = Display()
+    os.environ["DISPLAY"] = own.name
+    yield
+    del os.environ["DISPLAY"]
+    own.close()
+
+
+@pytest.fixture
+def mesh(pytestconfig):
+    return pytestconfig.getoption("--mesh")
 
 
 def camera_over(points, up_axis):
@@ -259,8 +262,10 @@ def through_assimp(folder, name):
     return converted
 
 
-def check(brindle, mesh, tile, folder):
-    write_all(brindle, mesh, tile, folder)
+@pytest.mark.parametrize("tile", ("stripes", "arrows", "bricks"))
+def test_textures_are_drawn_alike(tool, mesh, tile, tmp_path):
+    folder = str(tmp_path)
+    write_all(tool, mesh, tile, folder)
     ours = pixels_of(os.path.join(folder, f"{tile}.png"))
     vtp = vtp_of(os.path.join(folder, f"{tile}.vtp"))
     check_attributes(vtp)
@@ -273,14 +278,11 @@ def check(brindle, mesh, tile, folder):
                   for kind in ASSIMP_FORMATS]
     else:
         print("assimp is missing; install assimp-utils for the other half")
-    good = True
+    shares = {}
     for name, path in files:
         out = os.path.join(folder, f"{tile}_in_{name.replace(' ', '_').lower()}.png")
-        share = agreement(ours, rendered(path, picture, camera, out))
-        good &= share >= WANTED_AGREEMENT
-        print(f"{tile:10} {name:12} {100 * share:6.2f} % of pixels agree"
-              + ("" if share >= WANTED_AGREEMENT else f"  TOO FEW, see {out}"))
-    return good
+        shares[name] = agreement(ours, rendered(path, picture, camera, out))
+    assert min(shares.values()) >= WANTED_AGREEMENT, f"pixels that agree: {shares}; see {folder}"
 
 
 NUMPY_TYPES = {"Float32": "<f4", "Float64": "<f8", "Int8": "i1", "UInt8": "u1", "Int16": "<i2",
@@ -312,7 +314,6 @@ def check_vtp_arrays(path):
         assert read.dtype == numbers.dtype and read.tobytes() == numbers.tobytes(), (path, name)
     count = data.GetPointData().GetNumberOfArrays() + data.GetCellData().GetNumberOfArrays()
     assert count == len(expected) > 0, path
-    return count
 
 
 def check_ply_faces(path, triangles):
@@ -323,9 +324,11 @@ def check_ply_faces(path, triangles):
     assert reader.GetOutput().GetNumberOfPolys() == triangles, path
 
 
-def check_arrays(brindle, mesh, folder):
+def test_arrays_arrive_bit_for_bit(tool, mesh, tmp_path):
+    folder = str(tmp_path)
+
     def write(command, *outputs):
-        arguments = [brindle, *command, "--quiet"]
+        arguments = [tool, *command, "--quiet"]
         for name in outputs:
             arguments += ["--output", name]
         subprocess.run(arguments, cwd=folder, check=True, stderr=subprocess.DEVNULL)
@@ -334,14 +337,11 @@ def check_arrays(brindle, mesh, folder):
     write(["stripe", mesh, "--uv"], "uv.vtp", "uv.ply")
     write(["curves", mesh, "--lines", "both", "--join"], "curves.vtp")
     write(["sample", mesh], "samples.vtp")
-    counts = {name: check_vtp_arrays(os.path.join(folder, name + ".vtp"))
-              for name in ("plain", "uv", "curves", "samples")}
+    for name in ("plain", "uv", "curves", "samples"):
+        check_vtp_arrays(os.path.join(folder, name + ".vtp"))
     for name in ("plain", "uv"):
         triangles = vtp_of(os.path.join(folder, name + ".vtp")).GetNumberOfPolys()
         check_ply_faces(os.path.join(folder, name + ".ply"), triangles)
-    print("arrays     VTK finds all, bit for bit: "
-          + ", ".join(f"{count} of {name}.vtp" for name, count in counts.items()))
-    return True
 
 
 def sine_actor(data):
@@ -364,9 +364,10 @@ def sine_actor(data):
     return actor
 
 
-def check_sine(brindle, mesh, folder):
+def test_sine_is_drawn_alike(tool, mesh, tmp_path):
     """Where sin_phase is above zero, Brindle draws a stripe, on a mesh with many edges a period."""
-    subprocess.run([brindle, "stripe", mesh, "--subdivide", "1", "--stripes", "16", "--quiet",
+    folder = str(tmp_path)
+    subprocess.run([tool, "stripe", mesh, "--subdivide", "1", "--stripes", "16", "--quiet",
                     "--size", f"{WIDTH}x{HEIGHT}", "--output", "sine.vtp", "--output", "sine.png"],
                    cwd=folder, check=True, stderr=subprocess.DEVNULL)
     ours = pixels_of(os.path.join(folder, "sine.png"))
@@ -383,9 +384,7 @@ def check_sine(brindle, mesh, folder):
     out = os.path.join(folder, "sine_in_vtk.png")
     picture_of(window, renderer, camera, out)
     share = agreement(ours, pixels_of(out))
-    print(f"sin_phase  VTK vtp      {100 * share:6.2f} % of pixels agree"
-          + ("" if share >= WANTED_AGREEMENT else f"  TOO FEW, see {out}"))
-    return share >= WANTED_AGREEMENT
+    assert share >= WANTED_AGREEMENT, f"{100 * share:.2f} % of pixels agree; see {out}"
 
 
 NUMBERS = ("float32", "float64", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64",
@@ -529,16 +528,16 @@ def difference(theirs, ours):
     return wrong or ("has triangles with rows of other cells" if outside else "")
 
 
-def check_reading(brindle, folder):
-    random = np.random.default_rng(5)
-    files, wrong = 0, 0
+def test_files_of_vtk_are_read(tool, tmp_path):
+    random, folder = np.random.default_rng(5), str(tmp_path)
+    problems = {}
     for data in (poly_data(), grid()):
         add_arrays(data.GetPointData(), data.GetNumberOfPoints(), random)
         add_arrays(data.GetCellData(), data.GetNumberOfCells(), random)
         for name, compressor in [*xml_files(data, folder), *legacy_files(data, folder)]:
             path = os.path.join(folder, name)
             result = subprocess.run(
-                [brindle, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1", "--quiet",
+                [tool, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1", "--quiet",
                  "--crease-angle", "180", "--output", path + ".out.vtp"], capture_output=True, text=True, check=False)
             if compressor in ("lz4", "lzma"):
                 problem = "" if result.returncode == 1 and "ZLib" in result.stderr else "is read"
@@ -546,12 +545,8 @@ def check_reading(brindle, folder):
                 problem = "is refused: " + result.stderr
             else:
                 problem = difference(read_by_vtk(path), read_by_vtk(path + ".out.vtp"))
-            files += 1
-            wrong += problem != ""
-            if problem:
-                print(f"{path} {problem}")
-    print(f"{files} files of VTK read with all arrays, {wrong} of them wrong")
-    return wrong == 0
+            problems[path] = problem
+    assert len(problems) > 100 and not any(problems.values()), problems
 
 
 def volume_of(kind):
@@ -605,52 +600,15 @@ def boundary_difference(data, theirs, ours):
     return wrong or (f"has another volume or area, by {apart:.3g}" if apart > 0.01 else "")
 
 
-def check_volumes(brindle, folder):
-    """The boundary of volumes against VTK's own."""
-    kinds, wrong = 0, 0
-    for kind in (vtk.VTK_TETRA, vtk.VTK_HEXAHEDRON, vtk.VTK_WEDGE, vtk.VTK_PYRAMID,
-                 vtk.VTK_QUADRATIC_TETRA, vtk.VTK_QUADRATIC_HEXAHEDRON, vtk.VTK_QUADRATIC_WEDGE,
-                 vtk.VTK_QUADRATIC_PYRAMID):
-        data = volume_of(kind)
-        path = os.path.join(folder, f"volume_{kind}.vtu")
-        writer = vtk.vtkXMLUnstructuredGridWriter()
-        writer.SetFileName(path)
-        writer.SetInputData(data)
-        writer.Write()
-        subprocess.run([brindle, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1",
-                        "--quiet", "--crease-angle", "180", "--output", path + ".out.vtp"], check=True)
-        problem = boundary_difference(data, boundary_by_vtk(data), read_by_vtk(path + ".out.vtp"))
-        kinds += 1
-        wrong += problem != ""
-        if problem:
-            print(f"{path} {problem}")
-    print(f"{kinds} kinds of volume cells with VTK's boundary, {wrong} of them wrong")
-    return wrong == 0
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("brindle", help="the program")
-    parser.add_argument("--mesh", default="shape:torus,resolution=120")
-    parser.add_argument("--tiles", default="stripes,arrows,bricks")
-    parser.add_argument("--keep", help="a folder for the files and pictures")
-    arguments = parser.parse_args()
-    if not os.path.exists(arguments.brindle):
-        parser.error(f"there is no program {arguments.brindle}")
-    ensure_display()
-    folder = arguments.keep or tempfile.mkdtemp(prefix="brindle_files_")
-    os.makedirs(folder, exist_ok=True)
-    brindle = os.path.abspath(arguments.brindle)
-    mesh = arguments.mesh
-    if not mesh.startswith("shape:"):
-        mesh = os.path.abspath(mesh)
-    good = [check(brindle, mesh, tile, folder) for tile in arguments.tiles.split(",")]
-    good += [check_arrays(brindle, mesh, folder), check_sine(brindle, mesh, folder),
-             check_reading(brindle, folder), check_volumes(brindle, folder)]
-    if not arguments.keep and all(good):
-        shutil.rmtree(folder)
-    sys.exit(0 if all(good) else 1)
-
-
-if __name__ == "__main__":
-    main()
+@pytest.mark.parametrize("kind", (
+    vtk.VTK_TETRA, vtk.VTK_HEXAHEDRON, vtk.VTK_WEDGE, vtk.VTK_PYRAMID, vtk.VTK_QUADRATIC_TETRA,
+    vtk.VTK_QUADRATIC_HEXAHEDRON, vtk.VTK_QUADRATIC_WEDGE, vtk.VTK_QUADRATIC_PYRAMID))
+def test_boundary_of_volumes_is_vtks(tool, kind, tmp_path):
+    data, path = volume_of(kind), str(tmp_path / "volume.vtu")
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    writer.Write()
+    subprocess.run([tool, "stripe", path, "--direction", "0.3,1,0", "--frequency", "1", "--quiet", "--crease-angle",
+                    "180", "--output", path + ".out.vtp"], check=True)
+    assert boundary_difference(data, boundary_by_vtk(data), read_by_vtk(path + ".out.vtp")) == ""
