@@ -138,7 +138,7 @@ def check_programs(root):
     complaints = []
     programs = read_programs((root / 'docs/architecture.md').read_text())
     used = {folder: set() for folder in programs}
-    for path in [p for top in ('apps', 'bench', 'python', 'paraview', 'web') for p in (root / top).glob('**/*.[hc]*')]:
+    for path in [p for top in ('apps', 'bench', 'c', 'python', 'paraview', 'web') for p in (root / top).glob('**/*.[hc]*')]:
         name = path.relative_to(root).as_posix()
         if name.startswith(('paraview/tests/', 'web/node_modules/')):
             continue

@@ -51,6 +51,7 @@
 #include "brindle/progress.h"
 #include "brindle/quality.h"
 #include "brindle/samples.h"
+#include "brindle/saved.h"
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/solver.h"

@@ -80,6 +80,7 @@ class CrossAnimator {
 
  private:
   struct State;
+  friend struct AnimatorArchive;  // saved.h
   Pimpl<State> state_;
 };
 

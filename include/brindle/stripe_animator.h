@@ -14,6 +14,8 @@
 
 namespace BRINDLE_EXPORT brindle {
 
+struct AnimatorArchive;
+
 /// Solvers that let a frame's phases follow the last frame's.
 enum class FrameSolver {
   multilevel,  ///< a full descent, attracted to the last phases by anchors of weight lambda
@@ -121,7 +123,8 @@ class StripeAnimator {
 
  private:
   struct State;
-  friend class TextureAnimator;  // keeps the frames of both its patterns, or neither
+  friend struct AnimatorArchive;  // saved.h
+  friend class TextureAnimator;   // keeps the frames of both its patterns, or neither
   explicit StripeAnimator(std::unique_ptr<State> state);
   void allow_take_back();
   FrameResult solve(const FrameInput& input, const Progress& progress);

@@ -96,6 +96,7 @@ class TextureAnimator {
 
  private:
   struct State;
+  friend struct AnimatorArchive;  // saved.h
   Pimpl<State> state_;
 };
 

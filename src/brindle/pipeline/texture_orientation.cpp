@@ -314,6 +314,19 @@ TextureOrientation::TextureOrientation(std::span<const Triangle> triangles)
       turned_(triangles.size()),
       shown_(triangles.size()) {}
 
+void TextureOrientation::archive(Archive& archive, std::size_t vertices) {
+  archive.list_of_or_none(vertices, last_directions_);
+  archive.list_of_or_none(triangles_.size(), signs_);
+  archive.list_of(triangles_.size(), shown_);
+  std::array<std::uint64_t, 4> counts = {seams_.turned, seams_.mirrored,
+                                         seams_.unoriented_triangles, shortest_};
+  archive(counts);
+  const auto to_size = [&](std::size_t n) { return static_cast<std::size_t>(counts[n]); };
+  seams_ = {to_size(0), to_size(1), to_size(2)};
+  shortest_ = to_size(3);
+  if (!last_directions_.empty() && signs_.size() != triangles_.size()) Archive::fail();
+}
+
 FrameOrientation TextureOrientation::follow(std::span<const Vec3> u, std::span<const Vec3> v,
                                             bool as_given, const Progress& progress) {
   last_shown_ = shown_;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/base/archive.h"
 #include "brindle/base/compressed_rows.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/pattern/corner_signs.h"
@@ -87,6 +88,9 @@ class TextureOrientation {
   /// Corner signs of the last frame.
   std::span<const CornerSigns> signs() const { return shown_; }
   const TextureSeams& seams() const { return seams_; }
+
+  /// Saves the last frame's orientation, or restores it for the same triangles.
+  void archive(Archive& archive, std::size_t vertices);
 
   /// Orients the next frame from scratch.
   void forget() { last_directions_.clear(); }

@@ -342,4 +342,20 @@ void RelaxedFrequencySolver::keep() {
   other_bounds_ = false;
 }
 
+void RelaxedFrequencySolver::archive(Archive& archive, const FrequencyInput& built_for) {
+  const std::size_t vertices = setting_->slack.size();
+  archive(starts_, other_bounds_, kept_target_);
+  archive.list_of(vertices, kept_);
+  archive.list_of(vertices, frequencies_);
+  if (!archive.reads()) return;
+  const auto is_finite = [](float x) { return std::isfinite(x); };
+  if (!is_finite(kept_target_) || !std::all_of(kept_.begin(), kept_.end(), is_finite)) {
+    Archive::fail();
+  }
+  std::vector<float> frequencies = std::move(frequencies_);
+  build(built_for, {});
+  frequencies_ = std::move(frequencies);
+  settled_ = true;
+}
+
 }  // namespace brindle

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/base/archive.h"
 #include "brindle/progress.h"
 #include "brindle/spacing_tolerance.h"
 #include "brindle/types.h"
@@ -78,6 +79,13 @@ class RelaxedFrequencySolver {
   void restart() { starts_ = true; }
   std::span<const float> frequencies() const { return frequencies_; }
   const FrequencyChange& change() const { return change_; }
+
+  /// Whether a result was kept since the last input that rows were built for.
+  bool is_settled() const { return settled_; }
+
+  /// Saves the kept result of a settled solver, or restores it; `built_for` is the input that rows
+  /// were built for. Only without peers.
+  void archive(Archive& archive, const FrequencyInput& built_for);
 
  private:
   void build(const FrequencyInput& input, const Progress& progress);

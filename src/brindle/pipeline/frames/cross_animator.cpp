@@ -14,6 +14,7 @@
 #include "brindle/error.h"
 #include "brindle/pattern/texture_quality.h"
 #include "brindle/pipeline/cross_parts.h"
+#include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/stripe_pattern.h"
 #include "brindle/waves/slack_check.h"
@@ -314,6 +315,57 @@ void CrossAnimator::set_slack(const Slack& slack) {
 void CrossAnimator::restart() {
   state_->animator.reset();
   state_->laid.z.clear();
+}
+
+namespace {
+
+/// Waves and phases of the last frame. The cover follows from the waves.
+void archive_last(Archive& archive, std::size_t nodes, CrossFrameState& last) {
+  WaveSet& waves = last.cover.waves;
+  archive.list_of(nodes, waves.positions);
+  archive.list_of(nodes, waves.directions);
+  archive.list_of(nodes, waves.frequencies);
+  archive.list_of_or_none(nodes, last.z);
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+  if (!last.z.empty()) check_last_phases(last.z, nodes);
+}
+
+}  // namespace
+
+void AnimatorArchive::write(Archive& archive, const Surface& surface, CrossAnimator& animator) {
+  CrossAnimator::State& s = *animator.state_;
+  check_made_of(surface, *s.surface.neighborhood, s.surface.normals);
+  bool has_last = !s.laid.cover.waves.directions.empty(), has_animator = s.animator.has_value();
+  bool slack = has_animator && has_slack(*s.animator);
+  archive(s.made_with_slack, has_last, has_animator, slack);
+  archive_options(archive, s.options);
+  if (has_last) archive_last(archive, 2 * surface.mesh.vertex_count(), s.laid);
+  if (has_animator) state(archive, *s.animator);
+}
+
+CrossAnimator AnimatorArchive::read_crosses(Archive& archive, const Surface& surface) {
+  bool made_with_slack = false, has_last = false, has_animator = false, slack = false;
+  AnimatorOptions options;
+  archive(made_with_slack, has_last, has_animator, slack);
+  archive_options(archive, options);
+  if ((has_animator && !has_last) || (slack && !made_with_slack)) Archive::fail();
+  CrossAnimator animator(surface, made_with(options, made_with_slack));
+  if (made_with_slack) animator.set_slack(options.slack);
+  CrossAnimator::State& s = *animator.state_;
+  if (has_last) {
+    archive_last(archive, 2 * surface.mesh.vertex_count(), s.laid);
+    s.laid.cover =
+        cross_cover(*surface.neighborhood, surface.mesh.triangles, std::move(s.laid.cover.waves));
+    s.laid.cover_mesh.triangles = s.laid.cover.triangles;
+    s.laid.cover_mesh.positions = s.laid.cover.waves.positions;
+  }
+  if (!has_animator) return animator;
+  const AnimatorOptions on_cover = made_with(without_slack(s.on_cover), slack);
+  s.animator.emplace(slack ? StripeAnimator(cover_surface(s.laid.cover, surface.normals), on_cover)
+                           : StripeAnimator(s.laid.cover.neighborhood, on_cover));
+  if (slack) s.animator->set_slack(s.on_cover.slack);
+  state(archive, *s.animator);
+  return animator;
 }
 
 }  // namespace brindle

@@ -115,28 +115,57 @@ void FrameFrequencies::set_setting(std::shared_ptr<const RelaxedFrequencySetting
 }
 
 bool FrameFrequencies::is_kept(const FrameInput& input) const {
-  return relaxed_ && has_kept_ && ranges::equal(input.frequencies, wanted_) &&
-         ranges::equal(input.directions, directions_, same_bits) &&
-         ranges::equal(input.positions, positions_, same_bits);
+  return relaxed_ && has_kept_ && ranges::equal(input.frequencies, kept_.wanted) &&
+         ranges::equal(input.directions, kept_.directions, same_bits) &&
+         ranges::equal(input.positions, kept_.positions, same_bits);
 }
 
 FrameInput FrameFrequencies::yielded(const FrameInput& input, const Progress& progress) {
   if (!relaxed_) return input;
-  positions_.reserve(input.positions.size());
-  directions_.reserve(input.directions.size());
-  wanted_.reserve(input.frequencies.size());
+  for (Input* kept : {&kept_, &built_for_}) {
+    kept->positions.reserve(input.positions.size());
+    kept->directions.reserve(input.directions.size());
+    kept->wanted.reserve(input.frequencies.size());
+  }
   return {input.positions, input.directions,
           relaxed_->solve({input.positions, input.directions, input.frequencies}, progress)};
 }
 
 void FrameFrequencies::keep(const FrameInput& input) {
   if (!relaxed_) return;
+  if (!relaxed_->is_settled()) built_for_.assign(input);
   relaxed_->keep();
   has_kept_ = true;
   change_ = relaxed_->change();
-  positions_.assign(input.positions.begin(), input.positions.end());
-  directions_.assign(input.directions.begin(), input.directions.end());
-  wanted_.assign(input.frequencies.begin(), input.frequencies.end());
+  kept_.assign(input);
+}
+
+void FrameFrequencies::Input::assign(const FrameInput& input) {
+  positions.assign(input.positions.begin(), input.positions.end());
+  directions.assign(input.directions.begin(), input.directions.end());
+  wanted.assign(input.frequencies.begin(), input.frequencies.end());
+}
+
+void FrameFrequencies::Input::archive(Archive& archive, std::size_t vertices) {
+  archive.list_of(vertices, positions);
+  archive.list_of(vertices, directions);
+  archive.list_of(vertices, wanted);
+  check_waves(positions, directions, wanted);
+}
+
+void FrameFrequencies::archive(Archive& archive) {
+  if (!relaxed_) return;
+  const std::size_t vertices = setting().slack.size();
+  bool settled = relaxed_->is_settled();
+  archive(settled, has_kept_);
+  if (settled) {
+    built_for_.archive(archive, vertices);
+    relaxed_->archive(archive, {built_for_.positions, built_for_.directions, built_for_.wanted});
+  }
+  if (!has_kept_) return;
+  kept_.archive(archive, vertices);
+  archive(change_.ratio_min, change_.ratio_max, change_.ratio_mean, change_.share_at_bounds,
+          change_.sweeps, change_.residual);
 }
 
 void FrameFrequencies::restart() {

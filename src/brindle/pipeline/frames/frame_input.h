@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/base/archive.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/stripe_animator.h"
@@ -112,11 +113,22 @@ class FrameFrequencies {
   std::span<const float> frequencies() const;
   const FrequencyChange& change() const { return change_; }
 
+  /// Saves the state, with slack, or restores it for the same setting. Throws Error for waves that
+  /// `check_waves` rejects.
+  void archive(Archive& archive);
+
  private:
+  struct Input {
+    std::vector<Vec3> positions = {}, directions = {};
+    std::vector<float> wanted = {};
+
+    void assign(const FrameInput& input);
+    void archive(Archive& archive, std::size_t vertices);
+  };
   std::optional<RelaxedFrequencySolver> relaxed_;
   bool has_kept_ = false;
-  std::vector<Vec3> positions_, directions_;  ///< of the kept frame
-  std::vector<float> wanted_;
+  Input kept_;       ///< of the kept frame
+  Input built_for_;  ///< of the frame whose directions the solver's levels follow
   FrequencyChange change_;
 };
 

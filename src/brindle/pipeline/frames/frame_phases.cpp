@@ -1,6 +1,7 @@
 #include "brindle/pipeline/frames/frame_phases.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "brindle/base/parallel.h"
@@ -8,6 +9,7 @@
 #include "brindle/pattern/triangle_kernels.h"
 #include "brindle/phases/sliced_graph.h"
 #include "brindle/solver.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {
@@ -143,6 +145,70 @@ void FramePhases::restart() {
   last_z.clear();
   has_last = has_given = false;
   ranges::fill(momentum.m, Complex(0));
+}
+
+namespace {
+
+bool is_finite(const Complex& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }
+
+/// Numbers by slot, archived by node; slots without a node get 0.
+void archive_by_node(Archive& archive, const SlicedLayout& layout, std::vector<Complex>& by_slot) {
+  std::vector<Complex> by_node;
+  if (!archive.reads()) to_nodes(layout, by_slot, by_node);
+  archive.list_of(layout.slot_of.size(), by_node);
+  if (!archive.reads()) return;
+  if (!ranges::all_of(by_node, is_finite)) Archive::fail();
+  by_slot.assign(layout.slot_count(), Complex(0));
+  to_slots(layout, by_node, by_slot);
+}
+
+}  // namespace
+
+void archive_waves(Archive& archive, const SlicedLayout& layout, std::vector<SlicedWave>& waves) {
+  const std::size_t nodes = layout.slot_of.size();
+  std::vector<Vec3> positions(nodes), directions(nodes);
+  std::vector<float> root_frequencies(nodes);
+  for (std::size_t node = 0; node < nodes && !archive.reads(); ++node) {
+    const SlicedWave& wave = waves[layout.slot_of[node]];
+    std::copy_n(wave.position, 3, positions[node].data());
+    std::copy_n(wave.direction, 3, directions[node].data());
+    root_frequencies[node] = wave.root_frequency;
+  }
+  archive.list_of(nodes, positions);
+  archive.list_of(nodes, directions);
+  archive.list_of(nodes, root_frequencies);
+  if (!archive.reads()) return;
+  check_waves(positions, directions, root_frequencies);
+  waves.assign(layout.slot_count(), SlicedWave());
+  for (std::size_t node = 0; node < nodes; ++node) {
+    SlicedWave& wave = waves[layout.slot_of[node]];
+    std::copy_n(positions[node].data(), 3, wave.position);
+    std::copy_n(directions[node].data(), 3, wave.direction);
+    wave.root_frequency = root_frequencies[node];
+  }
+}
+
+void FramePhases::archive(Archive& archive, std::size_t nodes, Level* finest) {
+  bool follows = has_frame && has_last;
+  archive(has_frame, follows, has_given);
+  if (has_given) {
+    archive.list_of(nodes, given_z);
+    check_last_phases(given_z, nodes);
+  }
+  if (!has_frame) return;
+  if (finest == nullptr) Archive::fail();
+  const SlicedLayout& layout = finest->layout();
+  archive_waves(archive, layout, waves);
+  archive.list_of(nodes, z_by_node);
+  check_last_phases(z_by_node, nodes);
+  if (solver == FrameSolver::relaxation) archive_by_node(archive, layout, momentum.m);
+  if (!archive.reads()) return;
+  couple_to(*finest, waves);
+  to_slots(layout, z_by_node, finest->z);
+  has_last = follows;
+  if (!follows) return;
+  last_z.assign(layout.slot_count(), Complex(0));
+  to_slots(layout, z_by_node, last_z);
 }
 
 }  // namespace brindle

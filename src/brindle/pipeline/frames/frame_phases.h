@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "brindle/base/archive.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
@@ -70,6 +71,13 @@ struct FramePhases {
 
   void restart();
 
+  /// Saves the last frame by node, or restores it; throws Error for a frame that could not have
+  /// been solved. `finest` is null before the first frame.
+  void archive(Archive& archive, std::size_t nodes, Level* finest);
+
+  void couple_to(Level& finest, std::span<const SlicedWave> of);
+  std::vector<SlicedWave>& next_waves() { return may_be_taken_back ? cancellable_waves : waves; }
+
   FrameSolver solver;
   float lambda;
   int iterations;
@@ -102,9 +110,10 @@ struct FramePhases {
   /// The paper's iterations, starting from the last phases, or from the peak where there are none.
   /// `relax(momentum)` is one iteration.
   void iterate(Level& finest, const std::function<void(Momentum&)>& relax);
-  void couple_to(Level& finest, std::span<const SlicedWave> of);
-  std::vector<SlicedWave>& next_waves() { return may_be_taken_back ? cancellable_waves : waves; }
 };
+
+/// Waves by slot in an archive, by node. Throws Error as `check_waves` does.
+void archive_waves(Archive& archive, const SlicedLayout& layout, std::vector<SlicedWave>& waves);
 
 template <class Levels>
 void FramePhases::solve(Levels& levels, const AnimatorOptions& options, FrameClock& clock,

@@ -8,6 +8,7 @@
 #include "brindle/phases/hierarchy.h"
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
+#include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/pipeline/frames/frame_phases.h"
 #include "brindle/waves/wave_check.h"
@@ -19,7 +20,9 @@ struct StripeAnimator::State {
   AnimatorOptions options;
 
   Hierarchy hierarchy = {};  ///< empty before the first frame
-  bool is_sibling = false;   ///< whether the hierarchy came from another animator
+  /// The waves by slot whose couplings the levels follow; null before these.
+  std::shared_ptr<const std::vector<SlicedWave>> built_from = {};
+  bool is_sibling = false;  ///< whether the hierarchy came from another animator
   FramePhases phases = FramePhases(options);
   bool has_yielded = false;  ///< whether the frame being solved has relaxed frequencies
   FrameFrequencies relaxed = {};
@@ -27,18 +30,32 @@ struct StripeAnimator::State {
   FrameSewing sewing = {};
 
   Level& finest() { return hierarchy.levels[0]; }
+  void build_levels(std::vector<SlicedWave> waves);
 };
+
+/// Builds the levels that follow the couplings of these waves.
+void StripeAnimator::State::build_levels(std::vector<SlicedWave> waves) {
+  built_from = std::make_shared<const std::vector<SlicedWave>>(std::move(waves));
+  phases.couple_to(finest(), *built_from);
+  finest().couplings.anchor.clear();
+  coarsen(hierarchy);
+}
 
 namespace {
 
 /// The levels of one process, with the functions of a RankHierarchy.
 struct WholeLevels {
   Hierarchy& hierarchy;
+  const std::vector<SlicedWave>& waves;  ///< of the finest level's couplings
+  std::shared_ptr<const std::vector<SlicedWave>>& built_from;
 
   Level& finest() { return hierarchy.levels[0]; }
   Index slots_of_all() { return finest().layout().slot_count(); }
   bool is_coarsened() const { return hierarchy.levels.size() > 1; }
-  void coarsen(const Progress& progress) { brindle::coarsen(hierarchy, progress); }
+  void coarsen(const Progress& progress) {
+    brindle::coarsen(hierarchy, progress);
+    if (is_coarsened()) built_from = std::make_shared<const std::vector<SlicedWave>>(waves);
+  }
   void renew() { brindle::renew(hierarchy); }
   void descend(SweepPlan plan, const Progress& progress) {
     brindle::descend(hierarchy, plan, progress);
@@ -139,7 +156,7 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   clock.lap();
   if (!s.phases.load(s.finest(), yielded)) return unchanged_result();
   try {
-    WholeLevels levels{s.hierarchy};
+    WholeLevels levels{s.hierarchy, s.phases.next_waves(), s.built_from};
     s.phases.solve(levels, s.options, clock, progress.part(0.4, 1));
     if (!s.phases.has_last && s.options.lambda > 0) reserve_anchors(s.hierarchy);
     if (s.sewing.has_creases() && s.phases.starts_afresh()) sew(yielded);
@@ -202,6 +219,7 @@ void StripeAnimator::take_phases_back() {
   if (s.phases.has_frame || s.is_sibling) return;
   // Aggregates depend on the couplings of the first completed frame.
   s.hierarchy = {};
+  s.built_from.reset();
   s.phases.degree.clear();
 }
 
@@ -214,6 +232,7 @@ double StripeAnimator::energy() const {
 StripeAnimator StripeAnimator::sibling() const {
   auto state = std::make_unique<State>(State{state_->neighborhood, state_->options});
   state->hierarchy = brindle::sibling(state_->hierarchy);
+  state->built_from = state_->built_from;
   state->is_sibling = !state->hierarchy.levels.empty();
   state->phases.may_be_taken_back = state_->phases.may_be_taken_back;
   state->relaxed = state_->relaxed.sibling();
@@ -239,6 +258,71 @@ void StripeAnimator::set_slack(const Slack& slack) {
 
 double StripeAnimator::topology_milliseconds() const {
   return state_->phases.topology_milliseconds;
+}
+
+void archive_options(Archive& archive, AnimatorOptions& options) {
+  archive.choice(options.solver, FrameSolver::relaxation);
+  archive(options.lambda, options.sweeps, options.cycles, options.iterations);
+  archive.choice(options.phase_shift, PhaseShiftKind::trapezoid);
+  archive(options.edge_weights, options.slack.everywhere, options.slack.by_vertex,
+          options.slack.branch_penalty);
+}
+
+void check_made_of(const Surface& surface, const Adjacency& neighborhood,
+                   std::span<const Vec3> normals) {
+  if (ranges::equal(neighborhood.offsets, surface.neighborhood->offsets) &&
+      ranges::equal(neighborhood.neighbors, surface.neighborhood->neighbors) &&
+      ranges::equal(normals, surface.normals)) {
+    return;
+  }
+  throw Error("the animator was made of another surface; save it with its own");
+}
+
+AnimatorOptions made_with(AnimatorOptions options, bool slack) {
+  if (slack) options.slack = 1;
+  return options;
+}
+
+bool AnimatorArchive::has_slack(const StripeAnimator& animator) {
+  return animator.state_->relaxed.relaxes();
+}
+
+void AnimatorArchive::state(Archive& archive, StripeAnimator& animator) {
+  StripeAnimator::State& s = *animator.state_;
+  bool built = s.built_from != nullptr, started = built || s.phases.has_frame;
+  archive(built, started);
+  if (built && !started) Archive::fail();
+  if (archive.reads() && started) animator.start({});
+  if (built) {
+    std::vector<SlicedWave> waves;
+    if (!archive.reads()) waves = *s.built_from;
+    archive_waves(archive, s.finest().layout(), waves);
+    // A sibling shares the levels.
+    if (archive.reads() && !s.built_from) s.build_levels(std::move(waves));
+  }
+  s.phases.archive(archive, s.neighborhood->node_count(), started ? &s.finest() : nullptr);
+  s.relaxed.archive(archive);
+}
+
+void AnimatorArchive::write(Archive& archive, const Surface& surface, StripeAnimator& animator) {
+  StripeAnimator::State& s = *animator.state_;
+  bool of_surface = !s.in_place.normals.empty(), slack = has_slack(animator);
+  check_made_of(surface, *s.neighborhood, of_surface ? s.in_place.normals : surface.normals);
+  archive(of_surface, slack);
+  archive_options(archive, s.options);
+  state(archive, animator);
+}
+
+StripeAnimator AnimatorArchive::read_stripes(Archive& archive, const Surface& surface) {
+  bool of_surface = true, slack = false;
+  AnimatorOptions options;
+  archive(of_surface, slack);
+  archive_options(archive, options);
+  StripeAnimator animator = of_surface ? StripeAnimator(surface, made_with(options, slack))
+                                       : StripeAnimator(surface.neighborhood, options);
+  if (slack) animator.set_slack(options.slack);
+  state(archive, animator);
+  return animator;
 }
 
 }  // namespace brindle

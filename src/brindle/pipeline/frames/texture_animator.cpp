@@ -9,6 +9,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
+#include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/pipeline/measured_pattern.h"
 #include "brindle/waves/fineness.h"
@@ -210,6 +211,53 @@ void TextureAnimator::restart() {
   state_->given_v.clear();
   state_->u.restart();
   if (state_->v) state_->v->restart();
+}
+
+namespace {
+
+void archive_tiles(Archive& archive, std::optional<TileMotifs>& tiles) {
+  bool has = tiles.has_value();
+  archive(has);
+  if (!has) return;
+  if (archive.reads()) tiles.emplace();
+  archive.choice(tiles->layout, TileLayout::courses);
+  for (Eigen::AlignedBox2f& extent : tiles->extents) archive(extent.min(), extent.max());
+  archive(tiles->symmetries, tiles->shift, tiles->split);
+}
+
+}  // namespace
+
+void AnimatorArchive::write(Archive& archive, const Surface& surface, TextureAnimator& animator) {
+  TextureAnimator::State& s = *animator.state_;
+  check_made_of(surface, *s.surface.neighborhood, s.surface.normals);
+  bool slack = has_slack(s.u), has_v = s.v.has_value();
+  archive(s.options.oriented, slack);
+  archive_tiles(archive, s.options.whole_tiles);
+  archive_options(archive, s.options.stripes);
+  state(archive, s.u);
+  archive(has_v, s.given_v);
+  if (has_v) state(archive, *s.v);
+  s.orientation.archive(archive, s.surface.mesh.vertex_count());
+}
+
+TextureAnimator AnimatorArchive::read_texture(Archive& archive, const Surface& surface) {
+  TextureAnimatorOptions options;
+  bool slack = false, has_v = false;
+  archive(options.oriented, slack);
+  archive_tiles(archive, options.whole_tiles);
+  archive_options(archive, options.stripes);
+  const Slack last_slack = options.stripes.slack;
+  options.stripes = made_with(options.stripes, slack);
+  TextureAnimator animator(surface, options);
+  if (slack) animator.set_slack(last_slack);
+  TextureAnimator::State& s = *animator.state_;
+  state(archive, s.u);
+  archive(has_v);
+  archive.list_of_or_none(surface.mesh.vertex_count(), s.given_v);
+  if (!s.given_v.empty()) check_last_phases(s.given_v, surface.mesh.vertex_count());
+  if (has_v) state(archive, s.v.emplace(s.u.sibling()));
+  s.orientation.archive(archive, surface.mesh.vertex_count());
+  return animator;
 }
 
 }  // namespace brindle
