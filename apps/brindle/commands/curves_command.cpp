@@ -21,24 +21,24 @@ constexpr const char* kCurvesExamples = R"(Examples:
   brindle curves plate.vtp --field array:stress --along --lines both --output stress.svg)";
 
 void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
-  const auto files = plan_files<CurveOutput>(
-      curves_inputs(arguments), arguments.outputs, arguments.report, [&](const std::string& path) {
-        return planned_curves(path, arguments.tube_radius.has_value());
-      });
-  check_curves_options(command, arguments, files);
+  const Outputs outputs =
+      plan_outputs(curves_inputs(arguments), arguments.outputs, arguments.report,
+                   [&](const std::filesystem::path& path) {
+                     return planned_curves(path, arguments.tube_radius.has_value());
+                   });
+  check_curves_options(command, arguments, outputs);
   check_curves_points(arguments);
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const CurvesJob job = make_and_write(
-      command, files, arguments.quiet, curves_stages(arguments),
+      command, outputs, arguments.quiet, curves_stages(arguments),
       [&](ProgressDisplay& display) { return make_curves_job(arguments, display); },
-      [&](CurveOutput kind, const std::string& path, const CurvesJob& made,
-          ProgressDisplay& display) {
-        write_curves_file(kind, path, command, arguments, made, display);
+      [&](const Output& output, const CurvesJob& made, ProgressDisplay& display) {
+        write_curves_file(output, command, arguments, made, display);
       });
   if (arguments.quiet) return;
   print(std::cout, job);
-  print_written(std::cout, files);
+  print_written(std::cout, outputs);
 }
 
 }  // namespace

@@ -19,15 +19,15 @@ constexpr const char* kSampleExamples = R"(Examples:
   brindle sample flow.vtp --frequency-by array:speed --output samples.csv)";
 
 void run_sample(const CLI::App& command, const SampleArguments& arguments) {
-  const auto files = plan_files<SampleOutput>(sample_inputs(arguments), arguments.outputs,
-                                              arguments.report, planned_sample);
-  check_sample_options(command, arguments, files);
-  check_sample_points(command, arguments, files);
+  const Outputs outputs =
+      plan_outputs(sample_inputs(arguments), arguments.outputs, arguments.report, planned_sample);
+  check_sample_options(command, arguments, outputs);
+  check_sample_points(command, arguments, outputs);
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const std::optional<Image> picture = read_glyph_picture(arguments.glyphs);
   const SampleJob job = make_and_write(
-      command, files, arguments.quiet, sample_stages(arguments),
+      command, outputs, arguments.quiet, sample_stages(arguments),
       [&](ProgressDisplay& display) {
         SampleJob made = make_sample_job(arguments, display);
         if (has_glyphs(command)) {
@@ -37,13 +37,12 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
         }
         return made;
       },
-      [&](SampleOutput kind, const std::string& path, const SampleJob& made,
-          ProgressDisplay& display) {
-        write_sample_file(kind, path, command, arguments, made, display);
+      [&](const Output& output, const SampleJob& made, ProgressDisplay& display) {
+        write_sample_file(output, command, arguments, made, display);
       });
   if (arguments.quiet) return;
   print(std::cout, job);
-  print_written(std::cout, files);
+  print_written(std::cout, outputs);
 }
 
 }  // namespace

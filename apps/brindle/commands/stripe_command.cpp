@@ -3,13 +3,10 @@
 #include <utility>
 
 #include "brindle/base/parallel.h"
-#include "brindle/base/stopwatch.h"
-#include "brindle/base/text.h"
 #include "cli/command_line.h"
-#include "cli/progress_display.h"
 #include "jobs/rank_jobs.h"
 #include "jobs/stripe_job.h"
-#include "outputs/written_files.h"
+#include "outputs/make_and_write.h"
 
 namespace brindle::tool {
 namespace {
@@ -48,78 +45,69 @@ Examples:
 constexpr const char* kStripes = "stripes";
 constexpr const char* kStyle = "stripes of the style";
 
-std::string writing(const Output& output) { return "writing " + shown(output.path.native()); }
-
-std::vector<JobStage> stages_of(const CLI::App& command, const StripeArguments& arguments,
-                                const std::vector<Output>& outputs) {
+std::vector<JobStage> stages_of(const CLI::App& command, const StripeArguments& arguments) {
   std::vector<JobStage> stages = preparation_stages(arguments.surface);
   stages.push_back({kStripes, 6});
-  if (has_style(command, outputs)) stages.push_back({kStyle, 4});
-  for (const Output& output : outputs) stages.push_back({writing(output), 3});
+  if (is_styled(command)) stages.push_back({kStyle, 4});
   return stages;
 }
 
-void write_outputs(const CLI::App& command, const std::vector<Output>& outputs, StripeJob& job,
-                   const std::optional<StyleJob>& styled, const StripeArguments& arguments,
-                   ProgressDisplay& display) {
-  const MadeMesh made{*job.surface, job.result, job.data, arguments.solving.stripes.phase_shift,
-                      arguments.uv};
-  for (const Output& output : outputs) {
-    display.stage(writing(output));
-    Stopwatch watch;
-    if (output.kind == OutputKind::picture && has_style(command, {output})) {
-      write_styled_picture(output.path, *job.surface, job.result, styled->patterns, arguments.style,
-                           styled->input, *arguments.picture, display.progress());
-    } else {
-      write_output(output, made, job.report, *arguments.picture, display);
-    }
-    if (output.kind == OutputKind::picture) {
-      job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + watch.lap();
-      job.report.picture = picture_json(*arguments.picture);
-    }
+/// Stripes, and what is solved for the style of their pictures.
+struct DrawnStripes {
+  StripeJob job;
+  std::optional<StyleJob> styled;
+
+  void drawn(OutputKind kind, double milliseconds) {
+    if (kind != OutputKind::picture && kind != OutputKind::drawing) return;
+    job.report.draw_milliseconds = job.report.draw_milliseconds.value_or(0) + milliseconds;
   }
+};
+
+DrawnStripes make_stripes(const CLI::App& command, const StripeArguments& arguments,
+                          std::optional<TextureTile> tile, ProgressDisplay& display) {
+  Preparation prepared = prepare(arguments.surface, arguments.waves, display,
+                                 viewpoint_of(*arguments.picture), previous_directions(arguments));
+  std::optional<StyleInput> style;
+  if (is_styled(command)) {
+    style = read_style_input(arguments.style, prepared, prepared.waves, arguments.surface,
+                             arguments.waves, *arguments.picture, display);
+  }
+  display.stage(kStripes);
+  StripeJob job =
+      make_stripe_job(arguments, std::move(prepared), std::move(tile), display.progress());
+  std::optional<StyleJob> styled;
+  if (style) {
+    display.stage(kStyle);
+    StylePatterns patterns = make_style_patterns(*job.surface, job.result, arguments.style, *style,
+                                                 arguments.solving.stripes, display.progress());
+    styled.emplace(StyleJob{std::move(*style), std::move(patterns)});
+  }
+  display.note(quality_warning(job.report.waves, job.report.quality, job.report.triangles));
+  display.note(warning_of_tiles(job.result.texture(), job.surface->mesh));
+  return {std::move(job), std::move(styled)};
 }
 
 void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
   check_solver(arguments.device, arguments.solving.stripes.solver);
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
-  const std::vector<Output> outputs = checked_outputs(command, arguments);
+  const Outputs outputs = checked_outputs(command, arguments);
   stand_upright(*arguments.picture, arguments.surface.mesh);
 
   const ThreadLimit threads(arguments.solving.threads);
-  Report report;
-  {
-    ProgressDisplay display(arguments.quiet, &command);
-    display.plan(stages_of(command, arguments, outputs));
-    Preparation prepared =
-        prepare(arguments.surface, arguments.waves, display, viewpoint_of(*arguments.picture),
-                previous_directions(arguments));
-    std::optional<StyleInput> style;
-    if (has_style(command, outputs)) {
-      style = read_style_input(arguments.style, prepared, prepared.waves, arguments.surface,
-                               arguments.waves, *arguments.picture, display);
-    }
-    display.stage(kStripes);
-    StripeJob job =
-        make_stripe_job(arguments, std::move(prepared), std::move(tile), display.progress());
-    std::optional<StyleJob> styled;
-    if (style) {
-      display.stage(kStyle);
-      StylePatterns patterns =
-          make_style_patterns(*job.surface, job.result, arguments.style, *style,
-                              arguments.solving.stripes, display.progress());
-      styled.emplace(StyleJob{std::move(*style), std::move(patterns)});
-    }
-    job.report.invocation = invocation_of(command);
-    display.note(quality_warning(job.report.waves, job.report.quality, job.report.triangles));
-    display.note(warning_of_tiles(job.result.texture(), job.surface->mesh));
-    write_outputs(command, outputs, job, styled, arguments, display);
-    report = job.report;
-  }
+  const DrawnStripes made = make_and_write(
+      command, outputs, arguments.quiet, stages_of(command, arguments),
+      [&](ProgressDisplay& display) {
+        DrawnStripes stripes = make_stripes(command, arguments, std::move(tile), display);
+        if (draws(outputs)) stripes.job.report.picture = picture_json(*arguments.picture);
+        return stripes;
+      },
+      [&](const Output& output, const DrawnStripes& stripes, ProgressDisplay& display) {
+        write_stripes(output, command, arguments, stripes.job,
+                      stripes.styled ? &*stripes.styled : nullptr, display);
+      });
   if (arguments.quiet) return;
-  print_report(std::cout, report);
-  for (const UsedFile& file : files_of(outputs, has_tiles(arguments)))
-    print_written(std::cout, file.path);
+  print_report(std::cout, made.job.report);
+  print_written(std::cout, outputs);
 }
 
 }  // namespace

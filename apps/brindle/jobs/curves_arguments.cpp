@@ -3,7 +3,6 @@
 #include "brindle/error.h"
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
-#include "outputs/outputs.h"
 #include "pictures/paper.h"
 
 namespace brindle::tool {
@@ -33,7 +32,7 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
 }
 
 void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
-                          const PlannedFiles<CurveOutput>& files) {
+                          const Outputs& outputs) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
   check_fabrication_options(arguments.fabrication, arguments.solving.stripes.solver.solver);
@@ -48,13 +47,13 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
     refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v", "--wales"},
                  "V is not traced; add --lines v or --lines both");
   }
-  const bool picture = has(files, CurveOutput::picture);
-  if (!picture && !has(files, CurveOutput::drawing)) {
+  const bool picture = has(outputs, OutputKind::picture);
+  if (!picture && !has(outputs, OutputKind::drawing)) {
     refuse_picture_options(command, arguments.waves,
                            "nothing is drawn; add --output FILE.svg or FILE.png");
   }
-  check_paper_options(command, *arguments.picture, picture, has(files, CurveOutput::drawing));
-  if (!picture && has(files, CurveOutput::drawing)) {
+  check_paper_options(command, *arguments.picture, picture, has(outputs, OutputKind::drawing));
+  if (!picture && has(outputs, OutputKind::drawing)) {
     refuse_given(command, {"--quality"}, "a drawing of lines has but one; add --output FILE.png");
     if (arguments.traced == TracedWaves::v) {
       refuse_given(command, {"--colors"},
@@ -64,12 +63,12 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
     refuse_light_option(command, arguments.waves,
                         "a drawing of lines shows no light; add --output FILE.png");
   }
-  if (!has(files, CurveOutput::lines)) {
+  if (!has(outputs, OutputKind::lines)) {
     refuse_given(command, {"--creases"},
                  "no lines are written; add --output FILE.obj, .ply, .vtp or .csv (drawings have "
                  "their outline)");
   }
-  if (!picture && !has(files, CurveOutput::tubes)) {
+  if (!picture && !has(outputs, OutputKind::tubes)) {
     refuse_given(command, {"--tube-radius", "--tube-sides"},
                  "no tubes are written; add --output with a mesh file or FILE.png");
   }

@@ -15,7 +15,7 @@
 #include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/wave_options.h"
-#include "outputs/planned_files.h"
+#include "outputs/outputs.h"
 #include "pictures/picture.h"
 
 namespace brindle::tool {
@@ -70,14 +70,11 @@ struct CurvesArguments : TracingOptions {
   bool quiet = false;
 };
 
-/// `pieces`: a .pvtp over MPI ranks.
-enum class CurveOutput { lines, tubes, drawing, picture, report, pieces };
-
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
 
 /// Throws CLI::ValidationError for options without effect on these files or beside other options.
 void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
-                          const PlannedFiles<CurveOutput>& files);
+                          const Outputs& outputs);
 
 /// Reads the mesh's file if necessary, and throws Error if it has only points.
 void check_curves_points(const CurvesArguments& arguments);

@@ -15,6 +15,7 @@
 #include "brindle/stripe_tracer.h"
 #include "cli/job_listener.h"
 #include "jobs/curves_arguments.h"
+#include "outputs/make_and_write.h"
 
 namespace brindle::tool {
 
@@ -34,12 +35,11 @@ struct CurveFamily {
   double extract_milliseconds = 0;
 };
 
-struct CurvesJob {
+struct CurvesJob : DrawingTime {
   Preparation prepared;
   StripeOptions options;
   std::vector<CurveFamily> families;
   double edges_milliseconds = 0;
-  std::optional<double> draw_milliseconds;
   nlohmann::ordered_json ranks = {};  ///< key of the report; null: one process
 };
 

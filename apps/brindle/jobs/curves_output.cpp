@@ -18,13 +18,12 @@
 
 namespace brindle::tool {
 
-CurveOutput planned_curves(const std::string& path, bool tubes) {
+OutputKind planned_curves(const std::filesystem::path& path, bool tubes) {
   const std::string kind = lower_extension(path);
-  check_output_path(path);
-  if (kind == ".json") return CurveOutput::report;
+  if (kind == ".json") return OutputKind::report;
   if (is_drawing_file(path) || kind == ".png") {
     check_drawing_file(path);
-    return is_drawing_file(path) ? CurveOutput::drawing : CurveOutput::picture;
+    return is_drawing_file(path) ? OutputKind::drawing : OutputKind::picture;
   }
   const bool mesh = kind == ".gltf" || kind == ".glb";
   if (mesh && !tubes) {
@@ -36,16 +35,17 @@ CurveOutput planned_curves(const std::string& path, bool tubes) {
                   ".csv holds no tubes; use .obj, .ply, .vtp, .gltf or .glb, or leave out "
                   "--tube-radius");
   }
-  if (mesh || is_polyline_format(path)) return tubes ? CurveOutput::tubes : CurveOutput::lines;
+  if (mesh || is_polyline_format(path)) return tubes ? OutputKind::tubes : OutputKind::lines;
   refuse_output(path, "unknown extension '" + kind +
                           "'; use .obj, .ply, .vtp or .csv for lines, .gltf or .glb for tubes, "
                           ".svg or .pdf for a drawing, .png for a picture, .json for a report");
 }
 
-void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments) {
+void write_tube_mesh(const std::filesystem::path& path, const std::vector<Ornament>& ornaments) {
   Mesh all;
   for (const Ornament& ornament : ornaments) append(ornament.mesh, all);
-  if (all.triangles.empty()) throw Error("cannot write '" + shown(path) + "': there are no curves");
+  if (all.triangles.empty())
+    throw Error("cannot write '" + shown(path.native()) + "': there are no curves");
   write_mesh(path, all);
 }
 
@@ -74,7 +74,8 @@ std::vector<DataArray> arrays_of(const std::vector<TrianglePoint>& places,
   return arrays;
 }
 
-void write_lines(const std::string& path, const TracedSurface& traced, JobListener& listener) {
+void write_lines(const std::filesystem::path& path, const TracedSurface& traced,
+                 JobListener& listener) {
   const DataArrays input = held_beside(kCurveColumns, path, traced.arrays, listener);
   const Surface& surface = traced.surface;
   std::vector<NamedLines> lines;
@@ -94,39 +95,37 @@ void write_lines(const std::string& path, const TracedSurface& traced, JobListen
 
 }  // namespace
 
-void write_curves(CurveOutput kind, const std::string& path, const TracedSurface& traced,
-                  JobListener& listener) {
+void write_curves(const Output& output, const TracedSurface& traced, JobListener& listener) {
   const auto& [arguments, surface, arrays, families] = traced;
+  const std::filesystem::path& path = output.path;
   std::vector<FamilyLines> lines;
   for (const CurveFamily& family : families) {
     lines.push_back({family.name, family.curves.lines, family.name == "v"});
   }
-  switch (kind) {
-    case CurveOutput::lines:
+  switch (output.kind) {
+    case OutputKind::lines:
       return write_lines(path, traced, listener);
-    case CurveOutput::tubes:
+    case OutputKind::tubes:
       return write_tube_mesh(path, tubes_of(arguments, surface.mesh, families));
-    case CurveOutput::drawing:
+    case OutputKind::drawing:
       return write_line_drawing(path, surface, lines, *arguments.picture, listener.progress());
-    case CurveOutput::picture:
+    case OutputKind::picture:
       return write_ornaments(path, surface, tubes_of(arguments, surface.mesh, families),
                              *arguments.picture, listener.progress());
-    case CurveOutput::report:
-      throw Error(shown(path) + ": a report holds no curves");
-    case CurveOutput::pieces:
-      throw Error(shown(path) + ": a piece per MPI rank needs ranks");
+    default:
+      throw Error(shown(path.native()) + ": holds no curves of one process");
   }
 }
 
-void write_curves_file(CurveOutput kind, const std::string& path, const CLI::App& command,
+void write_curves_file(const Output& output, const CLI::App& command,
                        const CurvesArguments& arguments, const CurvesJob& job,
                        JobListener& listener) {
   const Preparation& prepared = job.prepared;
-  if (kind == CurveOutput::report) {
-    return write_report(path, command, prepared.surface.mesh, to_json(job, *arguments.picture),
-                        listener.progress());
+  if (output.kind == OutputKind::report) {
+    return write_report(output.path, command, prepared.surface.mesh,
+                        to_json(job, *arguments.picture), listener.progress());
   }
-  write_curves(kind, path, {arguments, prepared.surface, prepared.arrays, job.families}, listener);
+  write_curves(output, {arguments, prepared.surface, prepared.arrays, job.families}, listener);
 }
 
 }  // namespace brindle::tool

@@ -1,8 +1,8 @@
 /// Files of curves.
 #pragma once
 
+#include <filesystem>
 #include <span>
-#include <string>
 
 #include "jobs/curves_job.h"
 
@@ -10,10 +10,10 @@ namespace brindle::tool {
 
 /// The kind of output of a path; for a mesh file, tubes if `tubes`. Throws CLI::ValidationError
 /// with a remedy for files that cannot hold curves.
-CurveOutput planned_curves(const std::string& path, bool tubes);
+OutputKind planned_curves(const std::filesystem::path& path, bool tubes);
 
 /// Throws Error if there is nothing to write.
-void write_tube_mesh(const std::string& path, const std::vector<Ornament>& ornaments);
+void write_tube_mesh(const std::filesystem::path& path, const std::vector<Ornament>& ornaments);
 
 /// Curves on their surface, by reference.
 struct TracedSurface {
@@ -24,11 +24,10 @@ struct TracedSurface {
 };
 
 /// Writes any kind but reports and pieces. Throws Error if the file cannot be written.
-void write_curves(CurveOutput kind, const std::string& path, const TracedSurface& traced,
-                  JobListener& listener);
+void write_curves(const Output& output, const TracedSurface& traced, JobListener& listener);
 
 /// The same for a job of `brindle curves`, and its report.
-void write_curves_file(CurveOutput kind, const std::string& path, const CLI::App& command,
+void write_curves_file(const Output& output, const CLI::App& command,
                        const CurvesArguments& arguments, const CurvesJob& job,
                        JobListener& listener);
 

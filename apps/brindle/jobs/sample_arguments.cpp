@@ -3,12 +3,10 @@
 #include <utility>
 
 #include "brindle/base/file_names.h"
-#include "brindle/base/output_file.h"
 #include "brindle/files.h"
 #include "brindle/points.h"
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
-#include "outputs/outputs.h"
 #include "pictures/paper.h"
 
 namespace brindle::tool {
@@ -27,28 +25,27 @@ void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_glyph_options(command, arguments.glyphs);
 }
 
-SampleOutput planned_sample(const std::string& path) {
-  check_output_path(path);
+OutputKind planned_sample(const std::filesystem::path& path) {
   const std::string kind = lower_extension(path);
-  if (kind == ".json") return SampleOutput::report;
-  if (kind == ".png") return SampleOutput::picture;
-  if (is_sample_format(path)) return SampleOutput::samples;
+  if (kind == ".json") return OutputKind::report;
+  if (kind == ".png") return OutputKind::picture;
+  if (is_sample_format(path)) return OutputKind::samples;
   refuse_output(path, "'" + kind +
                           "' files hold no samples; use .csv, .ply or .vtp, .png for a picture, "
                           ".json for a report");
 }
 
 void check_sample_options(const CLI::App& command, const SampleArguments& arguments,
-                          const PlannedFiles<SampleOutput>& files) {
+                          const Outputs& outputs) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
   check_glyph_options(command, arguments.glyphs);
-  if (!has(files, SampleOutput::picture)) {
+  if (!has(outputs, OutputKind::picture)) {
     refuse_glyph_options(command, "no picture is written; add --output FILE.png");
     refuse_picture_options(command, arguments.waves,
                            "no picture is written; add --output FILE.png");
   }
-  check_paper_options(command, *arguments.picture, has(files, SampleOutput::picture), false);
+  check_paper_options(command, *arguments.picture, has(outputs, OutputKind::picture), false);
   if (!has_point_trees()) {
     refuse_given(command, {"--min-distance"},
                  "this build has no nanoflann; configure with -DBRINDLE_NANOFLANN=ON");
@@ -56,12 +53,12 @@ void check_sample_options(const CLI::App& command, const SampleArguments& argume
 }
 
 void check_sample_points(const CLI::App& command, const SampleArguments& arguments,
-                         const PlannedFiles<SampleOutput>& files) {
+                         const Outputs& outputs) {
   if (!is_points(arguments.surface)) return;
   refuse_triangle_options(command);
-  for (const auto& [kind, path] : files) {
-    if (kind == SampleOutput::picture) {
-      refuse_output(path, "samples are drawn on meshes alone; write .csv, .ply or .vtp");
+  for (const Output& output : outputs) {
+    if (output.kind == OutputKind::picture) {
+      refuse_output(output.path, "samples are drawn on meshes alone; write .csv, .ply or .vtp");
     }
   }
   refuse_usage([&] { check_min_distance_on_points(arguments.min_distance); });

@@ -11,7 +11,7 @@
 #include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/wave_options.h"
-#include "outputs/planned_files.h"
+#include "outputs/outputs.h"
 #include "pictures/glyph_options.h"
 #include "pictures/picture.h"
 
@@ -30,22 +30,20 @@ struct SampleArguments {
   bool quiet = false;
 };
 
-enum class SampleOutput { samples, picture, report, pieces };
-
 /// The kind of output of a path. Throws CLI::ValidationError with a remedy for files that cannot
 /// hold samples.
-SampleOutput planned_sample(const std::string& path);
+OutputKind planned_sample(const std::filesystem::path& path);
 
 void add_sample_options(CLI::App& command, SampleArguments& arguments);
 
 /// Throws CLI::ValidationError for options without effect on these files or beside other options,
 /// and for what cannot be drawn.
 void check_sample_options(const CLI::App& command, const SampleArguments& arguments,
-                          const PlannedFiles<SampleOutput>& files);
+                          const Outputs& outputs);
 
 /// The same for options that point clouds do not support; reads the mesh's file if necessary.
 void check_sample_points(const CLI::App& command, const SampleArguments& arguments,
-                         const PlannedFiles<SampleOutput>& files);
+                         const Outputs& outputs);
 
 /// All input files.
 std::vector<UsedFile> sample_inputs(const SampleArguments& arguments);

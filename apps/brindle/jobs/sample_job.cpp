@@ -125,7 +125,7 @@ std::vector<DataArray> frequency_arrays(std::span<const Sample> samples) {
           frequencies_of("frequency_v", samples, &Sample::spacing_v)};
 }
 
-void write_all_samples(const std::string& path, const Mesh& mesh, const DataArrays& input,
+void write_all_samples(const std::filesystem::path& path, const Mesh& mesh, const DataArrays& input,
                        std::span<const Sample> samples, JobListener& listener) {
   std::vector<DataArray> arrays = frequency_arrays(samples);
   const DataArrays held = held_beside(kSampleColumns, path, input, listener);

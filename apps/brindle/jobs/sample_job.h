@@ -11,6 +11,7 @@
 #include "brindle/samples.h"
 #include "cli/job_listener.h"
 #include "jobs/sample_arguments.h"
+#include "outputs/make_and_write.h"
 
 namespace brindle::tool {
 
@@ -26,11 +27,10 @@ struct TakenSamples {
   double extract_milliseconds = 0;
 };
 
-struct SampleJob {
+struct SampleJob : DrawingTime {
   Preparation prepared;
   StripePattern u, v;
   TakenSamples taken;
-  std::optional<double> draw_milliseconds;
   GlyphInput glyphs;
   nlohmann::ordered_json ranks = {};  ///< key of the report; null: one process
 };
@@ -51,7 +51,7 @@ Ornament discs_of(std::span<const Sample> samples, const Eigen::Vector3d& origin
 std::vector<DataArray> frequency_arrays(std::span<const Sample> samples);
 
 /// Includes the input's arrays. Throws Error if the file cannot be written.
-void write_all_samples(const std::string& path, const Mesh& mesh, const DataArrays& input,
+void write_all_samples(const std::filesystem::path& path, const Mesh& mesh, const DataArrays& input,
                        std::span<const Sample> samples, JobListener& listener);
 
 }  // namespace brindle::tool

@@ -66,16 +66,17 @@ void print(std::ostream& out, const SampleJob& job) {
   out << formatted("time      extracted in %.1f ms\n", job.taken.extract_milliseconds);
 }
 
-void write_sample_file(SampleOutput kind, const std::string& path, const CLI::App& command,
+void write_sample_file(const Output& output, const CLI::App& command,
                        const SampleArguments& arguments, const SampleJob& job,
                        JobListener& listener) {
   const Preparation& prepared = job.prepared;
   const Mesh& mesh = prepared.surface.mesh;
   const std::vector<Sample>& samples = job.taken.samples;
-  switch (kind) {
-    case SampleOutput::samples:
+  const std::filesystem::path& path = output.path;
+  switch (output.kind) {
+    case OutputKind::samples:
       return write_all_samples(path, mesh, prepared.arrays, samples, listener);
-    case SampleOutput::picture: {
+    case OutputKind::picture: {
       if (has_glyphs(command)) {
         return write_glyphs(path, prepared.surface, samples, arguments.glyphs, job.glyphs,
                             *arguments.picture, listener.progress());
@@ -84,11 +85,11 @@ void write_sample_file(SampleOutput kind, const std::string& path, const CLI::Ap
       return write_ornaments(path, prepared.surface, std::span(&discs, 1), *arguments.picture,
                              listener.progress());
     }
-    case SampleOutput::report:
+    case OutputKind::report:
       return write_report(path, command, mesh, to_json(job, *arguments.picture),
                           listener.progress());
-    case SampleOutput::pieces:
-      throw Error(shown(path) + ": a piece per MPI rank needs ranks");
+    default:
+      throw Error(shown(path.native()) + ": holds no samples of one process");
   }
 }
 

@@ -16,7 +16,7 @@ nlohmann::ordered_json to_json(const SampleJob& job, const PictureOptions& pictu
 void print(std::ostream& out, const SampleJob& job);
 
 /// Writes any kind but pieces. Throws Error if the file cannot be written.
-void write_sample_file(SampleOutput kind, const std::string& path, const CLI::App& command,
+void write_sample_file(const Output& output, const CLI::App& command,
                        const SampleArguments& arguments, const SampleJob& job,
                        JobListener& listener);
 

@@ -7,7 +7,6 @@
 #include "cli/command_line.h"
 #include "cli/option_fields.h"
 #include "outputs/mesh_output.h"
-#include "pictures/drawing_file.h"
 #include "pictures/paper.h"
 
 namespace brindle::tool {
@@ -15,7 +14,7 @@ namespace {
 
 // Rejects, before a long job, options that points or crosses do not support.
 void check_points(const CLI::App& command, const StripeArguments& arguments,
-                  const std::vector<Output>& outputs) {
+                  const Outputs& outputs) {
   const auto refuse = [](const std::string& option, const std::string& what) {
     throw CLI::ValidationError(option, "points have no triangles: " + what);
   };
@@ -42,19 +41,6 @@ void check_cross(const StripeArguments& arguments) {
   refuse_usage([&] { check_view_of_crosses(shows_stripes(*arguments.picture)); });
 }
 
-bool is_drawing(const Output& output) {
-  return output.kind == OutputKind::picture && is_drawing_file(output.path);
-}
-
-bool is_raster(const Output& output) {
-  return output.kind == OutputKind::picture && !is_drawing(output);
-}
-
-bool has(const std::vector<Output>& outputs, OutputKind kind) {
-  return std::any_of(outputs.begin(), outputs.end(),
-                     [kind](const Output& output) { return output.kind == kind; });
-}
-
 void check_previous(const CLI::App& command, const StripeArguments& arguments, bool texture) {
   if (texture) {
     refuse_given(command, {"--previous"}, "it is for stripes, not for textures and cross fields");
@@ -66,8 +52,8 @@ void check_previous(const CLI::App& command, const StripeArguments& arguments, b
 
 // Rejects options that drawings cannot show.
 void check_drawings(const CLI::App& command, const StripeArguments& arguments,
-                    const std::vector<Output>& outputs, bool texture) {
-  const auto drawing = std::ranges::find_if(outputs, is_drawing);
+                    const Outputs& outputs, bool texture) {
+  const auto drawing = std::ranges::find(outputs, OutputKind::drawing, &Output::kind);
   if (drawing == outputs.end()) {
     refuse_given(command, {"--min-area"}, "no drawing is written; add --output FILE.svg");
     return;
@@ -80,7 +66,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
   }
   if (is_points(arguments.surface)) refuse("points have no outlines; write .png");
   if (!shows_stripes(*arguments.picture)) refuse("--view has colours; write .png");
-  if (std::ranges::any_of(outputs, is_raster)) return;
+  if (has(outputs, OutputKind::picture)) return;
   refuse_given(command, {"--quality"}, "a drawing has but one; it is for .png");
   refuse_for_outlines(command, arguments.style);
   if (!arguments.style.by_light()) {
@@ -91,7 +77,7 @@ void check_drawings(const CLI::App& command, const StripeArguments& arguments,
 
 // Rejects options without effect.
 void check_options(const CLI::App& command, const StripeArguments& arguments,
-                   const std::vector<Output>& outputs, bool texture) {
+                   const Outputs& outputs, bool texture) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
   check_previous(command, arguments, texture);
@@ -103,10 +89,10 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   check_drawings(command, arguments, outputs, texture);
   check_light_option(command, arguments.style, arguments.waves);
-  check_paper_options(command, *arguments.picture, std::ranges::any_of(outputs, is_raster),
-                      std::ranges::any_of(outputs, is_drawing));
+  check_paper_options(command, *arguments.picture, has(outputs, OutputKind::picture),
+                      has(outputs, OutputKind::drawing));
   const std::string no_picture = "no picture is written; add --output FILE.png";
-  if (!has(outputs, OutputKind::picture)) {
+  if (!draws(outputs)) {
     refuse_style_options(command, no_picture);
     refuse_given(command, {"--quality", "--view", "--stripe-width"}, no_picture);
     refuse_camera_options(command, arguments.waves, no_picture);
@@ -131,7 +117,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
     refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
     refuse_given(command, {"--uv"}, "meshes with a texture have coordinates anyway");
   }
-  if (!has(outputs, OutputKind::picture) && std::ranges::none_of(outputs, [](const Output& output) {
+  if (!draws(outputs) && std::ranges::none_of(outputs, [](const Output& output) {
         return output.kind == OutputKind::mesh && holds_cells(output.path);
       })) {
     refuse_given(command, {"--tiles"},
@@ -159,25 +145,20 @@ bool has_tiles(const StripeArguments& arguments) {
   return !arguments.texture.tile.empty() || arguments.waves.cross;
 }
 
-bool has_style(const CLI::App& command, const std::vector<Output>& outputs) {
-  return is_styled(command) || std::ranges::any_of(outputs, is_drawing);
-}
-
 void check_stripe_options(const CLI::App& command, const StripeArguments& arguments,
-                          const std::vector<Output>& outputs) {
+                          const Outputs& outputs) {
   check_options(command, arguments, outputs, has_tiles(arguments));
   if (arguments.waves.cross) check_cross(arguments);
 }
 
 void check_stripe_points(const CLI::App& command, const StripeArguments& arguments,
-                         const std::vector<Output>& outputs) {
+                         const Outputs& outputs) {
   if (is_points(arguments.surface)) check_points(command, arguments, outputs);
 }
 
-std::vector<Output> checked_outputs(const CLI::App& command, const StripeArguments& arguments) {
-  const bool texture = has_tiles(arguments);
-  std::vector<Output> outputs = plan_outputs(arguments.outputs, arguments.report, texture);
-  check_files(stripe_inputs(arguments), files_of(outputs, texture));
+Outputs checked_outputs(const CLI::App& command, const StripeArguments& arguments) {
+  Outputs outputs = plan_outputs(stripe_inputs(arguments), arguments.outputs, arguments.report,
+                                 planned_stripes, has_tiles(arguments));
   check_stripe_options(command, arguments, outputs);
   check_stripe_points(command, arguments, outputs);
   return outputs;

@@ -46,19 +46,16 @@ std::vector<UsedFile> stripe_inputs(const StripeArguments& arguments);
 /// Whether a texture or crosses are drawn instead of stripes.
 bool has_tiles(const StripeArguments& arguments);
 
-/// Whether one of the pictures has a style.
-bool has_style(const CLI::App& command, const std::vector<Output>& outputs);
-
 /// Throws CLI::ValidationError for options without effect on these outputs or beside other options.
 /// Reads no files.
 void check_stripe_options(const CLI::App& command, const StripeArguments& arguments,
-                          const std::vector<Output>& outputs);
+                          const Outputs& outputs);
 
 /// The same for options that point clouds do not support; reads the mesh's file if necessary.
 void check_stripe_points(const CLI::App& command, const StripeArguments& arguments,
-                         const std::vector<Output>& outputs);
+                         const Outputs& outputs);
 
 /// All checks before a long job: outputs and options.
-std::vector<Output> checked_outputs(const CLI::App& command, const StripeArguments& arguments);
+Outputs checked_outputs(const CLI::App& command, const StripeArguments& arguments);
 
 }  // namespace brindle::tool

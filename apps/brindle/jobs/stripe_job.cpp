@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "brindle/pattern_of.h"
+#include "cli/command_line.h"
 #include "device/device.h"
 #include "input/followed_field.h"
 
@@ -104,6 +105,42 @@ StripeJob make_stripe_job(StripeArguments arguments, Preparation prepared,
   if (carried)
     job.report.followed = followed_report(arguments, *carried, job.result.stripes(), field_step);
   return job;
+}
+
+namespace {
+
+/// Drawings are outlines of a style, even of a plain one.
+void write_styled(const Output& output, const StripeArguments& arguments, const StripeJob& job,
+                  const StyleJob* styled, JobListener& listener) {
+  StyleJob plain;
+  plain.patterns.others = std::make_shared<const std::vector<OtherSurface>>();
+  const StyleJob& style = styled != nullptr ? *styled : plain;
+  write_styled_picture(output.path, *job.surface, job.result, style.patterns, arguments.style,
+                       style.input, *arguments.picture, listener.progress());
+}
+
+void write_stripe_report(const Output& output, const CLI::App& command, Report report,
+                         JobListener& listener) {
+  report.invocation = invocation_of(command);
+  write_json(output.path, to_json(report), listener.progress());
+}
+
+}  // namespace
+
+void write_stripes(const Output& output, const CLI::App& command, const StripeArguments& arguments,
+                   const StripeJob& job, const StyleJob* styled, JobListener& listener) {
+  if (output.kind == OutputKind::report) {
+    return write_stripe_report(output, command, job.report, listener);
+  }
+  if (output.kind == OutputKind::mesh) {
+    const MadeMesh made{*job.surface, job.result, job.data, arguments.solving.stripes.phase_shift,
+                        arguments.uv};
+    return write_made_mesh(output.path, made, *arguments.picture, listener);
+  }
+  if (styled != nullptr || output.kind == OutputKind::drawing) {
+    return write_styled(output, arguments, job, styled, listener);
+  }
+  write_picture(output.path, *job.surface, job.result, *arguments.picture, listener.progress());
 }
 
 }  // namespace brindle::tool

@@ -36,4 +36,8 @@ struct StyleJob {
   StylePatterns patterns;
 };
 
+/// Writes a file of `brindle stripe`. Null: pictures have no style.
+void write_stripes(const Output& output, const CLI::App& command, const StripeArguments& arguments,
+                   const StripeJob& job, const StyleJob* styled, JobListener& listener);
+
 }  // namespace brindle::tool

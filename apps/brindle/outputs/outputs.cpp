@@ -14,17 +14,16 @@
 #include "pictures/drawing_file.h"
 
 namespace brindle::tool {
-namespace {
-
-Output plan_output(const std::filesystem::path& path) {
+OutputKind planned_stripes(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".png" || is_drawing_file(path)) {
+  if (extension == ".png") return OutputKind::picture;
+  if (is_drawing_file(path)) {
     check_drawing_file(path);
-    return {path, OutputKind::picture};
+    return OutputKind::drawing;
   }
-  if (extension == ".json") return {path, OutputKind::report};
+  if (extension == ".json") return OutputKind::report;
   for (const char* mesh : {".obj", ".ply", ".vtp", ".gltf", ".glb"}) {
-    if (extension == mesh) return {path, OutputKind::mesh};
+    if (extension == mesh) return OutputKind::mesh;
   }
   if (extension == ".stl" || extension == ".off") {
     refuse_output(path, "'" + extension +
@@ -37,8 +36,6 @@ Output plan_output(const std::filesystem::path& path) {
                 "or .glb for a mesh, "
                 ".json for a report");
 }
-
-}  // namespace
 
 void check_drawing_file(const std::filesystem::path& path) {
   const std::string why = drawing_refusal(path);
@@ -55,30 +52,45 @@ void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::s
   app.add_flag("-q,--quiet", quiet);
 }
 
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& report,
-                                 bool texture) {
-  std::vector<Output> outputs;
-  for (const std::string& path : paths) outputs.push_back(plan_output(path));
-  for (const UsedFile& file : files_of(outputs, texture)) check_output_path(file.path);
+bool has(const Outputs& outputs, OutputKind kind) {
+  return std::ranges::find(outputs, kind, &Output::kind) != outputs.end();
+}
+
+bool draws(const Outputs& outputs) {
+  return has(outputs, OutputKind::picture) || has(outputs, OutputKind::drawing);
+}
+
+Outputs plan_outputs(const std::vector<UsedFile>& inputs, const std::vector<std::string>& paths,
+                     const std::string& report, const PlanOutput& plan, bool texture) {
+  Outputs outputs;
+  for (const std::string& path : paths) {
+    Output& output = outputs.emplace_back(Output{path, plan(path)});
+    if (!texture || output.kind != OutputKind::mesh) continue;
+    output.beside = textured_mesh_files(path);
+    output.beside.pop_back();  // itself
+  }
+  for (const UsedFile& file : files_of(outputs)) check_output_path(file.path);
   check_report("--report", report);
   if (!report.empty()) outputs.push_back({report, OutputKind::report, "--report"});
-  std::stable_partition(outputs.begin(), outputs.end(),
-                        [](const Output& output) { return output.kind != OutputKind::report; });
+  check_files(inputs, files_of(outputs));
+  std::ranges::stable_partition(
+      outputs, [](OutputKind kind) { return kind != OutputKind::report; }, &Output::kind);
   return outputs;
 }
 
-std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture) {
+std::vector<UsedFile> files_of(const Outputs& outputs) {
   std::vector<UsedFile> files;
   for (const Output& output : outputs) {
-    if (texture && output.kind == OutputKind::mesh) {
-      for (const std::filesystem::path& path : textured_mesh_files(output.path)) {
-        files.push_back({output.option, path, lower_extension(path) == ".png"});
-      }
-    } else {
-      files.push_back({output.option, output.path});
+    for (const std::filesystem::path& path : output.beside) {
+      files.push_back({output.option, path, lower_extension(path) == ".png"});
     }
+    files.push_back({output.option, output.path});
   }
   return files;
+}
+
+void print_written(std::ostream& out, const Outputs& outputs) {
+  for (const UsedFile& file : files_of(outputs)) print_written(out, file.path);
 }
 
 void refuse_light_option(const CLI::App& command, const WaveOptions& waves, std::string_view why) {
@@ -109,18 +121,6 @@ void refuse_picture_options(const CLI::App& command, const WaveOptions& waves,
 bool holds_points(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   return extension == ".ply" || extension == ".vtp";
-}
-
-void write_output(const Output& output, const MadeMesh& made, const Report& report,
-                  const PictureOptions& picture, JobListener& listener) {
-  switch (output.kind) {
-    case OutputKind::picture:
-      return write_picture(output.path, made.surface, made.result, picture, listener.progress());
-    case OutputKind::mesh:
-      return write_made_mesh(output.path, made, picture, listener);
-    case OutputKind::report:
-      return write_json(output.path, to_json(report), listener.progress());
-  }
 }
 
 void refuse_output(const std::filesystem::path& path, const std::string& why) {

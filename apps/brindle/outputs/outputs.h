@@ -1,40 +1,60 @@
-/// The output files of `brindle stripe`.
+/// Output files of all commands, planned before a long job.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "brindle/recipe/report.h"
 #include "input/used_files.h"
 #include "input/wave_options.h"
-#include "outputs/mesh_output.h"
+#include "outputs/written_files.h"
 #include "pictures/style_options.h"
 
 namespace brindle::tool {
 
-enum class OutputKind { picture, mesh, report };
+/// The content of a file. `lines`, `tubes`: of curves; `pieces`: a .pvtp over MPI ranks.
+enum class OutputKind { picture, drawing, mesh, lines, tubes, samples, report, pieces };
 
 struct Output {
   std::filesystem::path path;
   OutputKind kind;
-  std::string option = "--output";  ///< that gives it
+  std::string option = "--output";                 ///< that gives it
+  std::vector<std::filesystem::path> beside = {};  ///< further files, which are written with it
 };
+using Outputs = std::vector<Output>;
+
+/// Whether one of the files has this kind.
+bool has(const Outputs& outputs, OutputKind kind);
+
+/// Whether there is a picture or a drawing.
+bool draws(const Outputs& outputs);
 
 /// --output, --report and --quiet.
 void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
                         bool& quiet);
 
-/// The kind of each output by its extension: .png a picture, .obj .ply .vtp .gltf .glb a mesh,
-/// .json a report; reports are last and include `report` unless it is empty. Before a long job,
-/// throws CLI::ValidationError for unknown extensions and Error for files that this build cannot
-/// write or that are not writable. With a texture, meshes may have files beside them
-/// (`textured_mesh_files`).
-std::vector<Output> plan_outputs(const std::vector<std::string>& paths, const std::string& report,
-                                 bool texture);
+/// The kind of a file of `brindle stripe`: .png a picture, .svg .pdf a drawing, .obj .ply .vtp
+/// .gltf .glb a mesh, .json a report. Throws CLI::ValidationError for other extensions, and for
+/// drawings that this build cannot write.
+OutputKind planned_stripes(const std::filesystem::path& path);
 
-/// All output files, including those beside meshes.
-std::vector<UsedFile> files_of(const std::vector<Output>& outputs, bool texture);
+/// Gives an output its kind, by its path; throws CLI::ValidationError for files that cannot be
+/// written.
+using PlanOutput = std::function<OutputKind(const std::filesystem::path& path)>;
+
+/// Plans files by `plan`; `report` is one more unless it is empty. Reports are last. With a
+/// texture, meshes may have files beside them (`textured_mesh_files`). Throws CLI::ValidationError
+/// as `plan` and `check_files` do, Error for files that are not writable.
+Outputs plan_outputs(const std::vector<UsedFile>& inputs, const std::vector<std::string>& paths,
+                     const std::string& report, const PlanOutput& plan, bool texture = false);
+
+/// All files, including those beside others.
+std::vector<UsedFile> files_of(const Outputs& outputs);
+
+void print_written(std::ostream& out, const Outputs& outputs);
 
 /// Throws CLI::ValidationError for given picture options; `why` is the reason that they have no
 /// effect. Camera options stay valid if frequencies depend on the camera, --up if they depend on
@@ -54,9 +74,6 @@ void refuse_camera_options(const CLI::App& command, const WaveOptions& waves, st
 
 /// Whether the format can hold points without triangles.
 bool holds_points(const std::filesystem::path& path);
-
-void write_output(const Output& output, const MadeMesh& made, const Report& report,
-                  const PictureOptions& picture, JobListener& listener);
 
 /// Throws for wrong usage of --output: `path` cannot be written because of `why`.
 [[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);

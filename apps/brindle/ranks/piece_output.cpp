@@ -64,7 +64,7 @@ std::vector<fs::path> older_pieces(const fs::path& pvtp, int ranks) {
 
 }  // namespace
 
-std::vector<UsedFile> files_of_pieces(const std::string& pvtp, int ranks) {
+std::vector<UsedFile> files_of_pieces(const std::filesystem::path& pvtp, int ranks) {
   std::vector<UsedFile> files = {{"--output", pvtp}};
   for (int r = 0; r < ranks; ++r) files.push_back({"--output", piece_path(pvtp, r)});
   for (const fs::path& piece : older_pieces(pvtp, ranks)) files.push_back({"--output", piece});

@@ -19,7 +19,7 @@ std::filesystem::path piece_path(const std::filesystem::path& pvtp, int rank);
 
 /// The .pvtp and all its pieces as outputs, including pieces of an older .pvtp with more ranks,
 /// which are removed when the new one is written.
-std::vector<UsedFile> files_of_pieces(const std::string& pvtp, int ranks);
+std::vector<UsedFile> files_of_pieces(const std::filesystem::path& pvtp, int ranks);
 
 /// Throws Error on all ranks, as `write_pieces` would, if a file cannot be written.
 void check_pieces(Communicator& ranks, const std::filesystem::path& pvtp);

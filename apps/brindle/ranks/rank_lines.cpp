@@ -21,7 +21,6 @@
 #include "jobs/curves_output.h"
 #include "jobs/curves_report.h"
 #include "jobs/sample_output.h"
-#include "outputs/planned_files.h"
 #include "pictures/glyph_options.h"
 #include "ranks/piece_output.h"
 #include "ranks/pvtp_pieces.h"
@@ -61,47 +60,45 @@ RankFamilies solve_families(const RankRun& run, const Arguments& arguments, bool
   return made;
 }
 
-/// Collective. As `plan_files`, also for pieces.
-template <class Kind>
-PlannedFiles<Kind> plan_rank_files(const RankRun& run, const SurfaceOptions& surface,
-                                   const std::vector<UsedFile>& own_inputs,
-                                   const std::vector<std::string>& outputs,
-                                   const std::string& report, const auto& plan) {
-  const std::vector<UsedFile> inputs = rank_inputs(run, surface, own_inputs);
-  const auto files = plan_files<Kind>(inputs, outputs, report, [&](const std::string& path) {
-    return is_pvtp(path) ? Kind::pieces : plan(path);
-  });
-  for (const auto& [kind, path] : files) {
-    if (kind != Kind::pieces) continue;
-    check_files(inputs, files_of_pieces(path, run.ranks.size()));
-    check_pieces(run.ranks, path);
+/// Collective. As `plan_outputs`, also for pieces.
+template <class Arguments>
+Outputs plan_rank_outputs(const RankRun& run, const Arguments& arguments,
+                          const std::vector<UsedFile>& own_inputs, const PlanOutput& plan) {
+  const std::vector<UsedFile> inputs = rank_inputs(run, arguments.surface, own_inputs);
+  Outputs outputs = plan_outputs(inputs, arguments.outputs, arguments.report,
+                                 [&](const std::filesystem::path& path) {
+                                   return is_pvtp(path) ? OutputKind::pieces : plan(path);
+                                 });
+  for (const Output& output : outputs) {
+    if (output.kind != OutputKind::pieces) continue;
+    check_files(inputs, files_of_pieces(output.path, run.ranks.size()));
+    check_pieces(run.ranks, output.path);
   }
-  return files;
+  return outputs;
 }
 
 /// Collective. Writes pieces by `write_pieces_to`, and on rank 0 all others by `write`.
-template <class Kind>
-void write_files(const RankRun& run, const PlannedFiles<Kind>& files, JobListener& listener,
+void write_files(const RankRun& run, const Outputs& outputs, JobListener& listener,
                  const auto& write_pieces_to, const auto& write) {
-  for (const auto& [kind, path] : files) {
+  for (const Output& output : outputs) {
     enter_stage(run, listener, "writing");
-    if (kind == Kind::pieces) {
-      write_pieces_to(path);
+    if (output.kind == OutputKind::pieces) {
+      write_pieces_to(output.path);
     } else {
-      run.ranks.throw_on_all([&, kind = kind, &path = path] {
-        if (run.is_first()) write(kind, path);
+      run.ranks.throw_on_all([&] {
+        if (run.is_first()) write(output);
       });
     }
   }
 }
 
 /// Collective. Rank 0 prints the metrics and what was written.
-void tell(const RankRun& run, bool quiet, const auto& job, const auto& files) {
+void tell(const RankRun& run, bool quiet, const auto& job, const Outputs& outputs) {
   run.ranks.throw_on_all([&] {
     if (!run.is_first() || quiet) return;
     print(std::cout, job);
     print_ranks(std::cout, job.ranks);
-    print_written(std::cout, files);
+    print_written(std::cout, outputs);
   });
 }
 
@@ -124,8 +121,9 @@ std::vector<DataArray> border_arrays(const PieceCurves& curves) {
 }
 
 /// Collective. The curves of rank 0, cut at borders.
-void write_cut_curves(const RankRun& run, const std::string& path, const GatheredSurface& whole,
-                      const CurvesJob& job, std::span<const std::string> names) {
+void write_cut_curves(const RankRun& run, const std::filesystem::path& path,
+                      const GatheredSurface& whole, const CurvesJob& job,
+                      std::span<const std::string> names) {
   // As in `write_polylines`.
   DataArrays announced;
   announced.points = border_arrays({});
@@ -147,21 +145,20 @@ void write_cut_curves(const RankRun& run, const std::string& path, const Gathere
                });
 }
 
-PlannedFiles<CurveOutput> checked_curves(const RankRun& run, const CLI::App& command,
-                                         const CurvesArguments& arguments) {
+Outputs checked_curves(const RankRun& run, const CLI::App& command,
+                       const CurvesArguments& arguments) {
   if (std::ranges::any_of(arguments.outputs, is_pvtp)) {
     refuse_given(command, {"--fair", "--simplify", "--resample"},
                  "lines in a .pvtp are cut at borders; write whole ones as .obj, .ply, .vtp or "
                  ".csv");
   }
   check_rank_options(arguments.waves, arguments.solving);
-  auto files = plan_rank_files<CurveOutput>(
-      run, arguments.surface, curves_inputs(arguments), arguments.outputs, arguments.report,
-      [&](const std::string& path) {
+  Outputs outputs = plan_rank_outputs(
+      run, arguments, curves_inputs(arguments), [&](const std::filesystem::path& path) {
         return planned_curves(path, arguments.tube_radius.has_value());
       });
-  check_curves_options(command, arguments, files);
-  return files;
+  check_curves_options(command, arguments, outputs);
+  return outputs;
 }
 
 /// Collective. Traced on rank 0.
@@ -186,18 +183,17 @@ CurveFamily whole_family(const RankRun& run, const GatheredSurface& whole,
   return family;
 }
 
-PlannedFiles<SampleOutput> checked_samples(const RankRun& run, const CLI::App& command,
-                                           const SampleArguments& arguments) {
+Outputs checked_samples(const RankRun& run, const CLI::App& command,
+                        const SampleArguments& arguments) {
   check_rank_options(arguments.waves, arguments.solving);
-  auto files = plan_rank_files<SampleOutput>(run, arguments.surface, sample_inputs(arguments),
-                                             arguments.outputs, arguments.report, planned_sample);
-  check_sample_options(command, arguments, files);
-  return files;
+  Outputs outputs = plan_rank_outputs(run, arguments, sample_inputs(arguments), planned_sample);
+  check_sample_options(command, arguments, outputs);
+  return outputs;
 }
 
 /// Collective. The samples of rank 0, each on the rank of its triangle.
-void write_sample_pieces(const RankRun& run, const std::string& path, const GatheredSurface& whole,
-                         std::span<const Sample> samples) {
+void write_sample_pieces(const RankRun& run, const std::filesystem::path& path,
+                         const GatheredSurface& whole, std::span<const Sample> samples) {
   // As in `write_samples`.
   DataArrays announced;
   for (const char* name : {"normal", "direction_u", "direction_v", "barycentric"}) {
@@ -226,7 +222,7 @@ void write_sample_pieces(const RankRun& run, const std::string& path, const Gath
 
 void run_curves_over(const RankRun& run, const CLI::App& command,
                      const CurvesArguments& arguments) {
-  const auto files = checked_curves(run, command, arguments);
+  const Outputs outputs = checked_curves(run, command, arguments);
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   CurvesJob job;
@@ -252,18 +248,16 @@ void run_curves_over(const RankRun& run, const CLI::App& command,
     }
     job.ranks = rank_metrics(run.ranks, *solved.prepared.surface, solved.front().animator);
     write_files(
-        run, files, display,
-        [&](const std::string& path) { write_cut_curves(run, path, whole, job, names); },
-        [&](CurveOutput kind, const std::string& path) {
-          write_curves_file(kind, path, command, arguments, job, display);
-        });
+        run, outputs, display,
+        [&](const std::filesystem::path& path) { write_cut_curves(run, path, whole, job, names); },
+        [&](const Output& output) { write_curves_file(output, command, arguments, job, display); });
   }
-  tell(run, arguments.quiet, job, files);
+  tell(run, arguments.quiet, job, outputs);
 }
 
 void run_sample_over(const RankRun& run, const CLI::App& command,
                      const SampleArguments& arguments) {
-  const auto files = checked_samples(run, command, arguments);
+  const Outputs outputs = checked_samples(run, command, arguments);
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   SampleJob job;
@@ -281,13 +275,13 @@ void run_sample_over(const RankRun& run, const CLI::App& command,
     });
     job.ranks = rank_metrics(run.ranks, *solved.prepared.surface, solved.front().animator);
     write_files(
-        run, files, display,
-        [&](const std::string& path) { write_sample_pieces(run, path, whole, job.taken.samples); },
-        [&](SampleOutput kind, const std::string& path) {
-          write_sample_file(kind, path, command, arguments, job, display);
-        });
+        run, outputs, display,
+        [&](const std::filesystem::path& path) {
+          write_sample_pieces(run, path, whole, job.taken.samples);
+        },
+        [&](const Output& output) { write_sample_file(output, command, arguments, job, display); });
   }
-  tell(run, arguments.quiet, job, files);
+  tell(run, arguments.quiet, job, outputs);
 }
 
 }  // namespace brindle::tool

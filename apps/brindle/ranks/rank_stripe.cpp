@@ -89,9 +89,9 @@ void write_stripes(const RankRun& run, const std::filesystem::path& path,
 }
 
 /// Collective. Throws CLI::ValidationError for options without effect, and for conflicting files.
-std::vector<Output> checked_outputs(const RankRun& run, const CLI::App& command,
-                                    const StripeArguments& arguments) {
-  std::vector<Output> outputs;
+Outputs checked_outputs(const RankRun& run, const CLI::App& command,
+                        const StripeArguments& arguments) {
+  Outputs outputs;
   std::vector<UsedFile> files;
   for (const std::string& path : arguments.outputs) {
     if (!is_pvtp(path)) {
@@ -100,7 +100,7 @@ std::vector<Output> checked_outputs(const RankRun& run, const CLI::App& command,
                     "brindle in one process");
     }
     check_name_in_xml(path);
-    outputs.push_back({path, OutputKind::mesh});
+    outputs.push_back({path, OutputKind::pieces});
     for (UsedFile& file : files_of_pieces(path, run.ranks.size())) files.push_back(std::move(file));
   }
   if (!arguments.report.empty()) {
@@ -127,7 +127,7 @@ WaveSet requested_waves(const StripePattern& pattern) {
 /// On rank 0.
 void tell(const CLI::App& command, const StripeArguments& arguments, Report& report,
           const nlohmann::ordered_json& metrics, const nlohmann::ordered_json& frames,
-          const std::vector<Output>& outputs) {
+          const Outputs& outputs) {
   report.invocation = invocation_of(command);
   if (!arguments.report.empty()) {
     nlohmann::ordered_json json = to_json(report);
@@ -139,14 +139,14 @@ void tell(const CLI::App& command, const StripeArguments& arguments, Report& rep
   print_report(std::cout, report);
   print_ranks(std::cout, metrics);
   if (!frames.is_null()) print_frames(std::cout, frames);
-  for (const Output& output : outputs) print_written(std::cout, output.path);
+  print_written(std::cout, outputs);
 }
 
 }  // namespace
 
 void run_stripe_over(const RankRun& run, const CLI::App& command,
                      const StripeArguments& arguments) {
-  const std::vector<Output> outputs = checked_outputs(run, command, arguments);
+  const Outputs outputs = checked_outputs(run, command, arguments);
   stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   Report report;

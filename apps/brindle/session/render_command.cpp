@@ -81,54 +81,42 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.add_flag("-q,--quiet", arguments.quiet, "print nothing but errors");
 }
 
-bool is_picture(const std::string& path) {
-  return lower_extension(path) == ".png" || is_drawing_file(path);
-}
-
-/// Accepts the files of `brindle stripe` except for drawings.
-void refuse_unknown_extension(const std::string& path) {
-  constexpr std::array kKnown = {".obj", ".ply", ".vtp", ".gltf", ".glb", ".stl", ".off", ".json"};
-  const std::string extension = lower_extension(path);
-  if (std::ranges::find(kKnown, extension) != kKnown.end()) return;
-  refuse_output(path,
-                "unknown extension '" + extension +
-                    "'; use .png for a picture, .svg or .pdf for a drawing, .obj, .ply, .vtp, "
-                    ".gltf or .glb for a mesh, .json for a report");
-}
-
-/// Checks other files than pictures: a mesh or a report of stripes, or files of curves and samples.
-void check_file(const std::string& path, const ParsedSession& parsed) {
-  const bool report = lower_extension(path) == ".json";
-  if (parsed.curves() != nullptr && !report) {
-    planned_curves(path, parsed.curves()->tube_radius.has_value());
-  } else if (parsed.samples() != nullptr && !report) {
-    planned_sample(path);
-  } else {
-    refuse_unknown_extension(path);
-    plan_outputs({path}, "", false);
+/// Reports are of stripes; all other files, of what is shown.
+OutputKind planned(const std::filesystem::path& path, const ParsedSession& parsed) {
+  const bool shown = lower_extension(path) != ".json";
+  if (shown && parsed.curves() != nullptr) {
+    return planned_curves(path, parsed.curves()->tube_radius.has_value());
   }
+  return shown && parsed.samples() != nullptr ? planned_sample(path) : planned_stripes(path);
 }
 
-void check_outputs(const CLI::App& command, const RenderArguments& arguments,
-                   const ParsedSession& parsed) {
+bool is_picture(const Output& output) {
+  return output.kind == OutputKind::picture || output.kind == OutputKind::drawing;
+}
+
+Outputs checked_outputs(const CLI::App& command, const RenderArguments& arguments,
+                        const ParsedSession& parsed) {
+  std::vector<UsedFile> inputs = parsed.inputs();
+  inputs.push_back({"SESSION", arguments.session});
+  if (!arguments.replay.empty()) inputs.push_back({"--replay", arguments.replay});
+  Outputs outputs = plan_outputs(
+      inputs, arguments.outputs, "",
+      [&](const std::filesystem::path& path) { return planned(path, parsed); },
+      has_tiles(parsed.arguments()));
+  if (!draws(outputs)) {
+    refuse_given(command, {"--size", "--quality", "--scale-widths", "--transparent", "--dpi"},
+                 "no picture is written; add --output FILE.png");
+    return outputs;
+  }
   std::vector<std::filesystem::path> pictures;
-  for (const std::string& path : arguments.outputs) {
-    if (!is_picture(path)) {
-      check_file(path, parsed);
-      continue;
-    }
-    pictures.emplace_back(path);
-    check_output_path(path);
-  }
-  if (pictures.empty()) {
-    return refuse_given(command,
-                        {"--size", "--quality", "--scale-widths", "--transparent", "--dpi"},
-                        "no picture is written; add --output FILE.png");
+  for (const Output& output : outputs) {
+    if (is_picture(output)) pictures.push_back(output.path);
   }
   check_picture_files(parsed, pictures);
-  if (std::ranges::all_of(pictures, is_drawing_file)) {
+  if (!has(outputs, OutputKind::picture)) {
     refuse_given(command, {"--quality", "--dpi"}, "it is for pixels; add --output FILE.png");
   }
+  return outputs;
 }
 
 /// Runs the file's commands until the first one that is rejected.
@@ -157,43 +145,27 @@ SessionDocument document_of(const CLI::App& command, const RenderArguments& argu
   return with_changes(session.document(), changes);
 }
 
-void check_inputs(const RenderArguments& arguments, const ParsedSession& parsed) {
-  std::vector<UsedFile> inputs = parsed.inputs();
-  inputs.push_back({"SESSION", arguments.session});
-  if (!arguments.replay.empty()) inputs.push_back({"--replay", arguments.replay});
-  std::vector<Output> outputs;
-  for (const std::string& path : arguments.outputs) {
-    outputs.push_back({path, is_picture(path) ? OutputKind::picture : OutputKind::mesh});
-    if (lower_extension(path) == ".json") outputs.back().kind = OutputKind::report;
-  }
-  check_files(inputs, files_of(outputs, has_tiles(parsed.arguments())));
-}
-
-void export_file(const LiveState& state, const std::string& path, JobListener& listener) {
-  if (state.curves) return export_curves(state, path, listener);
-  if (lower_extension(path) == ".json") return export_pattern(state, path, listener);
-  if (state.samples) return export_samples(state, path, listener);
-  export_pattern(state, path, listener);
-}
-
-void write_outputs(const RenderArguments& arguments, const std::shared_ptr<const LiveState>& state,
-                   ProgressDisplay& display) {
+void write_outputs(const RenderArguments& arguments, const Outputs& outputs,
+                   const std::shared_ptr<const LiveState>& state, ProgressDisplay& display) {
   PictureWriter pictures(arguments.picture->render.quality, arguments.changes.dpi);
-  for (const std::string& path : arguments.outputs) {
-    if (is_picture(path)) {
-      pictures.write(state, path, display);
+  for (const Output& output : outputs) {
+    if (is_picture(output)) {
+      pictures.write(state, output.path, display);
       continue;
     }
-    display.stage("writing " + shown(path));
-    export_file(*state, path, display);
+    display.stage("writing " + shown(output.path.native()));
+    const bool report = output.kind == OutputKind::report;
+    const auto write = state->curves               ? export_curves
+                       : state->samples && !report ? export_samples
+                                                   : export_pattern;
+    write(*state, output.path, display);
   }
 }
 
 void run_render(const CLI::App& command, const RenderArguments& arguments) {
   const SessionDocument document = document_of(command, arguments);
   const ParsedSession parsed(document);
-  check_outputs(command, arguments, parsed);
-  check_inputs(arguments, parsed);
+  const Outputs outputs = checked_outputs(command, arguments, parsed);
   const ThreadLimit threads(arguments.threads);
   LivePattern pattern;
   {
@@ -204,11 +176,11 @@ void run_render(const CLI::App& command, const RenderArguments& arguments) {
       throw Error(shown(arguments.session) + ": " + error.what());
     }
     for (const std::string& note : pattern.state()->notes) display.note(note);
-    write_outputs(arguments, pattern.state(), display);
+    write_outputs(arguments, outputs, pattern.state(), display);
   }
   if (arguments.quiet) return;
   print_report(std::cout, pattern.state()->job->report);
-  for (const std::string& path : arguments.outputs) print_written(std::cout, path);
+  print_written(std::cout, outputs);
 }
 
 }  // namespace

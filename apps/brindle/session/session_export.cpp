@@ -63,17 +63,6 @@ double growth(PictureSize from, PictureSize to) {
                   static_cast<double>(to.height) / from.height);
 }
 
-/// Outlines of stripes, which need no style option.
-void write_stripe_drawing(const LiveState& state, const std::filesystem::path& path,
-                          JobListener& listener) {
-  StyleJob plain;
-  plain.patterns.others = std::make_shared<const std::vector<OtherSurface>>();
-  const StyleJob& style = state.style ? *state.style : plain;
-  const StripeArguments& arguments = state.parsed->arguments();
-  write_styled_picture(path, *state.job->surface, state.job->result, style.patterns,
-                       arguments.style, style.input, *arguments.picture, listener.progress());
-}
-
 }  // namespace
 
 std::string picture_refusal(const std::filesystem::path& path) {
@@ -118,8 +107,9 @@ void PictureWriter::write(const std::shared_ptr<const LiveState>& state,
                           const std::filesystem::path& path, JobListener& listener) {
   listener.stage("writing " + shown(path.native()));
   if (is_drawing_file(path)) {
-    return state->curves ? export_curves(*state, path, listener)
-                         : write_stripe_drawing(*state, path, listener);
+    if (state->curves) return export_curves(*state, path, listener);
+    return write_stripes({path, OutputKind::drawing}, state->parsed->command(),
+                         state->parsed->arguments(), *state->job, state->style.get(), listener);
   }
   if (!picture_) picture_.emplace();
   const Progress progress = listener.progress();
@@ -140,17 +130,12 @@ void export_picture(const SessionDocument& document, const std::filesystem::path
 void export_pattern(const LiveState& state, const std::filesystem::path& path,
                     JobListener& listener) {
   const StripeArguments& arguments = state.parsed->arguments();
-  const std::vector<Output> outputs =
-      plan_outputs({path.string()}, "", state.job->result.texture() != nullptr);
-  if (outputs.front().kind == OutputKind::picture) {
+  const Outputs outputs = plan_outputs(stripe_inputs(arguments), {path.string()}, "",
+                                       planned_stripes, state.job->result.texture() != nullptr);
+  if (draws(outputs)) {
     refuse_extension(path, ".ply, .vtp, .obj, .gltf or .glb for a mesh, .json for a report");
   }
-  check_files(stripe_inputs(arguments), files_of(outputs, state.job->result.texture() != nullptr));
-  const MadeMesh made{*state.job->surface, state.job->result, state.job->data,
-                      arguments.solving.stripes.phase_shift, false};
-  Report report = state.job->report;
-  report.invocation = invocation_of(state.parsed->command());
-  write_output(outputs.front(), made, report, *arguments.picture, listener);
+  write_stripes(outputs.front(), state.parsed->command(), arguments, *state.job, nullptr, listener);
 }
 
 namespace {
@@ -195,11 +180,12 @@ void export_curves(const LiveState& state, const std::filesystem::path& path,
                    JobListener& listener) {
   if (state.curves) {
     const CurvesArguments& arguments = *state.parsed->curves();
-    const CurveOutput kind = planned_curves(path.string(), arguments.tube_radius.has_value());
+    const OutputKind kind = planned_curves(path, arguments.tube_radius.has_value());
+    check_output_path(path);
     listener.stage("writing " + shown(path.native()));
-    if (kind == CurveOutput::report) return write_curves_report(state, path, listener);
+    if (kind == OutputKind::report) return write_curves_report(state, path, listener);
     return write_curves(
-        kind, path.string(),
+        {path, kind},
         {arguments, *state.job->surface, state.job->data.arrays, state.curves->families}, listener);
   }
   if (!is_polyline_format(path)) refuse_extension(path, ".vtp, .ply, .obj or .csv");
@@ -216,7 +202,7 @@ void export_samples(const LiveState& state, const std::filesystem::path& path,
   const Surface& surface = *state.job->surface;
   if (state.samples) {
     listener.stage("writing " + shown(path.native()));
-    return write_all_samples(path.string(), surface.mesh, state.job->data.arrays,
+    return write_all_samples(path, surface.mesh, state.job->data.arrays,
                              state.samples->taken.samples, listener);
   }
   const StripePattern& u = state.job->result.stripes();

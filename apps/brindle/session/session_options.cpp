@@ -178,42 +178,28 @@ using PicturePaths = std::vector<std::filesystem::path>;
 /// Stands for the session's picture, which need not be written.
 const PicturePaths kShownPicture = {"session.png"};
 
-/// Each as `picture` or as `drawing`.
-template <class Kind>
-PlannedFiles<Kind> pictures_of(const PicturePaths& paths, Kind picture, Kind drawing) {
-  PlannedFiles<Kind> files;
+Outputs pictures_of(const PicturePaths& paths) {
+  Outputs pictures;
   for (const std::filesystem::path& path : paths) {
-    files.emplace_back(is_drawing_file(path) ? drawing : picture, path.string());
+    pictures.push_back({path, is_drawing_file(path) ? OutputKind::drawing : OutputKind::picture});
   }
-  return files;
-}
-
-/// Samples have no drawings.
-PlannedFiles<SampleOutput> sample_pictures(const PicturePaths& paths) {
-  return pictures_of(paths, SampleOutput::picture, SampleOutput::picture);
-}
-
-std::vector<Output> stripe_pictures(const PicturePaths& paths) {
-  std::vector<Output> outputs;
-  for (const std::filesystem::path& path : paths) outputs.push_back({path, OutputKind::picture});
-  return outputs;
+  return pictures;
 }
 
 void check_command(const ParsedSession& parsed, const PicturePaths& paths) {
   const StripeArguments& arguments = parsed.arguments();
+  const Outputs pictures = pictures_of(paths);
   if (parsed.curves() != nullptr) {
-    return check_curves_options(parsed.command(), *parsed.curves(),
-                                pictures_of(paths, CurveOutput::picture, CurveOutput::drawing));
+    return check_curves_options(parsed.command(), *parsed.curves(), pictures);
   }
   if (parsed.samples() != nullptr) {
-    return check_sample_options(parsed.command(), *parsed.samples(), sample_pictures(paths));
+    return check_sample_options(parsed.command(), *parsed.samples(), pictures);
   }
   check_solver(arguments.device, arguments.solving.stripes.solver);
   check_tile(arguments);
-  const std::vector<Output> outputs = stripe_pictures(paths);
-  check_stripe_options(parsed.command(), arguments, outputs);
+  check_stripe_options(parsed.command(), arguments, pictures);
   // Files are known to be points only when read.
-  if (arguments.surface.points) check_stripe_points(parsed.command(), arguments, outputs);
+  if (arguments.surface.points) check_stripe_points(parsed.command(), arguments, pictures);
 }
 
 void check_parsed(const ParsedSession& parsed) {
@@ -367,7 +353,7 @@ void check_session_points(const ParsedSession& parsed) {
         "samples of points are not drawn, and a session shows a picture; write them with 'brindle "
         "sample'");
   }
-  check_stripe_points(parsed.command(), parsed.arguments(), stripe_pictures(kShownPicture));
+  check_stripe_points(parsed.command(), parsed.arguments(), pictures_of(kShownPicture));
 }
 
 void check_picture_files(const ParsedSession& parsed,
@@ -377,7 +363,7 @@ void check_picture_files(const ParsedSession& parsed,
       refuse_output(path, "'" + path.extension().string() +
                               "' is no picture; write .png, or .svg or .pdf for a drawing");
     }
-    if (parsed.samples() != nullptr) planned_sample(path.string());
+    if (parsed.samples() != nullptr) planned_sample(path);
     check_drawing_file(path);
   }
   check_command(parsed, paths);
