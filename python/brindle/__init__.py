@@ -12,20 +12,22 @@ owner alive. Lengths are in the units of the vertices, frequencies in stripes pe
 in radians. Errors that a caller can fix are brindle.Error, a ValueError; wrong types are TypeError.
 Calls that fail or are interrupted (Ctrl-C) change nothing. Functions are thread-safe and release
 Python's lock. Results are the same bits for any number of threads, and those of the brindle tool.
+brindle.advanced has what is rarely needed.
 """
 
 import importlib
 
 # Loaded on demand, because the C++ module loads a dozen libraries.
 _HOMES = {
-    "_animate": ("Animator", "FieldAnimator", "FieldSmoothing", "PatternFrames", "TextureAnimator"),
+    "_animate": ("Animator", "FieldAnimator", "TextureAnimator"),
     "_arguments": ("Cancelled", "Error", "PatternWarning"),
-    "_curves": ("Curves", "Samples", "samples", "samples_of"),
+    "_interop": ("to_meshio", "to_pyvista", "to_trimesh"),
+    "_options": ("Layout", "Look", "Measured", "Previous", "Slack", "Solver"),
+    "_outputs": ("Curves", "Samples", "Stripes", "Texture", "TexturedMesh"),
+    "_patterns": ("crosses", "samples", "stripes", "texture"),
     "_pictures": ("has_opengl", "read_png", "render", "write_png"),
-    "_stripes": ("Stripes", "has_solver", "stripes", "stripes_from_phases"),
-    "_surface": ("Loop", "Stroke", "Surface", "as_surface", "points", "read", "read_strokes", "shape",
-                 "shape_help", "shape_names", "write_strokes"),
-    "_textures": ("Texture", "TexturedMesh", "crosses", "texture"),
+    "_surface": ("Loop", "Stroke", "Surface", "as_surface", "points", "read", "shape", "shape_help",
+                 "shape_names"),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
@@ -35,6 +37,8 @@ __all__ = sorted(_HOME_OF)
 def __getattr__(name):
     if name == "__version__":
         value = importlib.import_module("._core", __name__).version()
+    elif name == "advanced":
+        value = importlib.import_module(".advanced", __name__)
     elif name in _HOME_OF:
         value = getattr(importlib.import_module("." + _HOME_OF[name], __name__), name)
     else:
@@ -44,4 +48,4 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*globals(), *__all__, "__version__"})
+    return sorted({*globals(), *__all__, "__version__", "advanced"})

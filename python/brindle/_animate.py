@@ -3,51 +3,57 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, Optional
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import (Error, FramePhaseShift, FrameSolver, PhaseShift, Running, check_slack,
-                         flag, kept_property, number, whole_number, word)
-from ._surface import Progress, Surface, as_surface
+from ._arguments import (Error, Floats, FrameSolver, PhaseShift, Progress, Running, flag,
+                         kept_property, number, whole_number, word)
+from ._options import Slack, Solver, checked, slack_of, solver_given, solving
+from ._surface import Surface, as_surface
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+Tolerance = Union[None, float, ArrayLike, Slack]
+_NOT_OF_FRAMES = ("weights", "epsilon", "momentum", "seed", "global_iterations", "threads")
+
+
+def checked_slack(surface: Surface, slack: Any) -> Slack:
+    """The slack. Raises Error for branches to avoid without tolerance."""
+    solving(surface, None, slack)
+    return slack_of(slack)
 
 
 class Animator(Running):
     """Lays stripes over one surface whose directions, frequencies and positions change. Where its
     triangles change, too, follow the last pattern by ``brindle.stripes(..., previous=)``.
 
-    Data that depend on the triangles alone are built in the first frame; later ones take a few
-    milliseconds. ``lambda_``: weight of the last frame's phases, 0 for none. ``solver``:
-    "multilevel" (``sweeps``, ``cycles``) or "relaxation" (``iterations``). ``edge_weights``: one
-    per directed edge (``Surface.neighbors``). ``slack`` and ``avoid_branches``: as for ``brindle.stripes``.
+    Data that depend on the faces alone are built in the first frame; later ones take a few
+    milliseconds. ``stiffness``: weight of the last frame's phases, 0 for none. ``solver``:
+    "multilevel", "relaxation" or a ``brindle.Solver`` with ``sweeps``, ``cycles``, ``iterations``
+    or ``phase_shift``. ``edge_weights``: one per directed edge (``Surface.neighbors``). ``slack``:
+    as for ``brindle.stripes``.
 
     One frame at a time: a concurrent call raises Error. A failed call leaves the animator
     unchanged.
     """
 
     _INSTEAD = ("pickle its surface and the last phases; a new one goes on from these by "
-                "set_last_phases")
+                "set_phases")
 
-    def __init__(self, surface: Any, *, lambda_: float = 0.025, solver: FrameSolver = "multilevel",
-                 sweeps: int = 2, cycles: int = 0, iterations: int = 3,
-                 phase_shift: FramePhaseShift = "aligned", edge_weights: "Optional[ArrayLike]" = None,
-                 slack: Any = None, avoid_branches: "Optional[ArrayLike]" = None) -> None:
+    def __init__(self, surface: Any, *, stiffness: float = 0.025,
+                 solver: Union[Solver, FrameSolver] = "multilevel",
+                 edge_weights: Optional[ArrayLike] = None, slack: Tolerance = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, avoid_branches, self.surface)
-        self._core = _core.Animator(self.surface._core, word(solver, "solver"),
-                                    number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
-                                    whole_number(cycles, "cycles"),
-                                    whole_number(iterations, "iterations"),
-                                    word(phase_shift, "phase_shift"), edge_weights, slack,
-                                    avoid_branches)
+        given = solver_given(solver, _NOT_OF_FRAMES, "it is not for frames")
+        slack = checked_slack(self.surface, slack)
+        self._core = _core.Animator(self.surface._core, given, checked("stiffness", stiffness),
+                                    edge_weights, slack.tolerance, slack.avoid_branches)
 
-    def frame(self, directions: "ArrayLike", frequencies: "ArrayLike",
-              positions: "Optional[ArrayLike]" = None, *,
-              out: "Optional[NDArray[np.complex64]]" = None,
-              progress: Optional[Progress] = None) -> "NDArray[np.complex64]":
+    def frame(self, directions: ArrayLike, frequencies: ArrayLike,
+              positions: Optional[ArrayLike] = None, *,
+              out: Optional[NDArray[np.complex64]] = None,
+              progress: Optional[Progress] = None) -> NDArray[np.complex64]:
         """The phases of the next frame: (n,) exp(i Phi), in a new array or in ``out``.
 
         ``directions``: (n, 3) vectors of any length, as for ``brindle.stripes`` of the surface at
@@ -70,7 +76,7 @@ class Animator(Running):
         return self._core.unchanged
 
     @property
-    def frequencies(self) -> "NDArray[np.float32]":
+    def frequencies(self) -> Floats:
         """(n,) frequencies of the last frame with ``slack``; empty without."""
         return self._core.frequencies()
 
@@ -102,30 +108,31 @@ class Animator(Running):
         """Discards the last phases: the next frame is solved from scratch."""
         self._core.restart()
 
-    def set_last_phases(self, phases: "ArrayLike") -> None:
+    def set_phases(self, phases: ArrayLike) -> None:
         """Makes the next frame continue these phases: complex (n,), 0 where unknown."""
-        self._core.set_last_phases(phases)
+        self._core.set_phases(phases)
 
 
 class TextureAnimator(Running):
     """Lays a texture over one surface whose field changes from frame to frame. Triangles go on
-    running as they ran, so that the seam stays where it is. ``oriented``, ``slack`` and ``avoid_branches`` as
+    running as they ran, so that the seam stays where it is. ``oriented`` and ``slack`` as
     for ``brindle.texture``, all else as for ``Animator``."""
 
-    def __init__(self, surface: Any, *, oriented: bool = False, lambda_: float = 0.025,
-                 sweeps: int = 2, cycles: int = 0, slack: Any = None,
-                 avoid_branches: "Optional[ArrayLike]" = None) -> None:
+    def __init__(self, surface: Any, *, oriented: bool = False, stiffness: float = 0.025,
+                 solver: Optional[Solver] = None, slack: Tolerance = None) -> None:
         self.surface: Surface = as_surface(surface)
-        check_slack(slack, avoid_branches, self.surface)
-        self._core = _core.TextureAnimator(self.surface._core, flag(oriented, "oriented"),
-                                           number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"),
-                                           whole_number(cycles, "cycles"), slack, avoid_branches)
+        given = solver_given(solver, ("solver", "phase_shift", "iterations", *_NOT_OF_FRAMES),
+                             "it is not for frames of textures")
+        slack = checked_slack(self.surface, slack)
+        self._core = _core.TextureAnimator(self.surface._core, flag(oriented, "oriented"), given,
+                                           checked("stiffness", stiffness), slack.tolerance,
+                                           slack.avoid_branches)
 
-    def frame(self, directions: "ArrayLike", frequencies: "ArrayLike",
-              positions: "Optional[ArrayLike]" = None, *,
-              frequencies_v: "Optional[ArrayLike]" = None,
-              normals: "Optional[ArrayLike]" = None,
-              progress: Optional[Progress] = None) -> "NDArray[np.float32]":
+    def frame(self, directions: ArrayLike, frequencies: ArrayLike,
+              positions: Optional[ArrayLike] = None, *,
+              frequencies_v: Optional[ArrayLike] = None,
+              normals: Optional[ArrayLike] = None,
+              progress: Optional[Progress] = None) -> Floats:
         """The next frame's coordinates at the corners of triangles, (m, 3, 2), as
         ``Texture.corner_uv``. Input as for ``Animator.frame``; ``frequencies_v`` are V's unless U's
         are wanted; ``normals`` (n, 3) left out: those of ``positions``."""
@@ -155,26 +162,26 @@ class PatternFrames(Running):
         self._core = _core.PatternFrames(self.surface._core)
 
     @kept_property
-    def triangles(self) -> "NDArray[np.uint32]":
+    def faces(self) -> NDArray[np.uint32]:
         """(m, 4) the triangle buffer: three vertices and 0; the same for all frames."""
         return self._core.triangles()
 
-    def normals(self, positions: "ArrayLike") -> "NDArray[np.float32]":
+    def normals(self, positions: ArrayLike) -> Floats:
         """(n, 3) unit normals of vertices at ``positions`` (n, 3)."""
         return self._core.normals(positions)
 
-    def vertices(self, phases: "ArrayLike", directions: "ArrayLike", frequencies: "ArrayLike",
-                 positions: "Optional[ArrayLike]" = None, *,
-                 normals: "Optional[ArrayLike]" = None,
-                 out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
+    def vertices(self, phases: ArrayLike, directions: ArrayLike, frequencies: ArrayLike,
+                 positions: Optional[ArrayLike] = None, *,
+                 normals: Optional[ArrayLike] = None,
+                 out: Optional[Floats] = None) -> Floats:
         """(n, 12) the vertex buffer: x, y, z, frequency; direction, cosine of the phase; normal,
         its sine. ``normals``: (n, 3); by default, those of ``positions``."""
         return self._core.vertices(phases, directions, frequencies, positions, normals, out)
 
-    def corner_phases(self, phases: "ArrayLike", directions: "ArrayLike",
-                      frequencies: "ArrayLike", positions: "Optional[ArrayLike]" = None, *,
+    def corner_phases(self, phases: ArrayLike, directions: ArrayLike,
+                      frequencies: ArrayLike, positions: Optional[ArrayLike] = None, *,
                       phase_shift: PhaseShift = "aligned",
-                      out: "Optional[NDArray[np.float32]]" = None) -> "NDArray[np.float32]":
+                      out: Optional[Floats] = None) -> Floats:
         """(m, 3) as ``Stripes.corner_phases``."""
         return self._core.corner_phases(phases, directions, frequencies, positions,
                                         word(phase_shift, "phase_shift"), out)
@@ -182,24 +189,23 @@ class PatternFrames(Running):
 
 class FieldAnimator(Running):
     """A smooth field on one surface whose anchors change: data, or a brush. ``symmetry``: 1
-    vectors, 2 lines, 4 crosses; ``lambda_``: how strongly a frame holds on to the last one's
+    vectors, 2 lines, 4 crosses; ``stiffness``: how strongly a frame holds on to the last one's
     field."""
 
-    def __init__(self, surface: Any, *, symmetry: int = 2, lambda_: float = 0.05,
+    def __init__(self, surface: Any, *, symmetry: int = 2, stiffness: float = 0.05,
                  sweeps: int = 2) -> None:
         self.surface: Surface = as_surface(surface)
         self._core = _core.FieldAnimator(self.surface._core, whole_number(symmetry, "symmetry"),
-                                         number(lambda_, "lambda_"), whole_number(sweeps, "sweeps"))
+                                         checked("stiffness", stiffness), checked("sweeps", sweeps))
 
-    def frame(self, vertices: "ArrayLike" = (), directions: "Optional[ArrayLike]" = None,
-              weights: "ArrayLike" = 1.0, *,
-              progress: Optional[Progress] = None) -> "NDArray[np.float32]":
+    def frame(self, vertices: ArrayLike = (), directions: Optional[ArrayLike] = None,
+              weights: ArrayLike = 1.0, *,
+              progress: Optional[Progress] = None) -> Floats:
         """(n, 3) unit tangent vectors, attracted at k ``vertices`` (k,) to ``directions`` (k, 3)
         by ``weights``, a number or (k,), relative to the pull of all neighbours together."""
         if directions is None:
             if len(vertices) > 0:  # type: ignore[arg-type]
                 raise Error("directions: give one to each of the vertices")
-            import numpy as np
             vertices, directions = np.empty(0, np.int64), np.empty((0, 3), np.float32)
         return self._core.frame(vertices, directions, weights, progress)
 
@@ -208,38 +214,38 @@ class FieldSmoothing(Running):
     """Measured fields on one surface, one after the other, seen at the scale of their stripes: what
     depends on the surface alone is made once. ``periods``: the scale. ``symmetry``: 1 arrows, 2
     lines, 4 crosses. ``fill``: how far holes are filled, in periods. ``singularities``: at most so
-    many are left. ``memory``: how much the field of the frame before counts beside the data, so that
+    many are left. ``temporal_smoothing``: how much the field of the frame before counts beside the data, so that
     noise does not make it jump (0: not at all; 1: as much). ``hold_out``: a share of the data that
     a check hides; ``metrics`` has the mean angle to them."""
 
-    _INSTEAD = "pickle its surface and the last field; a new one goes on from it by frame(last=)"
+    _INSTEAD = "pickle its surface and the last field; a new one goes on from it by frame(previous=)"
 
     def __init__(self, surface: Any, periods: float = 1, *, symmetry: int = 2, fill: float = 2,
-                 singularities: Optional[int] = None, memory: float = 0,
+                 singularities: Optional[int] = None, temporal_smoothing: float = 0,
                  hold_out: float = 0) -> None:
         self.surface: Surface = as_surface(surface)
         left = None if singularities is None else whole_number(singularities, "singularities")
         self._core = _core.FieldSmoothing(self.surface._core, number(periods, "periods"),
                                        whole_number(symmetry, "symmetry"), number(fill, "fill"),
-                                       left, number(memory, "memory"),
+                                       left, number(temporal_smoothing, "temporal_smoothing"),
                                        number(hold_out, "hold_out"))
 
-    def frame(self, vectors: "ArrayLike", frequencies: "ArrayLike", *,
-              confidence: "Optional[ArrayLike]" = None, last: "Optional[ArrayLike]" = None,
+    def frame(self, vectors: ArrayLike, frequencies: ArrayLike, *,
+              confidence: Optional[ArrayLike] = None, previous: Optional[ArrayLike] = None,
               progress: Optional[Progress] = None
-              ) -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
+              ) -> tuple[Floats, Floats]:
         """The next frame: (n, 3) unit tangent vectors, zero beyond filled holes, and (n,) the
         directional coherence of the data around each vertex, from 0 to 1.
 
         ``vectors``: (n, 3), or (m, 3) of triangles, of any length; zero or NaN for no datum.
         ``frequencies``: stripes per unit length, a number or (n,), NaN for no wave.
-        ``confidence``: weight of each datum, a row per vector, 0 or NaN for none. ``last``: (n,
+        ``confidence``: weight of each datum, a row per vector, 0 or NaN for none. ``previous``: (n,
         3), the last field, if not that of the last frame.
         """
-        return self._core.frame(vectors, frequencies, confidence, last, progress)
+        return self._core.frame(vectors, frequencies, confidence, previous, progress)
 
     @property
-    def filled(self) -> "NDArray[np.uint8]":
+    def filled(self) -> NDArray[np.uint8]:
         """Of the last frame, (n,): 1 for directions that fill a hole. Empty before the first."""
         return self._core.filled()
 

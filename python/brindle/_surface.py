@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import (TYPE_CHECKING, Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union)
+from typing import Any, Mapping, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import (Curvature, Error, Match, TensorAxis, TensorOrder,
-                         count_and_frequency, distance, flag, number, path_of, warn, whole_number, word)
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
-Progress = Callable[[str, float], Any]
+from ._arguments import (Arrays, Curvature, Error, Floats, Indices, Progress, TensorAxis, TensorOrder,
+                         distance, flag, number, numbers_of, path_of, warn, whole_number, word)
+from ._interop import surface_of
+from ._look import Drawn
+from ._options import Look, one_frequency, previous_of
 
 
 @dataclass
@@ -37,29 +37,26 @@ def _parts_of(strokes: Any) -> list[tuple[Any, float, float]]:
     return [stroke._parts() for stroke in strokes]
 
 
-def _last_field(last: Any, match: Optional[Match], max_distance: Optional[float]) -> Any:
-    """The parts of a field before; None if there is none."""
-    from ._stripes import Stripes
-    if last is None:
-        for name, value in (("match", match), ("max_distance", max_distance)):
-            if value is not None:
-                raise Error(f"{name} has no effect here: no field is followed; add last")
+def last_field(previous: Any, directions: Any = None) -> Any:
+    """The parts of a field before; None if there is none. ``directions``: those of the field of a
+    pattern, if not those of its waves."""
+    previous = previous_of(previous)
+    if previous is None:
         return None
-    if isinstance(last, Stripes):
-        return _last_of_stripes(last, last.directions, match, max_distance)
-    if not isinstance(last, tuple) or len(last) != 2 or not isinstance(last[0], Surface):
-        raise TypeError("last: expected a pair of a brindle.Surface and its directions, or a "
+    pattern, max_distance = previous.pattern, previous.max_distance
+    if pattern is None:
+        raise Error(f"{'match' if previous.match else 'max_distance'} has no effect here: no field is "
+                    "followed; give its directions or Stripes")
+    if isinstance(getattr(pattern, "_core", None), _core.Stripes):
+        surface, max_distance = pattern.surface, pattern._spacing() if max_distance is None else max_distance
+        directions = pattern.directions if directions is None else directions
+    elif isinstance(pattern, tuple) and len(pattern) == 2 and isinstance(pattern[0], Surface):
+        surface, directions = pattern
+    else:
+        raise TypeError("previous: expected a pair of a brindle.Surface and its directions, or "
                         "brindle.Stripes")
-    distance = float("inf") if max_distance is None else number(max_distance, "max_distance")
-    return last[0]._core, last[1], distance, "" if match is None else word(match, "match")
-
-
-def _last_of_stripes(stripes: Any, directions: Any, match: Optional[Match],
-                     max_distance: Optional[float] = None) -> Any:
-    if max_distance is None:
-        max_distance = stripes._spacing()
-    return (stripes.surface._core, directions, number(max_distance, "max_distance"),
-            "" if match is None else word(match, "match"))
+    return (surface._core, directions, float("inf") if max_distance is None else max_distance,
+            previous.match or "")
 
 
 def read_strokes(path: Any) -> list[Stroke]:
@@ -82,11 +79,11 @@ class Loop(NamedTuple):
     component: int  #: number of its connected component, from 0
 
 
-class Surface:
+class Surface(Drawn):
     """A surface of triangles, or of points without triangles.
 
     ``Surface(V, F)`` takes n vertices and m triangles: numeric arrays of shape (n, 3) and (m, 3)
-    in any memory order; triangles are vertex numbers from 0. Vertices and triangles keep their
+    in any memory order; faces are triangles, vertex numbers from 0. Vertices and faces keep their
     numbers. The arrays are copied once, as packed floats.
 
     ``repair=True`` repairs as reading a file does: invalid triangles are dropped (corners out of
@@ -108,10 +105,10 @@ class Surface:
 
     __slots__ = ("_core", "_source", "__weakref__")
 
-    def __init__(self, vertices: "ArrayLike", triangles: "ArrayLike", *, repair: bool = False,
-                 crease_angle: float = 180, point_data: Optional[Mapping[str, "ArrayLike"]] = None,
-                 cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
-        self._core = _core.surface_of_arrays(vertices, triangles, dict(point_data or {}),
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike, *, repair: bool = False,
+                 crease_angle: float = 180, point_data: Optional[Mapping[str, ArrayLike]] = None,
+                 cell_data: Optional[Mapping[str, ArrayLike]] = None) -> None:
+        self._core = _core.surface_of_arrays(vertices, faces, dict(point_data or {}),
                                              dict(cell_data or {}), flag(repair, "repair"),
                                              number(crease_angle, "crease_angle"))
         self._source: Any = None
@@ -119,19 +116,21 @@ class Surface:
             warn(self._core.split_warning)
 
     @classmethod
-    def _of(cls, core: "_core.Surface", source: Any = None) -> "Surface":
+    def _of(cls, core: "_core.Surface", source: Any = None) -> Surface:
         surface = cls.__new__(cls)
         surface._core = core
         surface._source = source
         return surface
 
     def __repr__(self) -> str:
-        kind = "points" if self.is_points else f"vertices, {self.triangle_count} triangles"
+        kind = "points" if self.is_points else f"vertices, {self.face_count} triangles"
         return f"<brindle.Surface {self.name}: {self.vertex_count} {kind}, diagonal {self.diagonal:.4g}>"
 
-    def _repr_png_(self) -> Optional[bytes]:
-        from ._pictures import notebook_png
-        return notebook_png(self)
+    def _drawn(self, surface: Surface, picture: _core.Picture, look: Look, tile: Any) -> Any:
+        return _core.render(surface._core, None, picture)
+
+    def _mesh_parts(self) -> tuple[Any, ...]:
+        return self.vertices, "triangle", self.faces, self.point_data, self.cell_data
 
     # --- properties ---------------------------------------------------------------------------
 
@@ -151,9 +150,9 @@ class Surface:
         return self._core.vertex_count
 
     @property
-    def triangle_count(self) -> int:
+    def face_count(self) -> int:
         """m, the number of triangles."""
-        return self._core.triangle_count
+        return self._core.face_count
 
     @property
     def edge_count(self) -> int:
@@ -166,18 +165,18 @@ class Surface:
         return self._core.diagonal
 
     @property
-    def vertices(self) -> "NDArray[np.floating]":
+    def vertices(self) -> NDArray[np.floating]:
         """(n, 3) positions: float32 in shared memory or, for coordinates that are large compared
         to the size, float64."""
         return self._core.vertices
 
     @property
-    def triangles(self) -> "NDArray[np.int32]":
+    def faces(self) -> Indices:
         """(m, 3) vertex numbers; shares memory."""
-        return self._core.triangles
+        return self._core.faces
 
     @property
-    def normals(self) -> "NDArray[np.float32]":
+    def normals(self) -> Floats:
         """(n, 3) unit normals, zero if undefined; shares memory."""
         return self._core.normals
 
@@ -187,18 +186,18 @@ class Surface:
         return self._core.origin
 
     @property
-    def neighbors(self) -> "tuple[NDArray[np.int32], NDArray[np.int32]]":
+    def neighbors(self) -> tuple[Indices, Indices]:
         """Offsets (n + 1,) and vertex numbers: the neighbours of vertex i are at offsets[i] up to
         offsets[i + 1]."""
         return self._core.neighbor_offsets, self._core.neighbors
 
     @property
-    def point_data(self) -> "dict[str, NDArray[Any]]":
+    def point_data(self) -> Arrays:
         """Named arrays with a row per vertex, in the type of the file or object; share memory."""
         return self._core.point_data
 
     @property
-    def cell_data(self) -> "dict[str, NDArray[Any]]":
+    def cell_data(self) -> Arrays:
         """Named arrays with a row per triangle."""
         return self._core.cell_data
 
@@ -208,13 +207,13 @@ class Surface:
         return self._core.repair
 
     @property
-    def joined(self) -> "NDArray[np.int32]":
+    def joined(self) -> Indices:
         """(n,) the vertex that replaces each one: itself, or the first at the same position.
         Empty if no vertices were joined."""
         return self._core.joined
 
     @property
-    def crease_vertices(self) -> "NDArray[np.int32]":
+    def crease_vertices(self) -> Indices:
         """(k,) the sources of the last k vertices, which ``crease_angle`` copied, one per face at
         a sharp edge."""
         return self._core.crease_vertices
@@ -224,31 +223,30 @@ class Surface:
         """Lines about repairs and parts of the file that were left out."""
         return self._core.left_out + self._core.repair_text
 
-    def curvature(self) -> "tuple[NDArray, NDArray, NDArray, NDArray]":
+    def curvature(self) -> tuple[NDArray, NDArray, NDArray, NDArray]:
         """Principal curvatures, of larger absolute value (n,) and smaller (n,), in 1 / length,
         and their unit directions (n, 3) and (n, 3)."""
         return self._core.curvature()
 
     # --- derived surfaces --------------------------------------------------------------------
 
-    def subdivided(self, times: int = 1, *, rounded: bool = False) -> "Surface":
+    def subdivide(self, times: int = 1, *, rounded: bool = False) -> Surface:
         """The surface with every triangle split in four, ``times`` times; arrays are
         interpolated. ``rounded``: triangles bend with the normals at their corners, which rounds
         coarse meshes; edges that bend by more than 40 degrees stay."""
-        return Surface._of(self._core.subdivided(whole_number(times, "times"),
+        return Surface._of(self._core.subdivide(whole_number(times, "times"),
                                                  _rounded(rounded, times)))
 
-    def moved(self, vertices: "ArrayLike") -> "Surface":
+    def with_vertices(self, vertices: ArrayLike) -> Surface:
         """The same triangles with vertices at other positions (n, 3)."""
-        return Surface._of(self._core.moved(vertices), self._source)
+        return Surface._of(self._core.with_vertices(vertices), self._source)
 
     # --- fields -------------------------------------------------------------------------------
 
     def smooth_field(self, *, symmetry: int = 2, curvature_anchor: float = 0,
                      curvature: Curvature = "max", feature_anchor: float = 0, feature_angle: float = 40,
                      feature_radius: float = 0, normal_radius: float = 0,
-                     strokes: Sequence[Stroke] = (), last: Any = None, match: Optional[Match] = None,
-                     max_distance: Optional[float] = None) -> "NDArray[np.float32]":
+                     strokes: Union[Stroke, Sequence[Stroke]] = (), previous: Any = None) -> Floats:
         """(n, 3) unit tangent vectors of the smoothest field.
 
         ``symmetry``: 1 vectors, 2 lines, 4 crosses. ``curvature_anchor``: attraction to principal
@@ -258,15 +256,15 @@ class Surface:
         normals (0: none). ``strokes``: lines that the field follows (``brindle.Stroke``), for
         even symmetries.
 
-        ``last``: the last field, which this one starts from and stays near to: a pair of the
-        Surface before it moved and its (n, 3) directions, or a Stripes, for the directions of its
-        waves. ``match``: vertices are matched by "number" or "position" (default: by number if
-        the triangles are the same). ``max_distance``: limit of matching by position (default:
-        none for a pair, one mean period for a Stripes).
+        ``previous``: the last field, which this one starts from and stays near to: a pair of the
+        Surface before it moved and its (n, 3) directions, or Stripes, for the directions of its
+        waves; in a ``brindle.Previous`` with ways to match vertices.
         """
+        if getattr(previous, "stiffness", None) is not None:
+            raise Error("stiffness has no effect here: it is for phases of stripes")
         return self._smooth_field(symmetry, curvature_anchor, curvature, feature_anchor,
                                   feature_angle, feature_radius, normal_radius, strokes,
-                                  _last_field(last, match, max_distance))[0]
+                                  last_field(previous))[0]
 
     def _smooth_field(self, symmetry: Any = 2, curvature_anchor: Any = 0, curvature: Any = "max",
                       feature_anchor: Any = 0, feature_angle: Any = 40, feature_radius: Any = 0,
@@ -281,25 +279,22 @@ class Surface:
                                   number(normal_radius, "normal_radius"), _parts_of(strokes), last)
 
     def stroke_anchors(self, strokes: Sequence[Stroke]
-                       ) -> "tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]":
+                       ) -> tuple[Indices, Floats, Floats]:
         """Constraints by strokes: vertices (k,), directions (k, 3) and weights (k,), for
         ``FieldAnimator.frame``."""
         return _core.stroke_anchors(self._core, _parts_of(strokes))
 
-    def projected_field(self, axis: Sequence[float]) -> "NDArray[np.float32]":
+    def projected_field(self, axis: Sequence[float]) -> Floats:
         """(n, 3): one non-zero vector, projected into every tangent plane."""
-        try:
-            x, y, z = (number(component, "axis") for component in axis)
-        except TypeError:
-            raise
-        except ValueError as error:
-            raise Error("axis: expected three numbers") from error
+        if not hasattr(axis, "__iter__"):
+            raise TypeError(f"axis: expected three numbers, got {type(axis).__name__}")
+        x, y, z = numbers_of(axis, "axis", "three numbers", 3)
         return _core.projected_field(self._core, x, y, z)
 
     def curvature_field(self, which: Curvature = "max", *, anchor: float = 0.1, raw: bool = False,
                         symmetry: int = 2, feature_anchor: float = 0, feature_angle: float = 40,
                         feature_radius: float = 0,
-                        normal_radius: float = 0) -> "NDArray[np.float32]":
+                        normal_radius: float = 0) -> Floats:
         """(n, 3): directions of larger ("max") or smaller ("min") absolute principal curvature.
 
         This is the smooth field with the curvature anchor ``anchor``, as ``--field curvature`` of
@@ -317,7 +312,7 @@ class Surface:
                                  feature_anchor=feature_anchor, feature_angle=feature_angle,
                                  feature_radius=feature_radius, normal_radius=normal_radius)
 
-    def array_field(self, vectors: "Union[str, ArrayLike]") -> "NDArray[np.float32]":
+    def array_field(self, vectors: Union[str, ArrayLike]) -> Floats:
         """(n, 3): vectors of any length projected into the tangent planes.
 
         ``vectors`` are (n, 3) or, in the x-y plane, (n, 2); or the name of such an array:
@@ -328,41 +323,37 @@ class Surface:
                        else ("directions", vectors))
         return _core.array_field(self._core, name, array)[0]
 
-    def tensor_field(self, tensors: "Union[str, ArrayLike]",
-                     axis: TensorAxis = "major", order: TensorOrder = "vtk") -> "NDArray[np.float32]":
+    def tensor_field(self, tensors: Union[str, ArrayLike],
+                     axis: TensorAxis = "major", order: TensorOrder = "vtk") -> Floats:
         """(n, 3): along an eigenvector of symmetric tensors: (n, 6) in VTK's order XX, YY, ZZ, XY,
         YZ, XZ, (n, 9) or (n, 3, 3), or the name of an array. ``axis``: "major", "minor",
         "max-abs", or "tangent-major" or "tangent-minor" of the part within the surface.
         ``order``: "vtk", "voigt" (XX, YY, ZZ, YZ, XZ, XY) or "plane": XX, YY, XY, or (n, 4)."""
         name, array = self._array(tensors, "tensors")
-        return _core.tensor_field(self._core, name, _flat_tensors(array), word(axis, "axis"),
+        return _core.tensor_field(self._core, name, flat_tensors(array), word(axis, "axis"),
                                   word(order, "order"))[0]
 
-    def turned_field(self, directions: "ArrayLike", degrees: float = 90) -> "NDArray[np.float32]":
-        """(n, 3): directions turned about the normals, counter-clockwise seen from outside."""
-        return _core.turned_field(self._core, directions, number(degrees, "degrees"))
+    def rotate_field(self, directions: ArrayLike, degrees: float = 90) -> Floats:
+        """(n, 3): directions rotated about the normals, counter-clockwise seen from outside."""
+        return _core.rotate_field(self._core, directions, number(degrees, "degrees"))
 
-    def frequencies_by(self, array: "Union[str, ArrayLike]", *, stripes: Any = None,
+    def frequencies_by(self, array: Union[str, ArrayLike], *, stripes: Any = None,
                        frequency: Any = None, spacing: Optional[float] = None,
                        range: tuple[float, float] = (0.4, 2.5),
-                       inverse: bool = False) -> "NDArray[np.float32]":
+                       inverse: bool = False) -> Floats:
         """(n,) frequencies, in stripes per unit length, denser where ``array`` (n,) is larger (of
         vectors: longer): ``frequency``, or that of ``stripes`` or ``spacing``, times
         the factors of ``range`` at its smallest and largest number. NaN where the array is."""
-        stripes, frequency = count_and_frequency(stripes, frequency, spacing)
+        stripes, frequency = one_frequency(stripes, frequency, spacing)
         if frequency is None:
             frequency = self.frequency_of(stripes)
         name, values = self._array(array, "array")
-        try:
-            lowest, highest = range
-        except (TypeError, ValueError) as error:
-            raise Error("range: expected two factors, the smaller one first, such as (0.4, 2.5)"
-                        ) from error
+        lowest, highest = numbers_of(range, "range", "two factors, the smaller one first, such as "
+                                     "(0.4, 2.5)", 2)
         return _core.frequencies_by(self._core, name, values, number(frequency, "frequency"),
-                                    (number(lowest, "range"), number(highest, "range")),
-                                    flag(inverse, "inverse"))
+                                    (lowest, highest), flag(inverse, "inverse"))
 
-    def globe_vectors(self, east_north: "ArrayLike") -> "NDArray[np.float32]":
+    def globe_vectors(self, east_north: ArrayLike) -> Floats:
         """(n, 3) vectors from east and north components ``east_north`` (n, 2) on a globe, or a
         part of one, around the origin with axis z. NaN at the poles."""
         return _core.globe_vectors(self._core, east_north)
@@ -378,54 +369,54 @@ class Surface:
         """All boundaries, then two loops per handle."""
         return [Loop(*parts) for parts in _core.loops(self._core)]
 
-    def waves_round(self, reference: "ArrayLike", periods: int,
-                    loop: str = "") -> "tuple[NDArray[np.float32], NDArray[np.float32]]":
+    def waves_around(self, reference: ArrayLike, periods: int,
+                    loop: str = "") -> tuple[Floats, Floats]:
         """Directions (n, 3) and frequencies (n,) of waves without branches that have exactly
         ``periods`` periods around a loop, such as the wales of a sleeve. ``reference``: (n, 3)
         directions along the loop; ``loop``: its name, if there are several."""
-        return _core.waves_round(self._core, reference, word(loop, "loop"),
+        return _core.waves_around(self._core, reference, word(loop, "loop"),
                                  whole_number(periods, "periods"))
 
     # --- arrays -------------------------------------------------------------------------------
 
-    def array(self, name: str) -> "NDArray[Any]":
+    def array(self, name: str) -> NDArray[Any]:
         """The array of that name with a row per vertex: "speed", "points/speed", or
         "cells/speed", which is transferred to the vertices. Raises Error with all names if there
         is none."""
         found, array, is_of_cells = self._core.array_named(word(name, "name"))
-        return self.moved_to_points(array, found) if is_of_cells else array
+        return self.cells_to_points(array, found) if is_of_cells else array
 
-    def axes(self, name: str) -> "NDArray[Any]":
+    def axes(self, name: str) -> NDArray[Any]:
         """As ``array`` for vectors up to sign, such as fibres: rows that are means, after
-        ``subdivided`` or of cells, are means of axes. Patterns along a named array use this."""
+        ``subdivide`` or of cells, are means of axes. Patterns along a named array use this."""
         return self._core.axes_named(word(name, "name"))
 
-    def moved_to_points(self, cells: "ArrayLike", name: str = "array", *,
-                        axes: bool = False) -> "NDArray[Any]":
+    def cells_to_points(self, cells: ArrayLike, name: str = "array", *,
+                        axes: bool = False) -> NDArray[Any]:
         """Transfers an array with a row per triangle to the vertices, by means weighted by area;
         ``axes``: for vectors up to sign."""
-        return self._core.moved_to_points(name, cells, flag(axes, "axes"))
+        return self._core.cells_to_points(name, cells, flag(axes, "axes"))
 
-    def carried(self, array: "Union[str, ArrayLike]", to: Any,
-                max_distance: float = float("inf"), *, axes: bool = False) -> "NDArray[Any]":
-        """An array of this surface at the vertices of another one: from the nearest place, or NaN
-        where that is farther than ``max_distance``. With ``axes``, signs of vectors do not
-        count."""
-        return self._core.carried(*self._own_array(array), as_surface(to)._core,
-                                  distance(max_distance, "max_distance"), flag(axes, "axes"))
+    def interpolate_to(self, target: Any, array: Union[str, ArrayLike],
+                       max_distance: float = float("inf"), *, axes: bool = False) -> NDArray[Any]:
+        """An array of this surface, or its name, at the vertices of another one: from the nearest
+        place, or NaN where that is farther than ``max_distance``. With ``axes``, signs of vectors
+        do not count."""
+        return self._core.interpolate_to(*self._own_array(array), as_surface(target)._core,
+                                         distance(max_distance, "max_distance"), flag(axes, "axes"))
 
-    def nearest(self, points: "ArrayLike", max_distance: float = float("inf")
-                ) -> "tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.float64]]":
+    def nearest(self, points: ArrayLike, max_distance: float = float("inf")
+                ) -> tuple[Indices, NDArray[np.float64], NDArray[np.float64]]:
         """The nearest points on the surface to k points (k, 3): triangles (k,), -1 beyond
         ``max_distance``, barycentric coordinates (k, 3) and distances (k,)."""
         return self._core.nearest(points, distance(max_distance, "max_distance"))
 
-    def write(self, path: Any, *, point_data: Optional[Mapping[str, "ArrayLike"]] = None,
-              cell_data: Optional[Mapping[str, "ArrayLike"]] = None) -> None:
+    def write(self, path: Any, *, point_data: Optional[Mapping[str, ArrayLike]] = None,
+              cell_data: Optional[Mapping[str, ArrayLike]] = None) -> None:
         """Writes .vtp, .ply, .obj, .gltf or .glb, atomically, with the surface's arrays and the
         given ones. Warns of arrays that the format cannot hold."""
-        points: "dict[str, ArrayLike]" = {**self.point_data, **(point_data or {})}
-        cells: "dict[str, ArrayLike]" = {**self.cell_data, **(cell_data or {})}
+        points: dict[str, ArrayLike] = {**self.point_data, **(point_data or {})}
+        cells: dict[str, ArrayLike] = {**self.cell_data, **(cell_data or {})}
         for line in _core.write_surface(path_of(path), self._core, points, cells, {}, {}):
             warn(line)
 
@@ -440,7 +431,7 @@ class Surface:
         return what, given
 
 
-def _flat_tensors(array: Any) -> Any:
+def flat_tensors(array: Any) -> Any:
     """Reshapes (n, 3, 3) to (n, 9)."""
     if not hasattr(array, "shape"):
         array = _core.unmasked(array)
@@ -461,8 +452,7 @@ def as_surface(mesh: Any) -> Surface:
         return mesh
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return Surface(mesh[0], mesh[1])
-    from ._meshes import surface_of
-    return surface_of(mesh)
+    return Surface._of(*surface_of(mesh))
 
 
 def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdivide: int = 0,
@@ -472,7 +462,7 @@ def read(path: Any, *, points: Optional[bool] = None, neighbors: int = 8, subdiv
 
     ``points``: read only the vertices, as points, each joined to its ``neighbors`` nearest; None:
     if the file has no faces. ``subdivide``: times, 0 to 10, that every triangle is split in four;
-    ``rounded``: as in ``Surface.subdivided``. ``crease_angle``: edges that bend by more degrees
+    ``rounded``: as in ``Surface.subdivide``. ``crease_angle``: edges that bend by more degrees
     are creases, whose vertices are copied for each further face, behind all others; 180: none.
     ``progress(stage, fraction)`` may return False to cancel.
 
@@ -500,8 +490,8 @@ def shape(name: str, *, subdivide: int = 0, rounded: bool = False, crease_angle:
                                    number(crease_angle, "crease_angle")))
 
 
-def points(positions: "ArrayLike", normals: "Optional[ArrayLike]" = None, *, neighbors: int = 8,
-           point_data: Optional[Mapping[str, "ArrayLike"]] = None) -> Surface:
+def points(positions: ArrayLike, normals: Optional[ArrayLike] = None, *, neighbors: int = 8,
+           point_data: Optional[Mapping[str, ArrayLike]] = None) -> Surface:
     """A surface of points: positions (n, 3) and optional normals (n, 3). Each point is joined to
     its ``neighbors`` nearest. Points that are repeated or not finite are ignored and keep their
     numbers."""

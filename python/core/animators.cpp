@@ -10,6 +10,7 @@
 #include "brindle/stripe_animator.h"
 #include "brindle/waves/parsed_words.h"
 #include "frame_waves.h"
+#include "given_options.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -33,26 +34,31 @@ struct AnimatorData {
       : surface(std::move(on)), animator(std::move(with)), normals(surface->surface) {}
 };
 
-std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface,
-                                            const std::string& solver, float lambda, int sweeps,
-                                            int cycles, int iterations,
-                                            const std::string& phase_shift,
-                                            const py::object& edge_weights, py::handle slack,
-                                            py::handle branch_penalty) {
-  check_numbers(lambda, sweeps, cycles);
-  saying_in_pythons_words([&] { check_number("--iterations", iterations); });
+FrameSolver frame_solver(const std::string& name) {
+  if (name == "multilevel") return FrameSolver::multilevel;
+  if (name == "relaxation") return FrameSolver::relaxation;
+  throw Error("solver: '" + name + "' is neither multilevel nor relaxation");
+}
+
+std::unique_ptr<AnimatorData> make_animator(const SurfacePointer& surface, const py::dict& solver,
+                                            float stiffness, const py::object& edge_weights,
+                                            py::handle slack, py::handle branch_penalty) {
   AnimatorOptions options;
-  if (solver != "multilevel" && solver != "relaxation") {
-    throw Error("solver: '" + solver + "' is neither multilevel nor relaxation");
-  }
-  options.solver = solver == "multilevel" ? FrameSolver::multilevel : FrameSolver::relaxation;
-  options.lambda = lambda;
-  options.sweeps = sweeps;
-  options.cycles = cycles;
-  options.iterations = iterations;
-  const auto kind = parse_phase_shift_kind(phase_shift);
-  if (!kind) throw Error("phase_shift: '" + phase_shift + "' is neither aligned nor trapezoid");
-  options.phase_shift = *kind;
+  const GivenOptions given(solver);
+  given("--solver", options.solver,
+        [](const std::string& name) { return std::optional(frame_solver(name)); });
+  given("--sweeps", options.sweeps);
+  given("--cycles", options.cycles);
+  given("--iterations", options.iterations);
+  given("--phase-shift", options.phase_shift, parse_phase_shift_kind);
+  options.lambda = stiffness;
+  saying_in_pythons_words([&] {
+    if (options.solver == FrameSolver::multilevel) {
+      refuse_given(given.is_given(), {"--iterations"}, "it is for --solver relaxation");
+    } else {
+      refuse_given(given.is_given(), {"--sweeps", "--cycles"}, "it is for --solver multilevel");
+    }
+  });
   if (!edge_weights.is_none()) {
     const Table table = table_of(edge_weights, "edge_weights");
     check_rows(table.array, surface->surface.neighborhood->directed_edge_count(), "edge_weights",
@@ -157,30 +163,23 @@ std::unique_ptr<AnimatorData> sibling_of(AnimatorData& data) {
 void bind_animator(py::module_& module) {
   py::class_<AnimatorData>(module, "Animator")
       .def(py::init(&make_animator), py::arg("surface").none(false), py::arg("solver"),
-           py::arg("lambda_"), py::arg("sweeps"), py::arg("cycles"), py::arg("iterations"),
-           py::arg("phase_shift"), py::arg("edge_weights"), py::arg("slack"),
+           py::arg("stiffness"), py::arg("edge_weights"), py::arg("slack"),
            py::arg("avoid_branches"))
-      .def_property_readonly("surface", [](const AnimatorData& data) { return data.surface; })
+      .def_readonly("surface", &AnimatorData::surface)
       .def("frame", frame, py::arg("directions"), py::arg("frequencies"), py::arg("positions"),
            py::arg("out"), py::arg("progress"))
-      .def_property_readonly("phase_step", [](const AnimatorData& data) { return data.phase_step; })
-      .def_property_readonly("unchanged", [](const AnimatorData& data) { return data.unchanged; })
+      .def_readonly("phase_step", &AnimatorData::phase_step)
+      .def_readonly("unchanged", &AnimatorData::unchanged)
       .def_property_readonly("milliseconds",
                              [](const AnimatorData& data) {
-                               py::dict times;
-                               times["frequency"] = data.milliseconds.frequency;
-                               times["couple"] = data.milliseconds.couple;
-                               times["sum"] = data.milliseconds.sum;
-                               times["solve"] = data.milliseconds.solve;
-                               return times;
+                               const FrameMilliseconds& times = data.milliseconds;
+                               return py::dict("frequency"_a = times.frequency,
+                                               "couple"_a = times.couple, "sum"_a = times.sum,
+                                               "solve"_a = times.solve);
                              })
-      .def_property_readonly("topology_milliseconds",
-                             [](const AnimatorData& data) { return data.topology_milliseconds; })
+      .def_readonly("topology_milliseconds", &AnimatorData::topology_milliseconds)
       .def("frequencies",
-           [](const AnimatorData& data) {
-             std::vector<float> copy = data.frequencies;
-             return owned(std::move(copy));
-           })
+           [](const AnimatorData& data) { return owned(std::vector<float>(data.frequencies)); })
       .def("energy",
            [](AnimatorData& data) {
              const OneAtATime alone(data.busy, "this animator");
@@ -192,10 +191,13 @@ void bind_animator(py::module_& module) {
              const OneAtATime alone(data.busy, "this animator");
              data.animator.restart();
            })
-      .def("set_last_phases", [](AnimatorData& data, py::handle z) {
-        const OneAtATime alone(data.busy, "this animator");
-        data.animator.set_last_phases(phases_of(z, data.surface->surface.mesh, "phases"));
-      });
+      .def(
+          "set_phases",
+          [](AnimatorData& data, py::handle phases) {
+            const OneAtATime alone(data.busy, "this animator");
+            data.animator.set_last_phases(phases_of(phases, data.surface->surface.mesh, "phases"));
+          },
+          py::arg("phases"));
 }
 
 }  // namespace
@@ -204,13 +206,12 @@ void bind_animators(py::module_& module) {
   bind_animator(module);
   py::class_<FieldAnimatorData>(module, "FieldAnimator")
       .def(py::init([](const SurfacePointer& surface, int symmetry, float lambda, int sweeps) {
-             check_numbers(lambda, sweeps, 0);
              return std::make_unique<FieldAnimatorData>(
                  surface, SmoothFieldAnimatorOptions{symmetry, lambda, sweeps});
            }),
-           py::arg("surface").none(false), py::arg("symmetry"), py::arg("lambda_"),
+           py::arg("surface").none(false), py::arg("symmetry"), py::arg("stiffness"),
            py::arg("sweeps"))
-      .def_property_readonly("surface", [](const FieldAnimatorData& data) { return data.surface; })
+      .def_readonly("surface", &FieldAnimatorData::surface)
       .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"),
            py::arg("progress"));
 }

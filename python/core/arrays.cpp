@@ -93,7 +93,7 @@ bool has_rows(const py::array& array, std::size_t rows) {
 std::string remedy_of_cells(const py::array& array, const Mesh& mesh, const std::string& what) {
   if (!has_rows(array, mesh.triangle_count())) return "";
   const bool vectors = array.ndim() == 2 && (array.shape(1) == 2 || array.shape(1) == 3);
-  return ", a row per triangle; give surface.moved_to_points(" + what +
+  return ", a row per triangle; give surface.cells_to_points(" + what +
          (vectors ? ", axes=True)" : ")");
 }
 
@@ -268,11 +268,6 @@ py::array shared(const py::dtype& type, const void* data, const Shape& shape, py
   py::array array(type, shape, {}, data, owner);
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
-}
-
-py::array shared(std::span<const Vec3> vectors, py::handle owner) {
-  return shared(reinterpret_cast<const float*>(vectors.data()),
-                {static_cast<py::ssize_t>(vectors.size()), 3}, owner);
 }
 
 py::array shared(const DataArray& array, py::handle owner) {

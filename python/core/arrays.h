@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@
 namespace brindle::python {
 
 namespace py = pybind11;
+using namespace py::literals;
 
 /// The number of arrays that were converted or copied for functions that can read in place. For
 /// tests.
@@ -99,12 +101,39 @@ py::array shared(const py::dtype& type, const void* data, const Shape& shape, py
 py::array array_owning(DataArray&& array);
 py::dict dict_owning(std::vector<DataArray>&& arrays);
 
-template <class Number>
-py::array shared(const Number* data, const Shape& shape, py::handle owner) {
-  return shared(py::dtype::of<Number>(), data, shape, owner);
-}
-py::array shared(std::span<const Vec3> vectors, py::handle owner);
 py::array shared(const DataArray& array, py::handle owner);
+
+/// The numbers of rows: numbers themselves, vectors, or several indices, which are signed in Python
+/// because unsigned differences surprise; no mesh here has 2^31 vertices.
+template <class Row>
+struct RowOf {
+  using Number = Row;
+};
+template <>
+struct RowOf<Index> {
+  using Number = std::int32_t;
+};
+template <class Entry, std::size_t Columns>
+struct RowOf<std::array<Entry, Columns>> : RowOf<Entry> {};
+template <class Entry, int Columns>
+struct RowOf<Eigen::Matrix<Entry, Columns, 1>> : RowOf<Entry> {};
+
+template <class Row>
+py::array shared_rows(std::span<const Row> rows, py::handle owner) {
+  using Number = typename RowOf<Row>::Number;
+  constexpr py::ssize_t kColumns = sizeof(Row) / sizeof(Number);
+  const auto count = static_cast<py::ssize_t>(rows.size());
+  return shared(py::dtype::of<Number>(), rows.data(),
+                kColumns == 1 ? Shape{count} : Shape{count, kColumns}, owner);
+}
+
+/// A property: the rows of a vector, in shared memory.
+template <class Data, class Rows>
+void def_rows(py::class_<Data, std::shared_ptr<Data>>& type, const char* name, Rows rows) {
+  type.def_property_readonly(name, [rows](py::handle self) {
+    return shared_rows(std::span(rows(py::cast<const Data&>(self))), self);
+  });
+}
 
 /// An array that takes over the vector's memory without copying.
 template <class Number, class Entry>

@@ -1,6 +1,6 @@
 #include "brindle/curves.h"
 
-#include <algorithm>
+#include <numeric>
 
 #include <pybind11/stl.h>
 
@@ -8,6 +8,7 @@
 #include "brindle/curve_measures.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/line_drawing.h"
 #include "brindle/mesh_data.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/recipe/report.h"
@@ -15,6 +16,7 @@
 #include "brindle/stripe_tracer.h"
 #include "job.h"
 #include "pattern_data.h"
+#include "pictures.h"
 #include "stored.h"
 #include "words.h"
 
@@ -75,7 +77,23 @@ std::string warnings_of_curves(const CurvesData& data) {
   return data.curves.lines.count() > 0 ? "" : brindle::why_no_curves("u", data.short_curves);
 }
 
-CurvesPointer curves(const StripesData& stripes, const CurveRequest& request) {
+CurveRequest request_of(const py::dict& given) {
+  CurveRequest request;
+  const auto set = [&](const char* name, auto& field) {
+    if (given.contains(name)) field = py::cast<std::decay_t<decltype(field)>>(given[name]);
+  };
+  set("join", request.join);
+  set("trim", request.trim);
+  set("fair", request.fair);
+  set("offset", request.offset);
+  set("min_length", request.min_length);
+  set("simplify", request.simplify);
+  set("resample", request.resample);
+  return request;
+}
+
+CurvesPointer curves(const StripesData& stripes, const py::dict& given) {
+  const CurveRequest request = request_of(given);
   if (stripes.surface->is_points()) throw Error("curves need triangles; points have none");
   check_not_negative(request.min_length, "min_length");
   if (request.simplify) check_not_negative(*request.simplify, "simplify");
@@ -97,8 +115,6 @@ CurvesPointer curves(const StripesData& stripes, const CurveRequest& request) {
     return made;
   });
 }
-
-const CurvesData& curves_of(py::handle self) { return py::cast<const CurvesData&>(self); }
 
 // Pairs of point numbers; closed lines return to their first point.
 py::array edges_of(const CurvesData& data) {
@@ -148,49 +164,30 @@ py::array lengths_of(const CurvesData& data) {
 
 py::dict metrics_of(const CurvesData& data) {
   const auto end = [&](CurveEnd kind) { return data.ends[static_cast<std::size_t>(kind)]; };
-  py::dict ends;
-  std::size_t total = 0;
-  for (const std::size_t count : data.ends) total += count;
-  ends["total"] = total;
-  ends["boundary"] = end(CurveEnd::boundary);
-  ends["no_wave"] = end(CurveEnd::no_wave);
-  ends["nonmanifold"] = end(CurveEnd::nonmanifold);
-  ends["crease"] = end(CurveEnd::crease);
-  ends["branch"] = end(CurveEnd::branch);
-  ends["singularity"] = end(CurveEnd::singularity);
-  py::dict result;
-  result["short_curves_left_out"] = data.short_curves;
-  result["ends"] = ends;
-  result["joined_ends"] = data.curves.joined_ends;
-  result["ends_at_neighbours"] = data.curves.ends_at_neighbors;
-  result["trimmed_ends"] = data.curves.trimmed_ends;
-  result["trimmed_away"] = data.curves.trimmed_away;
-  result["smooth_forks"] = data.curves.smooth_forks;
-  result["largest_move"] = data.curves.largest_move;
-  result["edges_with_jogs"] = data.jogs;
-  return result;
+  const StripeCurves& curves = data.curves;
+  const py::dict ends("total"_a = std::accumulate(data.ends.begin(), data.ends.end(), 0UL),
+                      "boundary"_a = end(CurveEnd::boundary), "no_wave"_a = end(CurveEnd::no_wave),
+                      "nonmanifold"_a = end(CurveEnd::nonmanifold),
+                      "crease"_a = end(CurveEnd::crease), "branch"_a = end(CurveEnd::branch),
+                      "singularity"_a = end(CurveEnd::singularity));
+  return py::dict("short_curves_left_out"_a = data.short_curves, "ends"_a = ends,
+                  "joined_ends"_a = curves.joined_ends,
+                  "ends_at_neighbours"_a = curves.ends_at_neighbors,
+                  "trimmed_ends"_a = curves.trimmed_ends, "trimmed_away"_a = curves.trimmed_away,
+                  "smooth_forks"_a = curves.smooth_forks, "largest_move"_a = curves.largest_move,
+                  "edges_with_jogs"_a = data.jogs);
 }
 
 py::dict dict_of(const CurveLengths& lengths) {
-  py::dict result;
-  result["closed"] = lengths.closed_length;
-  result["open"] = lengths.open_length;
-  result["shortest"] = lengths.shortest;
-  result["mean"] = lengths.mean;
-  result["longest"] = lengths.longest;
-  return result;
+  return py::dict("closed"_a = lengths.closed_length, "open"_a = lengths.open_length,
+                  "shortest"_a = lengths.shortest, "mean"_a = lengths.mean,
+                  "longest"_a = lengths.longest);
 }
 
 py::dict dict_of(const CurveGaps& gaps) {
-  py::dict result;
-  result["measured"] = gaps.measured;
-  result["least"] = gaps.least;
-  result["mean"] = gaps.mean;
-  result["most"] = gaps.most;
-  result["least_ratio"] = gaps.least_ratio;
-  result["mean_ratio"] = gaps.mean_ratio;
-  result["most_ratio"] = gaps.most_ratio;
-  return result;
+  return py::dict("measured"_a = gaps.measured, "least"_a = gaps.least, "mean"_a = gaps.mean,
+                  "most"_a = gaps.most, "least_ratio"_a = gaps.least_ratio,
+                  "mean_ratio"_a = gaps.mean_ratio, "most_ratio"_a = gaps.most_ratio);
 }
 
 // Lengths are those of the final curves, gaps those of all traced curves, and coverage that of the
@@ -222,37 +219,50 @@ py::tuple tubes_of(const CurvesData& data, float radius, int sides) {
                         owned<std::int32_t>(std::move(mesh.triangles), {count, 3}));
 }
 
-// An array of the surface, a row per vertex or triangle, at the points of curves.
-py::array carried_to_curves(const CurvesData& data, const std::string& name, py::handle array,
-                            bool axes) {
-  const Mesh& mesh = data.surface->surface.mesh;
+// An array of the surface, a row per vertex or triangle, at places on it.
+template <class Places>
+py::array interpolated(const SurfaceData& surface, const Places& places, const std::string& name,
+                       py::handle array, bool axes) {
+  const Mesh& mesh = surface.surface.mesh;
   const DataArrays values = surface_array_of(mesh, name, array);
-  return array_owning(
-      chosen(arrays_at(data.curves.lines.places, mesh.triangles, values).front(), axes));
+  return array_owning(chosen(arrays_at(places, mesh.triangles, values).front(), axes));
 }
 
-void bind_curve_properties(py::module_& module) {
+// A drawing without hidden lines.
+void draw(const CurvesData& data, const std::string& path, const Picture& picture,
+          const std::string& color) {
+  if (path.ends_with(".pdf")) {
+    throw Error("cannot draw '" + path +
+                "': a drawing is an .svg here; brindle curves writes .pdf");
+  }
+  const Surface& surface = data.surface->surface;
+  const RenderOptions options = options_relative_to(surface.mesh.origin, picture);
+  check_slice_leaves_something(surface.mesh, options);
+  const PenLines pen{"u", line_color(picture, color), data.curves.lines};
+  until_interrupted([&](const Progress& progress) {
+    const std::vector<Pen> drawn =
+        line_drawing(surface.mesh, surface.normals, {&pen, 1}, options.camera, options.width,
+                     options.height, progress.part(0, 0.8));
+    write_svg(path, options.width, options.height, drawn, progress.part(0.8, 1));
+  });
+}
+
+void bind_curves_class(py::module_& module) {
   py::class_<CurvesData, CurvesPointer> type(module, "Curves");
   bind_pickle(type);
-  type.def_property_readonly("surface", [](const CurvesData& data) { return data.surface; })
+  def_rows(
+      type, "local_points", [](const auto& data) -> auto& { return data.curves.lines.points; });
+  def_rows(
+      type, "normals", [](const auto& data) -> auto& { return data.curves.lines.normals; });
+  def_rows(
+      type, "offsets", [](const auto& data) -> auto& { return data.curves.lines.offsets; });
+  type.def_readonly("surface", &CurvesData::surface)
       .def_property_readonly(
-          "local_points",
-          [](py::handle self) { return shared(curves_of(self).curves.lines.points, self); })
-      .def_property_readonly(
-          "normals",
-          [](py::handle self) { return shared(curves_of(self).curves.lines.normals, self); })
-      .def_property_readonly("offsets",
-                             [](py::handle self) {
-                               const auto& rows = curves_of(self).curves.lines.offsets;
-                               return shared(reinterpret_cast<const std::int32_t*>(rows.data()),
-                                             {static_cast<py::ssize_t>(rows.size())}, self);
-                             })
-      .def_property_readonly("closed",
-                             [](py::handle self) {
-                               const auto& closed = curves_of(self).curves.lines.closed;
-                               return shared(reinterpret_cast<const bool*>(closed.data()),
-                                             {static_cast<py::ssize_t>(closed.size())}, self);
-                             })
+          "closed",
+          [](py::handle self) {
+            const auto& data = py::cast<const CurvesData&>(self);
+            return shared_rows(std::span(data.curves.lines.closed), self).attr("view")("bool");
+          })
       .def("edges", edges_of)
       .def("places", places_of)
       .def("ends", ends_of)
@@ -261,12 +271,21 @@ void bind_curve_properties(py::module_& module) {
       .def("warnings", warnings_of_curves)
       .def("measures", measures_of, py::arg("stripes"), py::arg("path_width"))
       .def("tubes", tubes_of, py::arg("radius"), py::arg("sides"))
-      .def("carried", carried_to_curves, py::arg("name"), py::arg("array"), py::arg("axes"))
-      .def("write", [](const CurvesData& data, const std::string& path, const std::string& name,
-                       const py::dict& arrays) {
-        const NamedLines kind{name, data.curves.lines, data_arrays_of(arrays)};
-        without_lock([&] { write_polylines(path, std::span(&kind, 1)); });
-      });
+      .def(
+          "interpolate",
+          [](const CurvesData& data, const std::string& name, py::handle array, bool axes) {
+            return interpolated(*data.surface, data.curves.lines.places, name, array, axes);
+          },
+          py::arg("name"), py::arg("array"), py::arg("axes"))
+      .def("draw", draw, py::arg("path"), py::arg("picture"), py::arg("color"))
+      .def(
+          "write",
+          [](const CurvesData& data, const std::string& path, const std::string& name,
+             const py::dict& arrays) {
+            const NamedLines kind{name, data.curves.lines, data_arrays_of(arrays)};
+            without_lock([&] { write_polylines(path, std::span(&kind, 1)); });
+          },
+          py::arg("path"), py::arg("name"), py::arg("arrays"));
 }
 
 struct SamplesData {
@@ -304,10 +323,9 @@ SamplesPointer samples(const StripesData& u, const StripesData& v, float min_dis
   });
 }
 
-template <class Part>
-py::array vectors_per_sample(const SamplesData& data, const Part& part) {
+py::array vectors_per_sample(const SamplesData& data, Vec3 Sample::*part) {
   std::vector<Vec3> vectors;
-  for (const Sample& sample : data.samples) vectors.push_back(part(sample));
+  for (const Sample& sample : data.samples) vectors.push_back(sample.*part);
   return owned(std::move(vectors));
 }
 
@@ -319,63 +337,51 @@ py::dict sample_columns(const SamplesData& data) {
     spacing_v.push_back(sample.spacing_v);
     triangles.push_back(static_cast<std::int32_t>(sample.triangle));
   }
-  py::dict columns;
-  columns["points"] = vectors_per_sample(data, [](const Sample& s) { return s.position; });
-  columns["normals"] = vectors_per_sample(data, [](const Sample& s) { return s.normal; });
-  columns["directions_u"] = vectors_per_sample(data, [](const Sample& s) { return s.direction_u; });
-  columns["directions_v"] = vectors_per_sample(data, [](const Sample& s) { return s.direction_v; });
-  columns["barycentric"] = vectors_per_sample(data, [](const Sample& s) { return s.barycentric; });
-  columns["spacing_u"] = owned(std::move(spacing_u));
-  columns["spacing_v"] = owned(std::move(spacing_v));
-  columns["triangles"] = owned(std::move(triangles));
-  return columns;
-}
-
-py::array carried_to_samples(const SamplesData& data, const std::string& name, py::handle array,
-                             bool axes) {
-  const Mesh& mesh = data.surface->surface.mesh;
-  const DataArrays values = surface_array_of(mesh, name, array);
-  return array_owning(chosen(arrays_at(data.samples, mesh.triangles, values).front(), axes));
+  return py::dict("points"_a = vectors_per_sample(data, &Sample::position),
+                  "normals"_a = vectors_per_sample(data, &Sample::normal),
+                  "directions_u"_a = vectors_per_sample(data, &Sample::direction_u),
+                  "directions_v"_a = vectors_per_sample(data, &Sample::direction_v),
+                  "barycentric"_a = vectors_per_sample(data, &Sample::barycentric),
+                  "spacing_u"_a = owned(std::move(spacing_u)),
+                  "spacing_v"_a = owned(std::move(spacing_v)),
+                  "triangles"_a = owned(std::move(triangles)));
 }
 
 py::dict spacing_of(const SamplesData& data) {
   const SampleSpacing spacing = until_interrupted(
       [&](const Progress& progress) { return measure_sample_spacing(data.samples, progress); });
-  py::dict result;
-  result["measured"] = spacing.samples;
-  result["mean"] = spacing.mean;
-  result["deviation"] = spacing.deviation;
-  result["isolated_double_share"] = spacing.double_share;
-  return result;
+  return py::dict("measured"_a = spacing.samples, "mean"_a = spacing.mean,
+                  "deviation"_a = spacing.deviation,
+                  "isolated_double_share"_a = spacing.double_share);
 }
 
 }  // namespace
 
 void bind_curves(py::module_& module) {
-  py::class_<CurveRequest>(module, "CurveRequest")
-      .def(py::init<>())
-      .def_readwrite("join", &CurveRequest::join)
-      .def_readwrite("trim", &CurveRequest::trim)
-      .def_readwrite("fair", &CurveRequest::fair)
-      .def_readwrite("offset", &CurveRequest::offset)
-      .def_readwrite("min_length", &CurveRequest::min_length)
-      .def_readwrite("simplify", &CurveRequest::simplify)
-      .def_readwrite("resample", &CurveRequest::resample);
-  bind_curve_properties(module);
+  bind_curves_class(module);
   module.def("curves", curves, py::arg("stripes"), py::arg("request"));
   py::class_<SamplesData, SamplesPointer> type(module, "Samples");
   bind_pickle(type);
-  type.def_property_readonly("surface", [](const SamplesData& data) { return data.surface; })
+  type.def_readonly("surface", &SamplesData::surface)
       .def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })
-      .def_property_readonly("doubles", [](const SamplesData& data) { return data.doubles; })
+      .def_readonly("doubles", &SamplesData::doubles)
       .def("columns", sample_columns)
       .def("spacing", spacing_of)
-      .def("carried", carried_to_samples, py::arg("name"), py::arg("array"), py::arg("axes"))
-      .def("write", [](const SamplesData& data, const std::string& path, const py::dict& arrays) {
-        const std::vector<DataArray> carried = data_arrays_of(arrays);
-        without_lock(
-            [&] { write_samples(path, data.samples, data.surface->surface.mesh.origin, carried); });
-      });
+      .def(
+          "interpolate",
+          [](const SamplesData& data, const std::string& name, py::handle array, bool axes) {
+            return interpolated(*data.surface, data.samples, name, array, axes);
+          },
+          py::arg("name"), py::arg("array"), py::arg("axes"))
+      .def(
+          "write",
+          [](const SamplesData& data, const std::string& path, const py::dict& arrays) {
+            const std::vector<DataArray> kept = data_arrays_of(arrays);
+            without_lock([&] {
+              write_samples(path, data.samples, data.surface->surface.mesh.origin, kept);
+            });
+          },
+          py::arg("path"), py::arg("arrays"));
   module.def("samples", samples, py::arg("u"), py::arg("v"), py::arg("min_distance"));
 }
 

@@ -92,7 +92,7 @@ py::tuple field_smoothing_frame(FieldSmoothingData& data, py::handle vectors,
   }
   MeasuredField before{data.last, {}};
   if (!last.is_none()) {
-    const RowsIn<Vec3> rows(last, mesh, "last");
+    const RowsIn<Vec3> rows(last, mesh, "previous");
     before.directions.assign(rows.rows().begin(), rows.rows().end());
   }
   SmoothedField seen;
@@ -118,11 +118,11 @@ std::string metrics_of_smoothing(FieldSmoothingData& data) {
 void bind_field_smoothing(py::module_& module) {
   py::class_<FieldSmoothingData>(module, "FieldSmoothing")
       .def(py::init(&make_field_smoothing), py::arg("surface").none(false), py::arg("periods"),
-           py::arg("symmetry"), py::arg("fill"), py::arg("singularities"), py::arg("memory"),
-           py::arg("hold_out"))
+           py::arg("symmetry"), py::arg("fill"), py::arg("singularities"),
+           py::arg("temporal_smoothing"), py::arg("hold_out"))
       .def_property_readonly("surface", [](const FieldSmoothingData& data) { return data.surface; })
       .def("frame", field_smoothing_frame, py::arg("vectors"), py::arg("frequencies"),
-           py::arg("confidence"), py::arg("last"), py::arg("progress"))
+           py::arg("confidence"), py::arg("previous"), py::arg("progress"))
       .def("filled", [](const FieldSmoothingData& data) { return owned(std::vector(data.filled)); })
       .def("metrics", metrics_of_smoothing);
 }

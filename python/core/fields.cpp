@@ -98,7 +98,7 @@ using LastTuple = std::tuple<SurfacePointer, py::object, double, std::string>;
 
 DirectionField last_directions_of(const LastTuple& last) {
   const Surface& surface = std::get<0>(last)->surface;
-  const RowsIn<Vec3> rows(std::get<1>(last), surface.mesh, "last");
+  const RowsIn<Vec3> rows(std::get<1>(last), surface.mesh, "previous");
   return tangent_directions(rows.rows(), surface.normals);
 }
 
@@ -207,7 +207,7 @@ py::tuple tensor_field(const SurfaceData& data, const std::string& name, py::han
                         field.near_normal, field.isotropic, field.not_symmetric);
 }
 
-py::array turned_field(const SurfaceData& data, py::handle directions, float degrees) {
+py::array rotate_field(const SurfaceData& data, py::handle directions, float degrees) {
   const RowsIn<Vec3> rows(directions, data.surface.mesh, "directions");
   if (!std::isfinite(degrees))
     throw Error("degrees: give a finite number, not " + std::to_string(degrees));
@@ -265,7 +265,7 @@ void bind_fields(py::module_& module) {
       py::arg("array"));
   module.def("tensor_field", tensor_field, py::arg("surface"), py::arg("name"), py::arg("tensors"),
              py::arg("axis"), py::arg("order") = "vtk");
-  module.def("turned_field", turned_field, py::arg("surface"), py::arg("directions"),
+  module.def("rotate_field", rotate_field, py::arg("surface"), py::arg("directions"),
              py::arg("degrees"));
   module.def("frequencies_by", frequencies_by_array, py::arg("surface"), py::arg("name"),
              py::arg("array"), py::arg("frequency"), py::arg("range"), py::arg("inverse"));

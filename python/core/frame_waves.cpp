@@ -24,14 +24,6 @@ bool is_nan(float number) { return std::isnan(number); }
 
 }  // namespace
 
-void check_numbers(float lambda, int sweeps, int cycles) {
-  saying_in_pythons_words([&] {
-    check_number("--lambda", lambda);
-    check_number("--sweeps", sweeps);
-    check_number("--cycles", cycles);
-  });
-}
-
 Vec3 direction_of(const Vec3& vector, const Vec3& normal) {
   if (is_direction(vector, normal) && !normal.isZero(0)) return vector;
   return tangent_direction(vector, normal);

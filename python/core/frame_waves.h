@@ -16,9 +16,6 @@
 
 namespace brindle::python {
 
-/// Throws Error for numbers outside the tool's bounds.
-void check_numbers(float lambda, int sweeps, int cycles);
-
 /// The direction of a vector of any length; unit tangent vectors stay as they are, so that fields
 /// that Brindle made are not rounded once more.
 Vec3 direction_of(const Vec3& vector, const Vec3& normal);

@@ -48,7 +48,7 @@ py::tuple waves_round_loop(const SurfaceData& data, py::handle reference, const 
 void bind_loops(py::module_& module) {
   module.def("loops", loops_of, py::arg("surface"));
   module.def("windings", windings_of, py::arg("stripes"));
-  module.def("waves_round", waves_round_loop, py::arg("surface"), py::arg("reference"),
+  module.def("waves_around", waves_round_loop, py::arg("surface"), py::arg("reference"),
              py::arg("loop"), py::arg("periods"));
 }
 

@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
+#include "brindle/option_table.h"
 #include "brindle/phases/parsed_words.h"
 #include "brindle/progress.h"
 #include "brindle/solver.h"
@@ -16,6 +17,21 @@
 #include "words.h"
 
 namespace brindle::python {
+namespace {
+
+py::list option_rows() {
+  static constexpr const char* kKinds[] = {"flag",    "choice", "whole", "number",
+                                           "numbers", "length", "text"};
+  py::list rows;
+  for (const OptionInfo& row : option_table()) {
+    rows.append(py::dict("name"_a = row.name, "kind"_a = kKinds[static_cast<int>(row.kind)],
+                         "form"_a = row.form, "standard"_a = row.standard, "group"_a = row.group,
+                         "part_of"_a = row.part_of, "help"_a = row.help));
+  }
+  return rows;
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The C++ side of brindle; use the package brindle.";
@@ -32,25 +48,28 @@ PYBIND11_MODULE(_core, module) {
              "How many arrays were converted to be read where none had to be; for tests.");
   module.def("unmasked", unmasked, py::arg("array"));
   module.def("in_pythons_words", in_pythons_words, py::arg("text"));
+  module.def("option_rows", option_rows, "The table of options; names as in the tool.");
   module.def(
       "check_number",
-      [](const std::string& name, double value, const std::string& written) {
-        saying_in_pythons_words([&] { check_number("--" + name, value, written); });
+      [](const std::string& option, double value, const std::string& written) {
+        saying_in_pythons_words([&] { check_number("--" + option, value, written); });
       },
-      py::arg("name"), py::arg("value"), py::arg("written"),
+      py::arg("option"), py::arg("value"), py::arg("written"),
       "Raises Error for a number that the tool's option does not take.");
   module.def(
       "check_choice",
-      [](const std::string& name, const std::string& word) {
-        saying_in_pythons_words([&] { check_choice("--" + name, word); });
+      [](const std::string& option, const std::string& word) {
+        saying_in_pythons_words([&] { check_choice("--" + option, word); });
       },
-      py::arg("name"), py::arg("word"), "Raises Error for none of the words of the tool's option.");
+      py::arg("option"), py::arg("word"),
+      "Raises Error for none of the words of the tool's option.");
   bind_process(module);
   bind_surfaces(module);
   bind_fields(module);
   bind_solving(module);
   bind_patterns(module);
   bind_textures(module);
+  bind_pictures(module);
   bind_curves(module);
   bind_loops(module);
   bind_animators(module);
@@ -58,7 +77,6 @@ PYBIND11_MODULE(_core, module) {
   bind_texture_animator(module);
   bind_pattern_frames(module);
   bind_files(module);
-  bind_pictures(module);
 }
 
 }  // namespace brindle::python

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <limits>
-#include <set>
 
 #include <pybind11/stl.h>
 
@@ -14,8 +13,11 @@
 #include "brindle/quality.h"
 #include "brindle/recipe/json_text.h"
 #include "brindle/recipe/refusals.h"
+#include "brindle/recipe/solving_rows.h"
+#include "brindle/recipe/wave_rows.h"
 #include "brindle/threads.h"
 #include "brindle/waves/parsed_words.h"
+#include "given_options.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "stored.h"
@@ -212,66 +214,48 @@ std::string warnings_of(const StripesData& data, const std::string& source) {
 py::object frequency_change_of(const StripesData& data) {
   if (!data.pattern.frequency_change) return py::none();
   const FrequencyChange& change = *data.pattern.frequency_change;
-  py::dict result;
-  result["ratio_min"] = change.ratio_min;
-  result["ratio_mean"] = change.ratio_mean;
-  result["ratio_max"] = change.ratio_max;
-  result["share_at_bounds"] = change.share_at_bounds;
-  result["spacing_error_wanted_mean"] = data.pattern.quality.spacing_error_wanted_mean;
-  result["sweeps"] = change.sweeps;
-  result["residual"] = change.residual;
+  py::dict result("ratio_min"_a = change.ratio_min, "ratio_mean"_a = change.ratio_mean,
+                  "ratio_max"_a = change.ratio_max, "share_at_bounds"_a = change.share_at_bounds,
+                  "spacing_error_wanted_mean"_a = data.pattern.quality.spacing_error_wanted_mean,
+                  "sweeps"_a = change.sweeps, "residual"_a = change.residual);
   if (data.pattern.quality.branches_in_avoided_area) {
     result["branches_in_avoided_area"] = *data.pattern.quality.branches_in_avoided_area;
   }
   return result;
 }
 
-py::object turned_of(const StripesData& data) {
-  if (data.fabrication.windings_before.empty()) return py::none();
-  py::dict result;
-  result["energy_before"] = data.fabrication.energy_before;
-  result["largest_deg"] = data.fabrication.largest_turn_deg;
-  result["mean_deg"] = data.fabrication.mean_turn_deg;
-  result["largest_frequency_change"] = data.fabrication.largest_frequency_change;
-  return result;
+py::object field_rotation_of(const StripesData& data) {
+  const FabricationMetrics& made = data.fabrication;
+  if (made.windings_before.empty()) return py::none();
+  return py::dict("energy_before"_a = made.energy_before, "largest_deg"_a = made.largest_turn_deg,
+                  "mean_deg"_a = made.mean_turn_deg,
+                  "largest_frequency_change"_a = made.largest_frequency_change);
 }
-
-const StripesData& stripes_of(py::handle self) { return py::cast<const StripesData&>(self); }
 
 void bind_stripes(py::module_& module) {
   py::class_<StripesData, StripesPointer> type(module, "Stripes");
   bind_pickle(type);
-  type.def_property_readonly("surface", [](const StripesData& data) { return data.surface; })
-      .def_property_readonly("phases",
-                             [](py::handle self) {
-                               const auto& z = stripes_of(self).pattern.solution.z;
-                               return shared(z.data(), {static_cast<py::ssize_t>(z.size())}, self);
-                             })
-      .def_property_readonly("frequency",
-                             [](py::handle self) {
-                               const auto& f = stripes_of(self).pattern.waves.frequencies;
-                               return shared(f.data(), {static_cast<py::ssize_t>(f.size())}, self);
-                             })
-      .def_property_readonly("frequency_wanted",
-                             [](py::handle self) {
-                               const StripePattern& pattern = stripes_of(self).pattern;
-                               const auto& f = pattern.frequencies_wanted.empty()
-                                                   ? pattern.waves.frequencies
-                                                   : pattern.frequencies_wanted;
-                               return shared(f.data(), {static_cast<py::ssize_t>(f.size())}, self);
-                             })
-      .def("frequency_change", frequency_change_of)
-      .def("turned", turned_of)
+  def_rows(
+      type, "phases", [](const auto& data) -> auto& { return data.pattern.solution.z; });
+  def_rows(
+      type, "frequency", [](const auto& data) -> auto& { return data.pattern.waves.frequencies; });
+  def_rows(
+      type, "frequency_wanted", [](const auto& data) -> auto& {
+        const StripePattern& pattern = data.pattern;
+        return pattern.frequencies_wanted.empty() ? pattern.waves.frequencies
+                                                  : pattern.frequencies_wanted;
+      });
+  def_rows(
+      type, "directions", [](const auto& data) -> auto& { return data.pattern.waves.directions; });
+  type.def_readonly("surface", &StripesData::surface)
       .def_property_readonly("turn_deg",
                              [](const StripesData& data) { return data.prepared.turn_deg; })
+      .def("frequency_change", frequency_change_of)
+      .def("field_rotation", field_rotation_of)
       .def("cancelled_branches",
            [](const StripesData& data) {
              return cancelled_branches_of(data.fabrication.cancelled_branches);
            })
-      .def_property_readonly(
-          "directions",
-
-          [](py::handle self) { return shared(stripes_of(self).pattern.waves.directions, self); })
       .def("corner_phases", corner_phases_array)
       .def("point_arrays", point_arrays)
       .def("cell_arrays", cell_arrays)
@@ -288,13 +272,10 @@ void bind_stripes(py::module_& module) {
 
 py::object cancelled_branches_of(const std::optional<CancelledBranches>& merged) {
   if (!merged) return py::none();
-  py::dict result;
-  result["pairs"] = merged->pairs;
-  result["branches_before"] = merged->branches_before;
-  result["branches_after"] = merged->branches_after;
-  result["energy_before"] = merged->energy_before;
-  result["energy_after"] = merged->energy_after;
-  return result;
+  return py::dict("pairs"_a = merged->pairs, "branches_before"_a = merged->branches_before,
+                  "branches_after"_a = merged->branches_after,
+                  "energy_before"_a = merged->energy_before,
+                  "energy_after"_a = merged->energy_after);
 }
 
 Slack slack_of(py::handle slack, py::handle branch_penalty, const Mesh& mesh) {
@@ -319,15 +300,17 @@ Slack slack_of(py::handle slack, py::handle branch_penalty, const Mesh& mesh) {
 
 namespace {
 
-// The given options, by name; each is checked by the first function that rejects it.
-void check_solving(const Solving& solving, const std::set<std::string>& names, bool points) {
-  const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
+// Each option is checked by the first function that rejects it.
+void check_solving(const Solving& solving, const GivenOptions& options, bool is_stripes,
+                   bool points) {
+  const brindle::IsGiven given = options.is_given();
   const SolverOptions& solver = solving.stripes.solver;
   saying_in_pythons_words([&] {
     brindle::check_avoid_branches(given, solving.stripes.slack.relaxes());
     brindle::check_solver_options(given, solver.solver, solver.cycles);
     brindle::check_following(given, given("--previous"), solver.solver);
     brindle::check_fabrication(solving.fabrication, solver.solver);
+    if (!is_stripes) brindle::check_making_of_textures(given);
     if (!points) return;
     brindle::check_fabrication_on_points(given);
     brindle::check_triangle_options(given);
@@ -335,42 +318,41 @@ void check_solving(const Solving& solving, const std::set<std::string>& names, b
   if (solver.solver == Solver::global) use_unforkable(UnforkableWork::global_solver);
 }
 
-}  // namespace
+Solving solving_of(const py::dict& given, py::handle slack, py::handle branch_penalty,
+                   const SurfaceData& surface, bool is_stripes) {
+  Solving solving;
+  GivenOptions options(given);
+  options("--solver", solving.stripes.solver.solver, parse_solver);
+  visit_solving(solving.stripes, options);
+  visit_fabrication(solving.fabrication, options);
+  options("--lambda", solving.stripes.lambda);
+  options("--threads", solving.threads);
+  std::vector<std::pair<std::string, int>> windings;
+  options("--winding", windings);
+  for (const auto& [loop, periods] : windings)
+    solving.fabrication.windings.push_back({loop, periods});
+  solving.stripes.slack = slack_of(slack, branch_penalty, surface.surface.mesh);
+  if (!branch_penalty.is_none()) options.add("--avoid-branches");
+  check_solving(solving, options, is_stripes, surface.is_points());
+  return solving;
+}
 
-namespace {
-
-/// Given smoothing options, by the tool's names; the weight is a word for the data's own, or
-/// numbers.
-struct SmoothingArguments {
-  float periods = 0, frequency_periods = 0;
-  int symmetry = 2;
-  std::optional<float> fill;
-  std::optional<int> singularities;
-  float hold_out = 0;
-  bool frequency_varies = false;
-};
-
-void smooth_data(FieldOrigin& origin, const std::set<std::string>& names,
-                 const SmoothingArguments& request, py::handle weight) {
-  const brindle::IsGiven given = [&](const std::string& option) { return names.contains(option); };
+// The weight is a word for the data's own, or numbers.
+void smooth_data(FieldOrigin& origin, const py::dict& given, int symmetry, bool frequency_varies,
+                 py::handle weight) {
+  const GivenOptions options(given);
+  options("--field-smoothing", origin.smoothing.periods);
+  options("--frequency-smoothing", origin.frequency_smoothing.periods);
+  options("--fill", origin.smoothing.fill);
+  options("--fill", origin.frequency_smoothing.fill);
+  options("--field-singularities", origin.smoothing.singularities);
+  options("--hold-out", origin.smoothing.hold_out);
+  origin.smoothing.symmetry = symmetry;
   saying_in_pythons_words([&] {
-    brindle::check_field_smoothing(
-        given, {request.periods, request.frequency_periods, origin.measured, request.symmetry == 4,
-                request.frequency_varies});
+    brindle::check_field_smoothing(options.is_given(),
+                                   {origin.smoothing.periods, origin.frequency_smoothing.periods,
+                                    origin.measured, symmetry == 4, frequency_varies});
   });
-  origin.smoothing.periods = request.periods;
-  origin.smoothing.symmetry = request.symmetry;
-  origin.frequency_smoothing.periods = request.frequency_periods;
-  if (request.fill) origin.smoothing.fill = origin.frequency_smoothing.fill = *request.fill;
-  if (request.singularities) {
-    origin.smoothing.singularities = static_cast<std::size_t>(*request.singularities);
-  }
-  saying_in_pythons_words([&] {
-    if (request.hold_out != 0) {
-      brindle::check_number("--hold-out", static_cast<double>(request.hold_out));
-    }
-  });
-  origin.smoothing.hold_out = request.hold_out;
   if (py::isinstance<py::str>(weight)) {
     origin.weight.word = py::cast<std::string>(weight);
   } else if (!weight.is_none()) {
@@ -382,87 +364,9 @@ void smooth_data(FieldOrigin& origin, const std::set<std::string>& names,
 }  // namespace
 
 void bind_solving(py::module_& module) {
-  py::class_<SmoothingArguments>(module, "SmoothingArguments")
-      .def(py::init<>())
-      .def_readwrite("periods", &SmoothingArguments::periods)
-      .def_readwrite("frequency_periods", &SmoothingArguments::frequency_periods)
-      .def_readwrite("symmetry", &SmoothingArguments::symmetry)
-      .def_readwrite("fill", &SmoothingArguments::fill)
-      .def_readwrite("singularities", &SmoothingArguments::singularities)
-      .def_readwrite("hold_out", &SmoothingArguments::hold_out)
-      .def_readwrite("frequency_varies", &SmoothingArguments::frequency_varies);
   py::class_<Solving>(module, "Solving")
-      .def(py::init<>())
-      .def_readwrite("threads", &Solving::threads)
-      .def_property(
-          "anchor_boundary", [](const Solving& s) { return s.fabrication.anchor_boundary; },
-          [](Solving& s, std::optional<float> periods) { s.fabrication.anchor_boundary = periods; })
-      .def_property(
-          "cancel_branches", [](const Solving& s) { return s.fabrication.cancel_branches; },
-          [](Solving& s, std::optional<float> share) { s.fabrication.cancel_branches = share; })
-      .def_property(
-          "cancel_distance", [](const Solving& s) { return s.fabrication.cancel_distance; },
-          [](Solving& s, std::optional<float> periods) { s.fabrication.cancel_distance = periods; })
-      .def(
-          "set_slack",
-          [](Solving& s, py::handle slack, py::handle branch_penalty, const SurfaceData& surface) {
-            s.stripes.slack = slack_of(slack, branch_penalty, surface.surface.mesh);
-          },
-          py::arg("slack"), py::arg("avoid_branches"), py::arg("surface"))
-      .def(
-          "add_winding",
-          [](Solving& s, const std::string& loop, int periods) {
-            s.fabrication.windings.push_back({loop, periods});
-          },
-          py::arg("loop"), py::arg("periods"))
-      .def_property(
-          "solver", [](const Solving& s) { return std::string(name_of(s.stripes.solver.solver)); },
-          [](Solving& s, const std::string& name) {
-            const auto solver = parse_solver(name);
-            if (!solver) {
-              throw Error("solver: '" + name +
-                          "' is none of multilevel, relaxation, averaged, global");
-            }
-            s.stripes.solver.solver = *solver;
-          })
-      .def_property(
-          "phase_shift",
-          [](const Solving& s) { return std::string(name_of(s.stripes.phase_shift)); },
-          [](Solving& s, const std::string& name) {
-            const auto kind = parse_phase_shift_kind(name);
-            if (!kind) {
-              throw Error("phase_shift: '" + name +
-                          "' is none of aligned, common_source, trapezoid");
-            }
-            s.stripes.phase_shift = *kind;
-          })
-      .def_property(
-          "weights",
-          [](const Solving& s) {
-            return s.stripes.weights == EdgeWeights::paper ? "paper" : "cotangent";
-          },
-          [](Solving& s, const std::string& name) {
-            if (name != "paper" && name != "cotangent") {
-              throw Error("weights: '" + name + "' is neither paper nor cotangent");
-            }
-            s.stripes.weights = name == "paper" ? EdgeWeights::paper : EdgeWeights::cotangent;
-          })
-#define BRINDLE_SOLVER_OPTION(name)                                  \
-  def_property(                                                      \
-      #name, [](const Solving& s) { return s.stripes.solver.name; }, \
-      [](Solving& s, decltype(SolverOptions::name) value) { s.stripes.solver.name = value; })
-      .BRINDLE_SOLVER_OPTION(epsilon)
-      .BRINDLE_SOLVER_OPTION(momentum)
-      .BRINDLE_SOLVER_OPTION(seed)
-      .BRINDLE_SOLVER_OPTION(max_iterations)
-      .BRINDLE_SOLVER_OPTION(sweeps)
-      .BRINDLE_SOLVER_OPTION(cycles)
-      .BRINDLE_SOLVER_OPTION(global_iterations)
-#undef BRINDLE_SOLVER_OPTION
-      .def_property(
-          "lambda_", [](const Solving& s) { return s.stripes.lambda; },
-          [](Solving& s, float lambda) { s.stripes.lambda = lambda; })
-      .def("check", check_solving, py::arg("given"), py::arg("points"));
+      .def(py::init(&solving_of), py::arg("given"), py::arg("slack").none(true),
+           py::arg("avoid_branches").none(true), py::arg("surface"), py::arg("is_stripes"));
   py::class_<FieldOrigin>(module, "FieldOrigin")
       .def(py::init<>())
       .def_readwrite("source", &FieldOrigin::source)
@@ -475,7 +379,8 @@ void bind_solving(py::module_& module) {
            [](FieldOrigin& origin, const std::string& name, py::handle array, bool of_triangles) {
              origin.data = {data_array_of(name, array), of_triangles};
            })
-      .def("smooth_data", smooth_data, py::arg("given"), py::arg("request"), py::arg("weight"))
+      .def("smooth_data", smooth_data, py::arg("given"), py::arg("symmetry"),
+           py::arg("frequency_varies"), py::arg("weight"))
       .def(
           "see_frequencies_like",
           [](FieldOrigin& origin, const FieldOrigin& other) {

@@ -4,7 +4,6 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
-#include "brindle/line_drawing.h"
 #include "brindle/render/parsed_words.h"
 #include "brindle/render/slice_refusal.h"
 #include "job.h"
@@ -84,6 +83,7 @@ void set_colors(Picture& picture, const std::vector<std::string>& colors) {
     throw Error("colors: give those of stripes, surface and, if you like, background");
   }
   picture.options.stripe_color = color_of(colors[0]);
+  picture.own_colors = true;
   picture.options.base_color = color_of(colors[1]);
   if (colors.size() == 3) {
     picture.options.background_center = picture.options.background_edge = color_of(colors[2]);
@@ -93,55 +93,6 @@ void set_colors(Picture& picture, const std::vector<std::string>& colors) {
 void set_stripe_width(Picture& picture, float width) {
   if (!(width >= 0 && width <= 1)) throw Error("stripe_width: give a share of the period, 0 to 1");
   picture.options.stripe_width = width;
-}
-
-// A drawing without hidden lines: each pen has lists of lines, by points and offsets.
-struct HeldLines {
-  Polylines lines;
-  std::string name;
-  Color color;
-};
-
-HeldLines pen_lines(const std::string& name, const std::string& color, py::handle points,
-                    py::handle offsets, py::handle closed) {
-  HeldLines pen{{}, name, color_of(color)};
-  pen.lines.points = vectors_of(table_of(points, "points").view, "points");
-  const std::vector<float> marks = numbers_of(table_of(closed, "closed").view, "closed");
-  const py::array_t<Index, py::array::c_style | py::array::forcecast> rows(
-      py::reinterpret_borrow<py::object>(offsets));
-  pen.lines.offsets.assign(rows.data(), rows.data() + rows.size());
-  for (const float mark : marks) pen.lines.closed.push_back(mark != 0 ? 1 : 0);
-  if (pen.lines.offsets.size() != marks.size() + 1 ||
-      pen.lines.offsets.back() != pen.lines.points.size()) {
-    throw Error("lines: offsets and points do not belong together");
-  }
-  return pen;
-}
-
-void draw_lines(const std::string& path, const SurfaceData& data,
-                const std::vector<HeldLines>& pens, const Picture& picture) {
-  if (path.ends_with(".pdf")) {
-    throw Error("cannot draw '" + path +
-                "': a drawing is an .svg here; brindle curves writes .pdf");
-  }
-  const Surface& surface = data.surface;
-  const RenderOptions options = options_relative_to(surface.mesh.origin, picture);
-  check_slice_leaves_something(surface.mesh, options);
-  std::vector<PenLines> lines;
-  for (const HeldLines& pen : pens) lines.push_back({pen.name, pen.color, pen.lines});
-  until_interrupted([&](const Progress& progress) {
-    const std::vector<Pen> drawn =
-        line_drawing(surface.mesh, surface.normals, lines, options.camera, options.width,
-                     options.height, progress.part(0, 0.8));
-    write_svg(path, options.width, options.height, drawn, progress.part(0.8, 1));
-  });
-}
-
-Ornament ornament(py::handle vertices, py::handle triangles, const std::string& color) {
-  const Table positions = table_of(vertices, "vertices");
-  const Table corners = table_of(triangles, "triangles");
-  Ornament made{make_mesh(positions.view, corners.view, BadTriangles::kept), color_of(color)};
-  return made;
 }
 
 }  // namespace
@@ -157,6 +108,10 @@ void check_slice_leaves_something(const Mesh& mesh, const RenderOptions& options
   saying_in_pythons_words([&] { check_slice(mesh, options); });
 }
 
+Color line_color(const Picture& picture, const std::string& standard) {
+  return picture.own_colors ? picture.options.stripe_color : color_of(standard);
+}
+
 void bind_pictures(py::module_& module) {
   py::class_<Picture>(module, "Picture")
       .def(py::init<>())
@@ -170,20 +125,25 @@ void bind_pictures(py::module_& module) {
       .def("set_colors", set_colors, py::arg("colors"))
       .def("set_view", set_view, py::arg("view"))
       .def("set_stripe_width", set_stripe_width, py::arg("width"))
-      .def_property(
-          "transparent", [](const Picture& picture) { return picture.options.transparent; },
-          [](Picture& picture, bool value) { picture.options.transparent = value; })
-      .def_property(
-          "shading", [](const Picture& picture) { return picture.options.shading; },
-          [](Picture& picture, bool value) { picture.options.shading = value; });
-  py::class_<HeldLines>(module, "PenLines")
-      .def(py::init(&pen_lines), py::arg("name"), py::arg("color"), py::arg("points"),
-           py::arg("offsets"), py::arg("closed"));
-  py::class_<Ornament>(module, "Ornament")
-      .def(py::init(&ornament), py::arg("vertices"), py::arg("triangles"), py::arg("color"));
-  module.def("draw_lines", draw_lines, py::arg("path"), py::arg("surface"), py::arg("pens"),
-             py::arg("picture"));
+      .def(
+          "set_light",
+          [](Picture& picture, bool shading, bool transparent) {
+            picture.options.shading = shading;
+            picture.options.transparent = transparent;
+          },
+          py::arg("shading"), py::arg("transparent"));
+#ifdef BRINDLE_HAS_GL
+  module.attr("has_opengl") = true;
   bind_renderer(module);
+#else
+  module.attr("has_opengl") = false;
+  for (const char* name : {"render", "render_texture", "triangles_with_broken_tiles",
+                           "render_ornament", "write_png", "read_png", "png_of", "tile_png"}) {
+    module.def(name, [](const py::args&, const py::kwargs&) {
+      throw Error("this build draws no pictures; configure with -DBRINDLE_GL=ON to have them");
+    });
+  }
+#endif
 }
 
 }  // namespace brindle::python

@@ -17,6 +17,7 @@ struct Picture {
   RenderOptions options;
   std::optional<Slice> slice;    ///< in surface coordinates
   std::string view = "stripes";  ///< or branches, angle_error
+  bool own_colors = false;       ///< colours were given
 };
 
 /// The options with the slice, of surfaces relative to `origin`.
@@ -25,13 +26,10 @@ RenderOptions options_relative_to(const Eigen::Vector3d& origin, const Picture& 
 /// Throws Error if the slice removes the whole mesh of a picture.
 void check_slice_leaves_something(const Mesh& mesh, const RenderOptions& options);
 
-/// A single-coloured mesh on the surface: tubes along curves, discs at samples.
-struct Ornament {
-  Mesh mesh;
-  Color color;
-};
+/// The colour of lines: the picture's own for stripes, or the standard one.
+Color line_color(const Picture& picture, const std::string& standard);
 
-/// In builds without OpenGL, the functions throw Error.
+/// Of builds with OpenGL.
 void bind_renderer(py::module_& module);
 
 }  // namespace brindle::python

@@ -15,23 +15,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Never destroyed: stopped threads outlive static destruction.
 struct Process {
-  std::atomic<int> at_work{0};       // calls outside the GIL
-  std::atomic<int> in_callbacks{0};  // of these, calls in callbacks
+  std::atomic<int> calls{0};         // outside the GIL
+  std::atomic<int> in_callbacks{0};  // of these, not at work in C++
   std::atomic<bool> leaving{false};
   std::thread::id leaving_thread;
   bool forked_amid = false;
-  std::array<std::atomic<bool>, 2> used{};         // per UnforkableWork
-  std::array<std::atomic<bool>, 2> used_before{};  // in the parent process of a fork
+  std::array<std::atomic<bool>, 2> used{}, used_before{};  // per UnforkableWork; before a fork
 };
 
-Process& process() {
-  static auto* the_process = new Process;
-  return *the_process;
-}
-
-thread_local int own_calls = 0;  // nested calls of this thread
+// Never destroyed: stopped threads outlive static destruction.
+Process& here = *new Process;
+thread_local int own_calls = 0;
 
 [[noreturn]] void stand_still() {
   for (;;) std::this_thread::sleep_for(1h);
@@ -39,31 +34,19 @@ thread_local int own_calls = 0;  // nested calls of this thread
 
 // Only the forking thread exists in the child. Locks of other threads stay held.
 void after_fork() {
-  Process& here = process();
-  here.forked_amid = here.forked_amid || here.at_work > own_calls;
-  here.at_work = own_calls;
-  here.in_callbacks = own_calls;
+  here.forked_amid = here.forked_amid || here.calls > own_calls;
+  here.calls = here.in_callbacks = own_calls;
   for (std::size_t i = 0; i < here.used.size(); ++i) {
     if (here.used[i]) here.used_before[i] = true;
   }
 }
 
-// Waits until no thread is in C++. Threads in callbacks that do not return are left behind: nothing
-// can wake them any more.
+// Waits until no thread is at work in C++. Those in callbacks stop when they come back.
 void leave() {
-  constexpr auto kForCallbacks = 1s;
-  Process& here = process();
   here.leaving_thread = std::this_thread::get_id();
   here.leaving = true;
   const py::gil_scoped_release released;
-  auto deadline = std::chrono::steady_clock::now() + kForCallbacks;
-  while (here.at_work > own_calls) {
-    const bool working = here.at_work > here.in_callbacks + own_calls;
-    const auto now = std::chrono::steady_clock::now();
-    if (working) deadline = now + kForCallbacks;
-    if (now > deadline) return;
-    std::this_thread::sleep_for(1ms);
-  }
+  while (here.calls > here.in_callbacks) std::this_thread::sleep_for(1ms);
 }
 
 constexpr const char* kSpawn =
@@ -71,35 +54,43 @@ constexpr const char* kSpawn =
 
 }  // namespace
 
-OutsidePython::OutsidePython() : thread_(nullptr) {
-  Process& here = process();
+OutsidePython::OutsidePython() {
   if (here.forked_amid) {
     throw std::runtime_error(
         std::string("this process was forked while another thread was in brindle, which holds what "
                     "calls need; ") +
         kSpawn);
   }
-  ++here.at_work;
+  ++here.calls;
   ++own_calls;
   thread_ = PyEval_SaveThread();
   if (!is_leaving()) return;
-  --here.at_work;
+  --here.calls;
   stand_still();
 }
 
 OutsidePython::~OutsidePython() {
-  Process& here = process();
   if (is_leaving()) {
-    --here.at_work;
+    --here.calls;
     stand_still();
   }
   PyEval_RestoreThread(thread_);
   --own_calls;
-  --here.at_work;
+  --here.calls;
 }
 
-BackInPython::Count::Count() { ++process().in_callbacks; }
-BackInPython::Count::~Count() { --process().in_callbacks; }
+BackInPython::BackInPython() {
+  locked_.emplace();  // `leave` waits until this thread has it
+  ++here.in_callbacks;
+}
+
+BackInPython::~BackInPython() {
+  locked_.reset();
+  --here.in_callbacks;
+  if (!is_leaving()) return;  // or `leave` has seen the decrement
+  ++here.in_callbacks;
+  stand_still();
+}
 
 // NOLINTNEXTLINE(readability-convert-member-functions-to-static): the lock must be held.
 py::object BackInPython::call(py::handle function, const py::tuple& arguments) const {
@@ -113,13 +104,9 @@ py::object BackInPython::call(py::handle function, const py::tuple& arguments) c
   return py::reinterpret_steal<py::object>(answer);
 }
 
-bool is_leaving() {
-  const Process& here = process();
-  return here.leaving && here.leaving_thread != std::this_thread::get_id();
-}
+bool is_leaving() { return here.leaving && here.leaving_thread != std::this_thread::get_id(); }
 
 void use_unforkable(UnforkableWork work) {
-  Process& here = process();
   const auto which = static_cast<std::size_t>(work);
   if (here.used_before[which]) {
     const bool pictures = work == UnforkableWork::pictures;
@@ -133,10 +120,7 @@ void use_unforkable(UnforkableWork work) {
 }
 
 void bind_process(py::module_& /*module*/) {
-  static const bool once = [] {
-    pthread_atfork(nullptr, nullptr, after_fork);
-    return true;
-  }();
+  static const int once = pthread_atfork(nullptr, nullptr, after_fork);
   static_cast<void>(once);
   py::module_::import("atexit").attr("register")(py::cpp_function(leave));
 }

@@ -162,19 +162,19 @@ py::tuple render_texture(const TextureData& texture, py::handle tile, std::optio
   return py::make_tuple(image, warnings);
 }
 
-py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>& ornaments,
-                           const Picture& picture) {
+// With a single-coloured mesh on the surface: tubes along curves, discs at samples.
+py::array render_ornament(const SurfaceData& data, const SurfaceData& ornament,
+                          const std::string& color, const Picture& picture) {
   use_unforkable(UnforkableWork::pictures);
+  const Color own = line_color(picture, color);
   return array_of(until_interrupted([&](const Progress& progress) {
     Mesh mesh = data.surface.mesh;
     std::vector<Vec3> normals = data.surface.normals;
     std::vector<TriangleColor> colors(mesh.triangle_count());
-    for (const Ornament& ornament : ornaments) {
-      const std::vector<Vec3> own = vertex_normals(ornament.mesh);
-      append(ornament.mesh, mesh);
-      normals.insert(normals.end(), own.begin(), own.end());
-      colors.resize(mesh.triangle_count(), {ornament.color, 1});
-    }
+    const std::vector<Vec3> of_ornament = vertex_normals(ornament.surface.mesh);
+    append(ornament.surface.mesh, mesh);
+    normals.insert(normals.end(), of_ornament.begin(), of_ornament.end());
+    colors.resize(mesh.triangle_count(), {own, 1});
     return render_picture({.mesh = mesh, .normals = normals, .triangle_colors = colors},
                           options_of(picture, mesh), progress);
   }));
@@ -183,15 +183,14 @@ py::array render_ornaments(const SurfaceData& data, const std::vector<Ornament>&
 }  // namespace
 
 void bind_renderer(py::module_& module) {
-  module.attr("has_opengl") = true;
   module.def("render", render_stripes, py::arg("surface"), py::arg("stripes").none(true),
              py::arg("picture"));
   module.def("render_texture", render_texture, py::arg("texture"), py::arg("tile"),
              py::arg("whole").none(true), py::arg("picture"));
   module.def("triangles_with_broken_tiles", triangles_with_broken_tiles, py::arg("texture"),
              py::arg("tile"), py::arg("whole").none(true));
-  module.def("render_ornaments", render_ornaments, py::arg("surface"), py::arg("ornaments"),
-             py::arg("picture"));
+  module.def("render_ornament", render_ornament, py::arg("surface"), py::arg("ornament"),
+             py::arg("color"), py::arg("picture"));
   module.def(
       "write_png",
       [](const std::string& path, py::handle pixels) {
@@ -199,6 +198,9 @@ void bind_renderer(py::module_& module) {
         until_interrupted([&](const Progress& progress) { write_png(path, image, progress); });
       },
       py::arg("path"), py::arg("image"));
+  module.def(
+      "png_of", [](py::handle pixels) { return py::bytes(png_of(image_of(pixels))); },
+      py::arg("image"));
   module.def(
       "read_png", [](const std::string& path) { return array_of(read_png(path)); },
       py::arg("path"));

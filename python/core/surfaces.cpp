@@ -114,8 +114,8 @@ SurfacePointer from_arrays(py::handle vertices, py::handle triangles, const py::
                            const py::dict& cell_arrays, bool repair, float crease_angle) {
   check_crease_angle(crease_angle);
   const Table positions = columns_of_three(vertices, "vertices");
-  refuse_masked(triangles, "triangles");
-  const Table corners = columns_of_three(triangles, "triangles");
+  refuse_masked(triangles, "faces");
+  const Table corners = columns_of_three(triangles, "faces");
   SurfaceData data;
   data.name = "arrays";
   data.arrays = {data_arrays_of(point_arrays), data_arrays_of(cell_arrays)};
@@ -297,7 +297,7 @@ void drop_copies(std::size_t own, SurfaceData& data) {
   data.original_ids.resize(own);
 }
 
-SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
+SurfacePointer subdivided_surface(const SurfaceData& from, int times, bool rounded) {
   if (from.is_points()) throw Error("points have no triangles to subdivide");
   SurfaceData data = data_along_with(from);
   return until_interrupted([&](const Progress& progress) {
@@ -317,7 +317,7 @@ SurfacePointer subdivided(const SurfaceData& from, int times, bool rounded) {
 }
 
 // The same triangles with moved vertices.
-SurfacePointer moved(const SurfaceData& from, py::handle positions) {
+SurfacePointer with_vertices(const SurfaceData& from, py::handle positions) {
   const Table table = columns_of_three(positions, "vertices");
   const Mesh& mesh = from.surface.mesh;
   const bool own = table.view.rows() == from.surface.own_vertex_count();
@@ -335,7 +335,7 @@ SurfacePointer moved(const SurfaceData& from, py::handle positions) {
 // Absolute positions: the mesh's floats, or doubles if its origin is not zero.
 py::array placed_points(std::span<const Vec3> points, const Eigen::Vector3d& origin,
                         py::handle owner) {
-  if (origin.isZero(0)) return shared(points, owner);
+  if (origin.isZero(0)) return shared_rows(points, owner);
   std::vector<double> numbers;
   numbers.reserve(3 * points.size());
   for (const Vec3& point : points) {
@@ -347,12 +347,6 @@ py::array placed_points(std::span<const Vec3> points, const Eigen::Vector3d& ori
 
 const SurfaceData& data_of(py::handle self) { return py::cast<const SurfaceData&>(self); }
 
-// Signed, because unsigned differences surprise; no mesh here has 2^31 vertices.
-template <class Row>
-py::array indices(const std::vector<Row>& rows, Shape shape, py::handle owner) {
-  return shared(reinterpret_cast<const std::int32_t*>(rows.data()), shape, owner);
-}
-
 py::dict arrays_of(const std::vector<DataArray>& arrays, py::handle owner) {
   py::dict result;
   for (const DataArray& array : arrays) result[py::str(array.name)] = shared(array, owner);
@@ -360,23 +354,18 @@ py::dict arrays_of(const std::vector<DataArray>& arrays, py::handle owner) {
 }
 
 py::dict dict_of(const MeshRepair& repair) {
-  py::dict result;
-  result["vertices_not_finite"] = repair.vertices_not_finite;
-  result["vertices_joined"] = repair.vertices_joined;
-  result["vertices_unreferenced"] = repair.vertices_unreferenced;
-  result["triangles_out_of_range"] = repair.triangles_out_of_range;
-  result["triangles_not_finite"] = repair.triangles_not_finite;
-  result["triangles_degenerate"] = repair.triangles_degenerate;
-  result["triangles_duplicate"] = repair.triangles_duplicate;
-  return result;
+  return py::dict("vertices_not_finite"_a = repair.vertices_not_finite,
+                  "vertices_joined"_a = repair.vertices_joined,
+                  "vertices_unreferenced"_a = repair.vertices_unreferenced,
+                  "triangles_out_of_range"_a = repair.triangles_out_of_range,
+                  "triangles_not_finite"_a = repair.triangles_not_finite,
+                  "triangles_degenerate"_a = repair.triangles_degenerate,
+                  "triangles_duplicate"_a = repair.triangles_duplicate);
 }
 
 py::dict dict_of(const PointRepair& repair) {
-  py::dict result;
-  result["not_finite"] = repair.not_finite;
-  result["repeated"] = repair.repeated;
-  result["without_normal"] = repair.without_normal;
-  return result;
+  return py::dict("not_finite"_a = repair.not_finite, "repeated"_a = repair.repeated,
+                  "without_normal"_a = repair.without_normal);
 }
 
 std::string description_of_repair(const SurfaceData& data) {
@@ -438,8 +427,8 @@ py::tuple nearest_places(const SurfaceData& data, py::handle points, double max_
 }
 
 // An array of one surface at the vertices of another.
-py::array carried(const SurfaceData& from, const std::string& name, py::handle array,
-                  const SurfaceData& to, double max_distance, bool axes) {
+py::array interpolate_to(const SurfaceData& from, const std::string& name, py::handle array,
+                         const SurfaceData& to, double max_distance, bool axes) {
   const DataArrays values = surface_array_of(from.surface.mesh, name, array);
   return array_owning(until_interrupted([&](const Progress& progress) {
     const NearbyRows rows = nearby_rows(from.surface.mesh, to.surface.mesh, max_distance, progress);
@@ -449,8 +438,8 @@ py::array carried(const SurfaceData& from, const std::string& name, py::handle a
   }));
 }
 
-py::array moved_to_points(const SurfaceData& data, const std::string& name, py::handle cells,
-                          bool axes) {
+py::array transferred_to_points(const SurfaceData& data, const std::string& name, py::handle cells,
+                                bool axes) {
   const DataArray values = data_array_of(name, cells);
   return array_owning(
       without_lock([&] { return chosen(cells_to_points(data.surface.mesh, values), axes); }));
@@ -472,82 +461,72 @@ py::tuple array_named(py::handle self, const std::string& name) {
   return py::make_tuple(array->name, shared(*array, self), of_cells);
 }
 
-void bind_properties(py::class_<SurfaceData, SurfacePointer>& type) {
-  type.def_property_readonly("name", [](const SurfaceData& data) { return data.name; })
-      .def_property_readonly(
-          "up",
-          [](const SurfaceData& data) {
-            return std::string(name_of(usual_up_axis(data.name).value_or(UpAxis::y)));
-          })
-      .def_property_readonly("is_points", &SurfaceData::is_points)
+py::tuple origin_of(const SurfaceData& data) {
+  const Eigen::Vector3d& origin = data.surface.mesh.origin;
+  return py::make_tuple(origin.x(), origin.y(), origin.z());
+}
+
+std::string lines_of_splits(const SurfaceData& data) {
+  std::string lines;
+  for (const std::string& line : surface_warnings(data.surface, "repair=True joins them")) {
+    lines += line + "\n";
+  }
+  return lines;
+}
+
+std::string up_of(const SurfaceData& data) {
+  return std::string(name_of(usual_up_axis(data.name).value_or(UpAxis::y)));
+}
+
+double diagonal_of(const SurfaceData& data) { return bounding_box(data.surface.mesh).diagonal(); }
+
+using SurfaceClass = py::class_<SurfaceData, SurfacePointer>;
+
+void bind_properties(SurfaceClass& type) {
+  type.def_readonly("name", &SurfaceData::name)
       .def_readonly("left_out", &SurfaceData::left_out)
+      .def_property_readonly("up", up_of)
+      .def_property_readonly("is_points", &SurfaceData::is_points)
       .def_property_readonly(
           "vertex_count", [](const SurfaceData& data) { return data.surface.mesh.vertex_count(); })
       .def_property_readonly(
-          "triangle_count",
-          [](const SurfaceData& data) { return data.surface.mesh.triangle_count(); })
+          "face_count", [](const SurfaceData& data) { return data.surface.mesh.triangle_count(); })
       .def_property_readonly("edge_count",
                              [](const SurfaceData& data) { return data.surface.own_edge_count(); })
-      .def_property_readonly(
-          "diagonal",
-          [](const SurfaceData& data) { return bounding_box(data.surface.mesh).diagonal(); })
-      .def_property_readonly("origin",
-                             [](const SurfaceData& data) {
-                               const Eigen::Vector3d& origin = data.surface.mesh.origin;
-                               return py::make_tuple(origin.x(), origin.y(), origin.z());
-                             })
+      .def_property_readonly("diagonal", diagonal_of)
+      .def_property_readonly("origin", origin_of)
       .def_property_readonly("repair",
                              [](const SurfaceData& data) {
                                return data.point_repair ? dict_of(*data.point_repair)
                                                         : dict_of(data.repair);
                              })
       .def_property_readonly("repair_text", description_of_repair)
-      .def_property_readonly("split_warning", [](const SurfaceData& data) {
-        std::string lines;
-        for (const std::string& line : surface_warnings(data.surface, "repair=True joins them")) {
-          lines += line + "\n";
-        }
-        return lines;
-      });
+      .def_property_readonly("split_warning", lines_of_splits);
 }
 
-void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
+void bind_arrays(SurfaceClass& type) {
+  def_rows(
+      type, "local_vertices",
+      [](const auto& data) -> auto& { return data.surface.mesh.positions; });
+  def_rows(
+      type, "normals", [](const auto& data) -> auto& { return data.surface.normals; });
+  def_rows(
+      type, "faces", [](const auto& data) -> auto& { return data.surface.mesh.triangles; });
+  def_rows(
+      type, "neighbor_offsets",
+      [](const auto& data) -> auto& { return data.surface.neighborhood->offsets; });
+  def_rows(
+      type, "neighbors",
+      [](const auto& data) -> auto& { return data.surface.neighborhood->neighbors; });
+  def_rows(
+      type, "joined", [](const auto& data) -> auto& { return data.vertex_of_row; });
+  def_rows(
+      type, "crease_vertices",
+      [](const auto& data) -> auto& { return data.surface.creases.copied; });
   type.def_property_readonly("vertices",
                              [](py::handle self) {
                                const Mesh& mesh = data_of(self).surface.mesh;
                                return placed_points(mesh.positions, mesh.origin, self);
-                             })
-      .def_property_readonly(
-          "local_vertices",
-          [](py::handle self) { return shared(data_of(self).surface.mesh.positions, self); })
-      .def_property_readonly(
-          "normals", [](py::handle self) { return shared(data_of(self).surface.normals, self); })
-      .def_property_readonly(
-          "triangles",
-          [](py::handle self) {
-            const auto& rows = data_of(self).surface.mesh.triangles;
-            return indices(rows, {static_cast<py::ssize_t>(rows.size()), 3}, self);
-          })
-      .def_property_readonly("neighbor_offsets",
-                             [](py::handle self) {
-                               const auto& rows = data_of(self).surface.neighborhood->offsets;
-                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
-                             })
-      .def_property_readonly("neighbors",
-                             [](py::handle self) {
-                               const auto& rows = data_of(self).surface.neighborhood->neighbors;
-                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
-                             })
-      .def_property_readonly("joined",
-                             [](py::handle self) {
-                               const auto& rows = data_of(self).vertex_of_row;
-                               return indices(rows, {static_cast<py::ssize_t>(rows.size())}, self);
-                             })
-      .def_property_readonly("crease_vertices",
-                             [](py::handle self) {
-                               const auto& copied = data_of(self).surface.creases.copied;
-                               return indices(copied, {static_cast<py::ssize_t>(copied.size())},
-                                              self);
                              })
       .def_property_readonly(
           "point_data",
@@ -559,20 +538,21 @@ void bind_arrays(py::class_<SurfaceData, SurfacePointer>& type) {
 }  // namespace
 
 void bind_surfaces(py::module_& module) {
-  py::class_<SurfaceData, SurfacePointer> type(module, "Surface");
+  SurfaceClass type(module, "Surface");
   bind_properties(type);
   bind_arrays(type);
   bind_pickle(type);
-  type.def("subdivided", subdivided, py::arg("times"), py::arg("rounded"))
-      .def("moved", moved, py::arg("vertices"))
+  type.def("subdivide", subdivided_surface, py::arg("times"), py::arg("rounded"))
+      .def("with_vertices", with_vertices, py::arg("vertices"))
       .def("curvature", curvature_of)
       .def("nearest", nearest_places, py::arg("points"), py::arg("max_distance"))
-      .def("carried", carried, py::arg("name"), py::arg("array"), py::arg("to"),
+      .def("interpolate_to", interpolate_to, py::arg("name"), py::arg("array"), py::arg("target"),
            py::arg("max_distance"), py::arg("axes"))
       .def("axes_named", axes_named, py::arg("name"))
       .def("array_named", array_named, py::arg("name"))
-      .def("moved_to_points", moved_to_points, py::arg("name"), py::arg("cells"), py::arg("axes"));
-  module.def("surface_of_arrays", from_arrays, py::arg("vertices"), py::arg("triangles"),
+      .def("cells_to_points", transferred_to_points, py::arg("name"), py::arg("cells"),
+           py::arg("axes"));
+  module.def("surface_of_arrays", from_arrays, py::arg("vertices"), py::arg("faces"),
              py::arg("point_data"), py::arg("cell_data"), py::arg("repair"),
              py::arg("crease_angle"));
   module.def("surface_of_points", from_point_arrays, py::arg("points"),

@@ -8,6 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/texture_coordinates.h"
 #include "frame_waves.h"
+#include "given_options.h"
 #include "job.h"
 #include "pattern_data.h"
 
@@ -33,32 +34,29 @@ struct TextureAnimatorData {
 };
 
 std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer& surface,
-                                                           bool oriented, float lambda, int sweeps,
-                                                           int cycles, py::handle slack,
+                                                           bool oriented, const py::dict& solver,
+                                                           float stiffness, py::handle slack,
                                                            py::handle branch_penalty) {
-  check_numbers(lambda, sweeps, cycles);
   TextureAnimatorOptions options;
+  const GivenOptions given(solver);
+  given("--sweeps", options.stripes.sweeps);
+  given("--cycles", options.stripes.cycles);
   options.oriented = oriented;
-  options.stripes.lambda = lambda;
-  options.stripes.sweeps = sweeps;
-  options.stripes.cycles = cycles;
+  options.stripes.lambda = stiffness;
   options.stripes.slack = slack_of(slack, branch_penalty, surface->surface.mesh);
   return std::make_unique<TextureAnimatorData>(surface, options);
 }
 
 py::dict metrics_of(const TextureFrameResult& result) {
-  py::dict metrics;
-  metrics["orientation"] = kOrientations[static_cast<std::size_t>(result.orientation)];
-  metrics["phase_step_u"] = result.u.phase_step;
-  metrics["phase_step_v"] = result.v.phase_step;
-  metrics["branches_u"] = result.pattern.u.quality.branches;
-  metrics["branches_v"] = result.pattern.v.quality.branches;
-  metrics["turned_edges"] = result.pattern.seams.turned;
-  metrics["mirrored_edges"] = result.pattern.seams.mirrored;
-  metrics["unoriented_triangles"] = result.pattern.seams.unoriented_triangles;
-  metrics["angle_distortion_mean_deg"] = result.pattern.quality.angle_mean_deg;
-  metrics["area_distortion_mean"] = result.pattern.quality.area_mean;
-  return metrics;
+  const TexturePattern& pattern = result.pattern;
+  return py::dict(
+      "orientation"_a = kOrientations[static_cast<std::size_t>(result.orientation)],
+      "phase_step_u"_a = result.u.phase_step, "phase_step_v"_a = result.v.phase_step,
+      "branches_u"_a = pattern.u.quality.branches, "branches_v"_a = pattern.v.quality.branches,
+      "turned_edges"_a = pattern.seams.turned, "mirrored_edges"_a = pattern.seams.mirrored,
+      "unoriented_triangles"_a = pattern.seams.unoriented_triangles,
+      "angle_distortion_mean_deg"_a = pattern.quality.angle_mean_deg,
+      "area_distortion_mean"_a = pattern.quality.area_mean);
 }
 
 py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::handle frequencies,
@@ -90,12 +88,9 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
 void bind_texture_animator(py::module_& module) {
   py::class_<TextureAnimatorData>(module, "TextureAnimator")
       .def(py::init(&make_texture_animator), py::arg("surface").none(false), py::arg("oriented"),
-           py::arg("lambda_"), py::arg("sweeps"), py::arg("cycles"), py::arg("slack"),
-           py::arg("avoid_branches"))
-      .def_property_readonly("surface",
-                             [](const TextureAnimatorData& data) { return data.surface; })
-      .def_property_readonly("metrics",
-                             [](const TextureAnimatorData& data) { return data.metrics; })
+           py::arg("solver"), py::arg("stiffness"), py::arg("slack"), py::arg("avoid_branches"))
+      .def_readonly("surface", &TextureAnimatorData::surface)
+      .def_readonly("metrics", &TextureAnimatorData::metrics)
       .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
            py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"), py::arg("progress"))
       .def("restart", [](TextureAnimatorData& data) {

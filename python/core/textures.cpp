@@ -20,16 +20,17 @@ std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, p
                                                    py::handle frequency) {
   const Mesh& mesh = surface.surface.mesh;
   if (!frequency.is_none()) {
-    const Table table = table_of(frequency, "frequency_v");
-    if (!table.is_number) check_rows(table.array, mesh, "frequency_v");
-    const std::vector<float> numbers = numbers_of(table.view, "frequency_v");
+    const Table table = table_of(frequency, "frequency[1]");
+    if (!table.is_number) check_rows(table.array, mesh, "frequency[1]");
+    const std::vector<float> numbers = numbers_of(table.view, "frequency[1]");
     return table.is_number ? constant_frequency_field(numbers.front(), mesh.vertex_count())
                            : numbers;
   }
   if (stripes.is_none()) return std::nullopt;
-  const Table table = table_of(stripes, "stripes_v");
-  if (!table.is_number) throw Error("stripes_v: expected one number; frequency_v may be an array");
-  const float count = numbers_of(table.view, "stripes_v").front();
+  const Table table = table_of(stripes, "stripes[1]");
+  if (!table.is_number)
+    throw Error("stripes[1]: expected one number; frequency[1] may be an array");
+  const float count = numbers_of(table.view, "stripes[1]").front();
   return constant_frequency_field(frequency_of_stripes(count, bounding_box(mesh).diagonal()),
                                   mesh.vertex_count());
 }
@@ -56,7 +57,7 @@ TexturePointer texture(const SurfacePointer& surface, py::handle directions, py:
       crossing_frequencies(*surface, count_v, frequency_v).value_or(FrequencyField());
   request.oriented = oriented;
   if (origin.frequency_smoothing.periods > 0 && !frequency_v.is_none() &&
-      !table_of(frequency_v, "frequency_v").is_number) {
+      !table_of(frequency_v, "frequency[1]").is_number) {
     request.frequencies_v =
         seen_frequencies(surface->surface, std::move(request.frequencies_v), origin).frequencies;
   }
@@ -198,15 +199,6 @@ std::shared_ptr<TexturedData> textured_stripes(const StripesPointer& data) {
   });
 }
 
-const TexturedData& textured_of(py::handle self) { return py::cast<const TexturedData&>(self); }
-
-template <class Row>
-py::array index_rows(const std::vector<Row>& rows, py::ssize_t columns, py::handle owner) {
-  const auto count = static_cast<py::ssize_t>(rows.size());
-  return shared(reinterpret_cast<const std::int32_t*>(rows.data()),
-                columns == 1 ? Shape{count} : Shape{count, columns}, owner);
-}
-
 // The patterns' arrays, then the surface's with other names.
 py::tuple textured_arrays_of(const TexturedData& data) {
   DataArrays own = without_lock([&] {
@@ -240,33 +232,23 @@ py::tuple textured_arrays_of(const TexturedData& data) {
 }
 
 void bind_textured(py::module_& module) {
-  py::class_<TexturedData, std::shared_ptr<TexturedData>>(module, "TexturedMesh")
-      .def_property_readonly("origin",
+  py::class_<TexturedData, std::shared_ptr<TexturedData>> type(module, "TexturedMesh");
+  def_rows(
+      type, "local_vertices",
+      [](const auto& data) -> auto& { return data.textured.mesh.positions; });
+  def_rows(
+      type, "faces", [](const auto& data) -> auto& { return data.textured.mesh.triangles; });
+  def_rows(
+      type, "uv", [](const auto& data) -> auto& { return data.textured.coordinates; });
+  def_rows(
+      type, "vertex_origins", [](const auto& data) -> auto& { return data.textured.origins; });
+  def_rows(
+      type, "face_origins",
+      [](const auto& data) -> auto& { return data.textured.triangle_origins; });
+  type.def_property_readonly("origin",
                              [](const TexturedData& data) {
                                const Eigen::Vector3d& origin = data.textured.mesh.origin;
                                return py::make_tuple(origin.x(), origin.y(), origin.z());
-                             })
-      .def_property_readonly(
-          "local_vertices",
-          [](py::handle self) { return shared(textured_of(self).textured.mesh.positions, self); })
-      .def_property_readonly("triangles",
-                             [](py::handle self) {
-                               return index_rows(textured_of(self).textured.mesh.triangles, 3,
-                                                 self);
-                             })
-      .def_property_readonly("uv",
-                             [](py::handle self) {
-                               const auto& uv = textured_of(self).textured.coordinates;
-                               return shared(reinterpret_cast<const float*>(uv.data()),
-                                             {static_cast<py::ssize_t>(uv.size()), 2}, self);
-                             })
-      .def_property_readonly(
-          "vertex_origins",
-          [](py::handle self) { return index_rows(textured_of(self).textured.origins, 3, self); })
-      .def_property_readonly("triangle_origins",
-                             [](py::handle self) {
-                               return index_rows(textured_of(self).textured.triangle_origins, 1,
-                                                 self);
                              })
       .def("arrays", textured_arrays_of);
 }
@@ -277,38 +259,37 @@ void bind_textures(py::module_& module) {
   bind_textured(module);
   py::class_<TextureData, TexturePointer> type(module, "Texture");
   bind_pickle(type);
-  type.def_property_readonly("surface", [](const TextureData& data) { return data.surface; })
+  def_rows(
+      type, "face_origins", [](const auto& data) -> auto& { return data.triangle_origins; });
+  def_rows(
+      type, "singular_faces", [](const auto& data) -> auto& { return data.singular; });
+  type.def_readonly("surface", &TextureData::surface)
       .def_property_readonly(
           "u", [](const TextureData& data) { return data.is_cross() ? nullptr : data.u; })
       .def_property_readonly(
           "v", [](const TextureData& data) { return data.is_cross() ? nullptr : data.v; })
-      .def_property_readonly("cover", [](const TextureData& data) { return data.cover; })
+      .def_readonly("double_cover", &TextureData::cover)
       .def_property_readonly("is_cross", &TextureData::is_cross)
-      .def_property_readonly("triangle_origins",
-                             [](py::handle self) {
-                               return index_rows(
-                                   py::cast<const TextureData&>(self).triangle_origins, 1, self);
-                             })
-      .def_property_readonly("singular",
-                             [](py::handle self) {
-                               return index_rows(py::cast<const TextureData&>(self).singular, 1,
-                                                 self);
-                             })
       .def("cancelled_branches",
            [](const TextureData& data) { return cancelled_branches_of(data.cancelled_branches); })
       .def("corner_uv", corner_uv)
       .def("mesh", textured_mesh)
-      .def("warnings",
-           [](const TextureData& data, const std::string& source) {
-             return brindle::warnings(data.metrics, source) +
-                    brindle::quality_warning(data.metrics, data.quality,
-                                             data.surface->surface.mesh.triangle_count());
-           })
-      .def("report", [](const TextureData& data, const std::string& invocation) {
-        nlohmann::ordered_json json = nlohmann::ordered_json::parse(invocation);
-        json.update(data.report);
-        return brindle::json_text(json);
-      });
+      .def(
+          "warnings",
+          [](const TextureData& data, const std::string& source) {
+            return brindle::warnings(data.metrics, source) +
+                   brindle::quality_warning(data.metrics, data.quality,
+                                            data.surface->surface.mesh.triangle_count());
+          },
+          py::arg("source"))
+      .def(
+          "report",
+          [](const TextureData& data, const std::string& invocation) {
+            nlohmann::ordered_json json = nlohmann::ordered_json::parse(invocation);
+            json.update(data.report);
+            return brindle::json_text(json);
+          },
+          py::arg("invocation"));
   module.def("texture", texture, py::arg("surface").none(false), py::arg("directions"),
              py::arg("stripes"), py::arg("frequency"), py::arg("stripes_v"), py::arg("frequency_v"),
              py::arg("oriented"), py::arg("origin"), py::arg("solving"), py::arg("progress"));

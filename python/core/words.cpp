@@ -10,10 +10,11 @@ namespace {
 // Options whose arguments have other names.
 const std::map<std::string, std::string>& other_names() {
   static const std::map<std::string, std::string> kNames = {
-      {"lambda", "lambda_"},   {"curvature-direction", "curvature"},
-      {"field", "directions"}, {"rotate", "turned_field"},
-      {"texture", "tile"},     {"frequency-range", "range"},
-      {"cross", "crosses"},    {"subdivide", "subdivided"}};
+      {"lambda", "stiffness"},     {"curvature-direction", "curvature"},
+      {"field", "directions"},     {"rotate", "rotate_field"},
+      {"texture", "tile"},         {"frequency-range", "range"},
+      {"cross", "crosses"},        {"along", "run"},
+      {"stripes-v", "stripes[1]"}, {"frequency-v", "frequency[1]"}};
   return kNames;
 }
 

@@ -25,8 +25,8 @@ def torus():
 def square():
     """A unit square of two triangles, split into 2,048: (V, F)."""
     surface = brindle.Surface([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]],
-                              [[0, 1, 2], [0, 2, 3]]).subdivided(5)
-    return np.array(surface.vertices), np.array(surface.triangles)
+                              [[0, 1, 2], [0, 2, 3]]).subdivide(5)
+    return np.array(surface.vertices), np.array(surface.faces)
 
 
 @pytest.fixture(scope="session")
@@ -78,6 +78,33 @@ def with_names_of_parts(message):
         written = re.escape(f"--{whole} ...{before}{form}")
         message = re.sub(rf"{written}\S*?(?=[:;,]?(?:\s|$))", f"--{name}", message)
     return message
+
+
+def grouped(stripes_v=None, frequency_v=None, **options):
+    """Arguments of Python of options by the tool's names: in the groups that they belong to."""
+    def take(kind, *more):
+        names = [*vars(kind())] + list(more)
+        return {name: options.pop(name) for name in names if name in options}
+
+    solver = options.pop("solver", None)
+    parameters = take(brindle.Solver)
+    if parameters:
+        solver = brindle.Solver(solver, **parameters)
+    groups = {"solver": solver}
+    for name, kind in (("layout", brindle.Layout), ("measured", brindle.Measured), ("look", brindle.Look)):
+        given = take(kind)
+        groups[name] = kind(**given) if given else None
+    if "avoid_branches" in options:
+        options["slack"] = brindle.Slack(options.get("slack"), options.pop("avoid_branches"))
+    previous = {name: options.pop(name) for name in ("stiffness", "match") if name in options}
+    if previous:
+        options["previous"] = brindle.Previous(options.get("previous"), **previous)
+    if options.pop("along", False):
+        options["run"] = "along"
+    for name, of_v in (("stripes", stripes_v), ("frequency", frequency_v)):
+        if of_v is not None:
+            options[name] = (options.get(name), of_v)
+    return options | {name: group for name, group in groups.items() if group is not None}
 
 
 def run_tool(*arguments):

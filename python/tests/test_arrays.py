@@ -95,7 +95,7 @@ def test_the_input_is_not_kept_and_not_changed(grid):
     assert (vertices == before[0]).all() and (triangles == before[1]).all()
     vertices[:], triangles[:] = 0, 0
     np.testing.assert_array_equal(surface.vertices, before[0])
-    np.testing.assert_array_equal(surface.triangles, before[1])
+    np.testing.assert_array_equal(surface.faces, before[1])
 
 
 def address(array):
@@ -105,12 +105,12 @@ def address(array):
 def test_results_share_memory(torus):
     p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
     for owner, names in ((p, ["phases", "frequency", "directions", "corner_phases", "branches"]),
-                         (torus, ["vertices", "triangles", "normals"])):
+                         (torus, ["vertices", "faces", "normals"])):
         for name in names:
             first, second = getattr(owner, name), getattr(owner, name)
             assert address(first) == address(second), name
             assert first.flags.c_contiguous
-    for array in (p.phases, p.frequency, p.directions, torus.vertices, torus.triangles,
+    for array in (p.phases, p.frequency, p.directions, torus.vertices, torus.faces,
                   torus.normals, *torus.neighbors):
         with pytest.raises(ValueError):
             array.flags.writeable = True
@@ -123,11 +123,11 @@ def test_covers_of_crosses_are_surfaces(tmp_path):
     plain = brindle.shape("molecule", resolution=24)
     n = plain.vertex_count
     far = np.array([5.8e6, 4e5, 1])
-    surface = brindle.Surface(plain.vertices + far, plain.triangles,
+    surface = brindle.Surface(plain.vertices + far, plain.faces,
                               point_data={"id": np.arange(n)})
     field = np.random.default_rng(0).normal(size=(n, 3))
-    crosses = brindle.crosses(surface, field, stripes=20, field_smoothing=1)
-    cover = crosses.cover
+    crosses = brindle.crosses(surface, field, stripes=20, measured=brindle.Measured(1))
+    cover = crosses.double_cover
     assert np.allclose(cover.surface.origin, surface.origin)
     assert np.array_equal(cover.point_data["original_id"], np.repeat(np.arange(n), 2))
     assert np.array_equal(cover.surface.point_data["id"], np.repeat(np.arange(n), 2))
@@ -144,7 +144,7 @@ def test_covers_of_crosses_are_surfaces(tmp_path):
     split = (origins[:, 0] == origins[:, 1]) & (origins[:, 0] >= n)
     assert split.any()
     own = cover.point_data["coherence"][::2]
-    base = surface.triangles[crosses.singular]
+    base = surface.faces[crosses.singular_faces]
     expected = own[base].mean(axis=1)
     at = origins[split][:, 0] - n
     assert np.allclose(coherence[split], expected[at], atol=1e-6)
@@ -177,7 +177,7 @@ def test_what_objects_keep_is_read_only(torus):
             pattern.singularities, *pattern.point_data.values(), *pattern.cell_data.values(),
             texture.corner_uv, *texture.mesh().point_data.values(), texture.mesh().vertices,
             curves.points, curves.edges, curves.lengths, samples.points, *samples.directions,
-            brindle.PatternFrames(torus).triangles]
+            brindle.advanced.PatternFrames(torus).faces]
     assert len(kept) > 20 and not any(array.flags.writeable for array in kept)
     branches = pattern.branches.copy()
     branches[:] = 0  # a copy is the caller's
@@ -186,7 +186,7 @@ def test_what_objects_keep_is_read_only(torus):
 def test_results_outlive_their_owner():
     surface = brindle.shape("torus", resolution=30)
     p = brindle.stripes(surface, surface.smooth_field(), stripes=5)
-    arrays = [p.phases, p.directions, p.frequency, surface.vertices, surface.triangles,
+    arrays = [p.phases, p.directions, p.frequency, surface.vertices, surface.faces,
               p.point_data["phase"], *p.curves(), p.curves().normals]
     copies = [array.copy() for array in arrays]
     del p, surface
@@ -199,7 +199,7 @@ def test_results_outlive_their_owner():
 def test_fields_are_the_callers_own(torus):
     """They may be changed, and nobody else hears of it."""
     for make in (torus.smooth_field, lambda: torus.projected_field((1, 0.2, 0.3)),
-                 lambda: torus.curvature_field(raw=True), lambda: torus.turned_field(torus.smooth_field()),
+                 lambda: torus.curvature_field(raw=True), lambda: torus.rotate_field(torus.smooth_field()),
                  lambda: brindle.Animator(torus).frame(torus.smooth_field(), 4)):
         made, kept = make(), make()
         made *= -1
@@ -209,7 +209,7 @@ def test_fields_are_the_callers_own(torus):
 
 def test_shapes_and_types(torus):
     p = brindle.stripes(torus, torus.smooth_field(), stripes=20)
-    n, m = torus.vertex_count, torus.triangle_count
+    n, m = torus.vertex_count, torus.face_count
     assert p.phases.shape == (n,) and p.phases.dtype == np.complex64
     assert p.frequency.shape == (n,) and p.frequency.dtype == np.float32
     assert p.corner_phases.shape == (m, 3) and p.corner_phases.dtype == np.float32
@@ -244,7 +244,7 @@ def test_nothing_at_all():
         brindle.stripes(empty)
     assert empty.smooth_field().shape == (0, 3)
     alone = brindle.Surface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.empty((0, 3), int))
-    assert alone.triangles.shape == (0, 3)
+    assert alone.faces.shape == (0, 3)
 
 
 def test_large_coordinates_keep_their_shape(square):
@@ -288,7 +288,7 @@ def test_frames_take_what_patterns_take(torus, moves):
     that are vectors."""
     n = torus.vertex_count
     positions = np.float32(torus.vertices * (1 + 0.2 * np.sin(3 * torus.vertices[:, :1]))) if moves else None
-    there = torus.moved(positions) if moves else torus
+    there = torus.with_vertices(positions) if moves else torus
     chance = np.random.default_rng(2)
     vectors = np.array(there.projected_field((0.3, 1, 0.2)), float)
     vectors[::3] = 5 * vectors[::3] + chance.normal(size=vectors[::3].shape)
@@ -304,7 +304,7 @@ def test_frames_take_what_patterns_take(torus, moves):
         uv = brindle.TextureAnimator(torus).frame(directions, frequency, positions)
         same = brindle.TextureAnimator(torus).frame(p.directions, p.frequency, positions, normals=there.normals)
         np.testing.assert_array_equal(uv, same)
-        drawn = brindle.PatternFrames(torus)
+        drawn = brindle.advanced.PatternFrames(torus)
         corners = drawn.corner_phases(z, directions, frequency, positions)
         np.testing.assert_array_equal(corners, p.corner_phases)
 
@@ -312,13 +312,13 @@ def test_frames_take_what_patterns_take(torus, moves):
 def test_unit_vectors_stay_where_vertices_move(torus):
     """Row by row, whatever the others are; these are projected there."""
     moved = np.float32(torus.vertices * (1 + 0.2 * np.sin(3 * torus.vertices[:, :1])))
-    d, there = torus.projected_field((0.3, 1, 0.2)), torus.moved(moved)
+    d, there = torus.projected_field((0.3, 1, 0.2)), torus.with_vertices(moved)
     z = brindle.Animator(torus).frame(d, 4, moved)
     mixed = d.copy()
     mixed[::7] *= 3
     mixed[1::7] = np.nan
     for given in (d, mixed):
-        shown = brindle.PatternFrames(torus).vertices(z, given, 4, moved)[:, 4:7]
+        shown = brindle.advanced.PatternFrames(torus).vertices(z, given, 4, moved)[:, 4:7]
         units = np.isclose(np.linalg.norm(given, axis=1), 1)
         np.testing.assert_array_equal(shown[units], given[units])
         np.testing.assert_array_equal(shown[~units], there.array_field(given)[~units])
@@ -328,38 +328,38 @@ def test_masked_arrays_elsewhere(torus, tmp_path):
     n = torus.vertex_count
     hidden = np.arange(n) < 7
     whole = np.ma.masked_array(np.arange(n), hidden)
-    s = brindle.Surface(torus.vertices, torus.triangles, point_data={"whole": whole})
+    s = brindle.Surface(torus.vertices, torus.faces, point_data={"whole": whole})
     np.testing.assert_array_equal(np.isnan(s.point_data["whole"]), hidden)
     s.write(tmp_path / "masked.vtp", point_data={"half": np.ma.masked_array(np.ones(n, "f2"), hidden)})
     again = brindle.read(tmp_path / "masked.vtp").point_data
     np.testing.assert_array_equal(np.isnan(again["half"]), hidden)
     np.testing.assert_array_equal(again["whole"][~hidden], np.arange(n)[~hidden])
-    triangles = np.ma.masked_array(torus.triangles, False)
+    triangles = np.ma.masked_array(torus.faces, False)
     brindle.Surface(torus.vertices, triangles)
     triangles[3] = np.ma.masked
-    with pytest.raises(brindle.Error, match="triangles: some are masked"):
+    with pytest.raises(brindle.Error, match="faces: some are masked"):
         brindle.Surface(torus.vertices, triangles)
     vertices = np.ma.masked_array(torus.vertices, False)
     vertices[2] = np.ma.masked
     with pytest.raises(brindle.Error, match="vertex 2"):
-        brindle.Surface(vertices, torus.triangles)
+        brindle.Surface(vertices, torus.faces)
 
 
 def test_truth_and_tensors_as_data(torus, tmp_path):
     n = torus.vertex_count
     truth, tensors = np.arange(n) % 2 == 0, np.arange(9.0 * n).reshape(n, 3, 3)
-    s = brindle.Surface(torus.vertices, torus.triangles, point_data={"truth": truth, "tensors": tensors},
-                        cell_data={"cells": np.ones((torus.triangle_count, 3, 3))})
+    s = brindle.Surface(torus.vertices, torus.faces, point_data={"truth": truth, "tensors": tensors},
+                        cell_data={"cells": np.ones((torus.face_count, 3, 3))})
     np.testing.assert_array_equal(s.point_data["truth"], truth)
     np.testing.assert_array_equal(s.point_data["tensors"], tensors.reshape(n, 9))
     s.write(tmp_path / "data.vtp", point_data={"other": ~truth})
     again = brindle.read(tmp_path / "data.vtp")
     np.testing.assert_array_equal(again.point_data["other"], ~truth)
     np.testing.assert_array_equal(again.point_data["tensors"], tensors.reshape(n, 9))
-    assert again.cell_data["cells"].shape == (torus.triangle_count, 9)
+    assert again.cell_data["cells"].shape == (torus.face_count, 9)
     for odd in (np.ones((n, 2, 2)), np.ones((n, 3, 3, 3))):
         with pytest.raises(brindle.Error, match="tensors"):
-            brindle.Surface(torus.vertices, torus.triangles, point_data={"odd": odd})
+            brindle.Surface(torus.vertices, torus.faces, point_data={"odd": odd})
 
 
 def test_phases_where_there_is_no_wave(torus):
@@ -373,14 +373,14 @@ def test_phases_where_there_is_no_wave(torus):
         z = p.phases.copy()
         z[:9] = nothing
         for given in (z, np.ma.masked_array(z, z != z)):
-            q = brindle.stripes_from_phases(torus, given, torus.smooth_field(), frequency=4)
+            q = brindle.advanced.stripes_from_phases(torus, given, torus.smooth_field(), frequency=4)
             np.testing.assert_array_equal(q.phases, p.phases)
             np.testing.assert_array_equal(q.corner_phases, p.corner_phases)
             assert q.report["vertices_without_wave"] == 9
-    q = brindle.stripes_from_phases(torus, np.exp(1j * p.point_data["phase"]), d, frequency=4)
+    q = brindle.advanced.stripes_from_phases(torus, np.exp(1j * p.point_data["phase"]), d, frequency=4)
     np.testing.assert_allclose(q.corner_phases, p.corner_phases, atol=1e-5)
     with pytest.raises(brindle.Error, match="none at any vertex"):
-        brindle.stripes_from_phases(torus, np.full(torus.vertex_count, np.nan, "c8"), d, frequency=4)
+        brindle.advanced.stripes_from_phases(torus, np.full(torus.vertex_count, np.nan, "c8"), d, frequency=4)
 
 
 def test_frequencies_of_frames_that_are_nan(torus):
@@ -409,21 +409,21 @@ def test_signs_of_axes_do_not_count():
     torus = brindle.shape("torus", resolution=24)
     fibers = torus.projected_field((0.2, 1, 0.3))
     signs = np.where(np.random.default_rng(3).random(torus.vertex_count) < 0.5, -1, 1)
-    of_cells = fibers[torus.triangles[:, 0]] * signs[torus.triangles[:, 1]][:, None]
-    surface = brindle.Surface(torus.vertices, torus.triangles,
+    of_cells = fibers[torus.faces[:, 0]] * signs[torus.faces[:, 1]][:, None]
+    surface = brindle.Surface(torus.vertices, torus.faces,
                               point_data={"fiber": fibers * signs[:, None], "even": fibers},
                               cell_data={"of cells": of_cells,
-                                         "even cells": fibers[torus.triangles[:, 0]]})
+                                         "even cells": fibers[torus.faces[:, 0]]})
 
     def angles(a, b):
         a, b = (v / np.linalg.norm(v, axis=1)[:, None] for v in (a, b))
         return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(axis=1)), 0, 1)))
 
-    finer = surface.subdivided(1)
+    finer = surface.subdivide(1)
     assert angles(finer.axes("fiber"), finer.axes("even")).max() < 0.1
     assert angles(surface.axes("of cells"), surface.axes("even cells")).max() < 0.1
-    assert angles(surface.moved_to_points(of_cells, axes=True), surface.axes("of cells")).max() < 0.1
-    assert angles(surface.carried("fiber", finer, axes=True), finer.axes("even")).max() < 0.1
+    assert angles(surface.cells_to_points(of_cells, axes=True), surface.axes("of cells")).max() < 0.1
+    assert angles(surface.interpolate_to(finer, "fiber", axes=True), finer.axes("even")).max() < 0.1
     assert np.linalg.norm(finer.array("fiber"), axis=1).min() < 0.1, "numbers cancel"
     for name, even in (("fiber", "even"), ("of cells", "even cells")):
         for s in (surface, finer):

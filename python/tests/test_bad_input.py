@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import brindle
+from conftest import grouped
 
 V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 F = np.array([[0, 1, 2], [0, 2, 3]])
@@ -57,7 +58,7 @@ def test_repair_takes_what_is_damaged():
     vertices = np.vstack([nan_at(V, (3, 0)), V[:1]])
     s = brindle.Surface(vertices, [[0, 1, 2], [0, 2, 3], [4, 1, 2], [0, 0, 1], [0, 1, 99]],
                         repair=True, cell_data={"number": np.arange(5)})
-    assert s.triangle_count == 1 and s.vertex_count == 5
+    assert s.face_count == 1 and s.vertex_count == 5
     assert s.repair["triangles_out_of_range"] == 1 and s.repair["vertices_not_finite"] == 1
     assert s.repair["triangles_duplicate"] == 1 and s.repair["vertices_joined"] == 1
     assert list(s.cell_data["number"]) == [0] and "dropped" in s.notes
@@ -65,7 +66,7 @@ def test_repair_takes_what_is_damaged():
 
 def test_meshes_that_are_split_along_edges():
     box = brindle.shape("box,resolution=10")
-    vertices = box.vertices[box.triangles.reshape(-1)]
+    vertices = box.vertices[box.faces.reshape(-1)]
     triangles = np.arange(len(vertices)).reshape(-1, 3)
     with pytest.warns(brindle.PatternWarning, match="boundary edges stand exactly where.*repair=True"):
         split = brindle.Surface(vertices, triangles)
@@ -73,9 +74,9 @@ def test_meshes_that_are_split_along_edges():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         whole = brindle.Surface(vertices, triangles, repair=True)
-        brindle.Surface(box.vertices, box.triangles)
+        brindle.Surface(box.vertices, box.faces)
     np.testing.assert_array_equal(vertices[whole.joined], vertices)
-    np.testing.assert_array_equal(whole.joined[triangles], whole.triangles)
+    np.testing.assert_array_equal(whole.joined[triangles], whole.faces)
     assert len(np.unique(whole.joined)) == box.vertex_count
     curves = [brindle.stripes(s, stripes=10).curves().count for s in (box, whole, split)]
     assert curves[1] <= 1.2 * curves[0] < curves[2] / 5
@@ -109,7 +110,7 @@ def test_triangles_that_no_mesh_has(triangles):
     ({"weights": "x"}, "expected one of paper"),
     ({"epsilon": 0.1}, "no effect"),
     ({"global_iterations": 3}, "no effect"),
-    ({"lambda_": 0.1}, "no effect"),
+    ({"stiffness": 0.1}, "no effect"),
     ({"match": "number"}, "no effect"),
     ({"solver": "relaxation", "sweeps": 3}, "no effect"),
     ({"solver": "relaxation", "epsilon": -1}, "epsilon"),
@@ -124,18 +125,18 @@ def test_triangles_that_no_mesh_has(triangles):
 ])
 def test_stripes(torus, arguments, message):
     with pytest.raises(brindle.Error, match=message):
-        brindle.stripes(torus, **{"directions": None, **arguments})
+        brindle.stripes(torus, **grouped(**{"directions": None, **arguments}))
 
 
 @pytest.mark.parametrize("arguments", [
     {"directions": 5j}, {"directions": {}}, {"directions": "abc".encode()}, {"frequency": "1".encode()},
     {"frequency": 1j}, {"stripes": "40"}, {"stripes": None, "frequency": True}, {"solver": 3},
-    {"threads": "all"}, {"threads": 1.5}, {"progress": 7}, {"previous": 7}, {"along": 1},
+    {"threads": "all"}, {"threads": 1.5}, {"progress": 7}, {"previous": 7}, {"run": 1},
     {"sweeps": 2.5}, {"nonsense": 1},
 ])
 def test_wrong_types_of_stripes(torus, arguments):
     with pytest.raises(TypeError):
-        brindle.stripes(torus, **arguments)
+        brindle.stripes(torus, **grouped(**arguments))
 
 
 def test_no_wave_at_all(torus):
@@ -151,17 +152,17 @@ def test_fields(torus):
                  lambda: torus.tensor_field(np.ones((torus.vertex_count, 6)), "middle"),
                  lambda: torus.tensor_field(np.ones((torus.vertex_count, 5))),
                  lambda: torus.array_field(np.ones((torus.vertex_count, 4))),
-                 lambda: torus.turned_field(np.ones((5, 3))), lambda: torus.array("cells/x"),
+                 lambda: torus.rotate_field(np.ones((5, 3))), lambda: torus.array("cells/x"),
                  lambda: torus.frequencies_by(np.ones(torus.vertex_count), range=(3, 1)),
-                 lambda: torus.turned_field(torus.smooth_field(), np.nan),
-                 lambda: torus.turned_field(torus.smooth_field(), np.inf),
-                 lambda: torus.subdivided(-1), lambda: torus.subdivided(0, rounded=True),
-                 lambda: brindle.shape("torus", rounded=True), lambda: torus.moved(np.ones((3, 3)))):
+                 lambda: torus.rotate_field(torus.smooth_field(), np.nan),
+                 lambda: torus.rotate_field(torus.smooth_field(), np.inf),
+                 lambda: torus.subdivide(-1), lambda: torus.subdivide(0, rounded=True),
+                 lambda: brindle.shape("torus", rounded=True), lambda: torus.with_vertices(np.ones((3, 3)))):
         with pytest.raises(brindle.Error):
             call()
     for call in (lambda: torus.projected_field(3), lambda: torus.projected_field("xyz"),
                  lambda: torus.curvature_field(1), lambda: torus.smooth_field(symmetry="2"),
-                 lambda: torus.array(3), lambda: torus.subdivided(1.5)):
+                 lambda: torus.array(3), lambda: torus.subdivide(1.5)):
         with pytest.raises(TypeError):
             call()
 
@@ -184,28 +185,28 @@ def test_neighbors(torus, neighbors, tmp_path):
 @pytest.mark.parametrize("distance", [-1, np.nan, -np.inf])
 def test_distances(torus, distance):
     for call in (lambda: torus.nearest(torus.vertices[:3], distance),
-                 lambda: torus.carried(np.ones(torus.vertex_count), torus, distance)):
+                 lambda: torus.interpolate_to(torus, np.ones(torus.vertex_count), distance)):
         with pytest.raises(brindle.Error, match="max_distance: expected 0 or more"):
             call()
-    for rows in (5, torus.triangle_count + 1):
+    for rows in (5, torus.face_count + 1):
         with pytest.raises(brindle.Error, match=f"it has {rows} rows for"):
-            torus.carried(np.ones(rows), torus)
+            torus.interpolate_to(torus, np.ones(rows))
 
 
 @pytest.mark.parametrize("make", [brindle.Animator, brindle.TextureAnimator, brindle.FieldAnimator])
 def test_bounds_of_frames(torus, make):
     for options, message in (({"sweeps": 10**9}, "sweeps: expected a number from 0 to 10000"),
-                             ({"sweeps": -1}, "sweeps: expected"), ({"lambda_": np.nan}, "lambda_: expected"),
-                             ({"lambda_": 1e9}, "lambda_: expected a number from 0 to 1000000")):
+                             ({"sweeps": -1}, "sweeps: expected"), ({"stiffness": np.nan}, "stiffness: expected"),
+                             ({"stiffness": 1e9}, "stiffness: expected a number from 0 to 1000000")):
         with pytest.raises(brindle.Error, match=message):
-            make(torus, **options)
+            make(torus, **options if "stiffness" in options or make is brindle.FieldAnimator else grouped(**options))
     with pytest.raises(brindle.Error, match="iterations: expected"):
-        brindle.Animator(torus, solver="relaxation", iterations=0)
+        brindle.Animator(torus, solver=brindle.Solver("relaxation", iterations=0))
 
 
 def test_windings_that_name_nothing(torus):
     with pytest.raises(brindle.Error, match="names no loop"):
-        brindle.stripes(torus, winding={})
+        brindle.stripes(torus, layout=brindle.Layout(winding={}))
 
 
 def test_animator(torus):
@@ -227,35 +228,35 @@ def test_animator(torus):
             animator.frame(d, 4, out=out)
     np.testing.assert_array_equal(animator.frame(d, 4), expected)
     with pytest.raises(brindle.Error):
-        animator.set_last_phases(np.full(n, 2, "c8"))
+        animator.set_phases(np.full(n, 2, "c8"))
     with pytest.raises(brindle.Error, match=r"phases: expected .* got the shape \(7,\)"):
-        animator.set_last_phases(np.full(7, 1, "c8"))
+        animator.set_phases(np.full(7, 1, "c8"))
     with pytest.raises(brindle.Error, match=r"edge_weights: expected .* directed edges, got the shape \(3,\)"):
         brindle.Animator(torus, edge_weights=[1, 2, 3])
     with pytest.raises(TypeError):
-        animator.set_last_phases(np.zeros(n))
+        animator.set_phases(np.zeros(n))
     with pytest.raises(brindle.Error):
         brindle.Animator(torus, solver="global")
     with pytest.raises(brindle.Error):
-        brindle.Animator(torus, lambda_=-1)
+        brindle.Animator(torus, stiffness=-1)
 
 
 def test_rows_of_triangles(torus):
     """The message names what moves them to the vertices."""
-    vectors, numbers = np.ones((torus.triangle_count, 3)), np.ones(torus.triangle_count)
+    vectors, numbers = np.ones((torus.face_count, 3)), np.ones(torus.face_count)
     d = torus.smooth_field()
     for call in (lambda: brindle.stripes(torus, vectors), lambda: torus.array_field(vectors),
-                 lambda: torus.turned_field(vectors), lambda: brindle.Animator(torus).frame(vectors, 4),
-                 lambda: torus.smooth_field(last=(torus, vectors))):
-        with pytest.raises(brindle.Error, match=r"surface.moved_to_points\(\w+, axes=True\)"):
+                 lambda: torus.rotate_field(vectors), lambda: brindle.Animator(torus).frame(vectors, 4),
+                 lambda: torus.smooth_field(previous=(torus, vectors))):
+        with pytest.raises(brindle.Error, match=r"surface.cells_to_points\(\w+, axes=True\)"):
             call()
     for call in (lambda: brindle.stripes(torus, frequency=numbers), lambda: torus.frequencies_by(numbers),
                  lambda: brindle.Animator(torus).frame(d, numbers)):
-        with pytest.raises(brindle.Error, match=r"surface.moved_to_points\(\w+\)"):
+        with pytest.raises(brindle.Error, match=r"surface.cells_to_points\(\w+\)"):
             call()
-    assert brindle.stripes(torus, torus.moved_to_points(vectors, axes=True)).report["branches"] >= 0
+    assert brindle.stripes(torus, torus.cells_to_points(vectors, axes=True)).report["branches"] >= 0
     with pytest.raises(brindle.Error, match="field_weight: expected .* vertices, got 5"):
-        brindle.stripes(torus, d, field_smoothing=1, field_weight=np.ones(5))
+        brindle.stripes(torus, d, measured=brindle.Measured(1, field_weight=np.ones(5)))
 
 
 def test_empty_arrays_are_not_left_out(torus):
@@ -264,13 +265,13 @@ def test_empty_arrays_are_not_left_out(torus):
         for given in ({"slack": nothing}, {"slack": 0.2, "avoid_branches": nothing},
                       {"field_smoothing": 1, "field_weight": nothing}):
             with pytest.raises(brindle.Error, match=f"{list(given)[-1]}: the array is empty"):
-                brindle.stripes(torus, directions, stripes=10, **given)
+                brindle.stripes(torus, directions, stripes=10, **grouped(**given))
         for name in ("normals", "frequencies_v", "positions"):
             with pytest.raises(brindle.Error, match=f"{name}: the array is empty"):
                 brindle.TextureAnimator(torus).frame(directions, f, **{name: nothing})
-        for name in ("confidence", "last"):
+        for name in ("confidence", "previous"):
             with pytest.raises(brindle.Error, match=f"{name}: the array is empty"):
-                brindle.FieldSmoothing(torus).frame(directions, f, **{name: nothing})
+                brindle.advanced.FieldSmoothing(torus).frame(directions, f, **{name: nothing})
         with pytest.raises(brindle.Error, match="positions: the array is empty"):
             brindle.Animator(torus).frame(directions, f, nothing)
 
@@ -282,7 +283,7 @@ def test_angles_of_features(torus):
 
 def test_field_smoothing_keeps_its_last_frame(torus):
     f, vectors = torus.frequency_of(20), np.cross([0, 0, 1], torus.vertices)
-    detail, undisturbed = brindle.FieldSmoothing(torus, 0.3), brindle.FieldSmoothing(torus, 0.3)
+    detail, undisturbed = brindle.advanced.FieldSmoothing(torus, 0.3), brindle.advanced.FieldSmoothing(torus, 0.3)
     for each in (detail, undisturbed):
         each.frame(vectors, f)
     metrics, other = smoothing.metrics, vectors[:, ::-1]
@@ -359,16 +360,16 @@ def test_curves_and_samples(torus):
         brindle.samples(torus, stripes=20, min_distance=-1)
     other = brindle.shape("sphere", resolution=20)
     with pytest.raises(brindle.Error, match="one surface"):
-        brindle.samples_of(p, brindle.stripes(other))
+        brindle.advanced.samples_of(p, brindle.stripes(other))
 
 
 def test_phases_of_others(torus):
     d, n = torus.smooth_field(), torus.vertex_count
     for phases in (np.ones(3, "c8"), np.full(n, 2, "c8"), np.full(n, np.nan, "c8"), np.ones((n, 2), "c8")):
         with pytest.raises(brindle.Error):
-            brindle.stripes_from_phases(torus, phases, d, stripes=20)
+            brindle.advanced.stripes_from_phases(torus, phases, d, stripes=20)
     with pytest.raises(TypeError):
-        brindle.stripes_from_phases(torus, np.ones(n), d, stripes=20)
+        brindle.advanced.stripes_from_phases(torus, np.ones(n), d, stripes=20)
 
 
 @pytest.mark.skipif(not brindle.has_opengl, reason="this build draws no pictures")
@@ -388,9 +389,9 @@ def test_what_points_and_crosses_do_not_show(torus, tmp_path):
             call()
     assert not (tmp_path / "c.glb").exists()
     with pytest.raises(brindle.Error, match=r"tiles: expected one of whole\|cut"):
-        brindle.render(torus, c, tile="plus", tiles="some", size=(20, 20))
+        brindle.render(torus, c, tile="plus", size=(20, 20), look=brindle.Look(tiles="some"))
     with pytest.raises(brindle.Error, match="tiles has no effect here"):
-        brindle.render(torus, tiles="whole", size=(20, 20))
+        brindle.render(torus, size=(20, 20), look=brindle.Look(tiles="whole"))
     with pytest.raises(brindle.Error, match="tiles has no effect here.*holds no values of triangles"):
         c.write(tmp_path / "c.glb", tile="plus", tiles="whole")
     with pytest.raises(brindle.Error, match="tiles has no effect here: there is no tile"):
@@ -409,19 +410,19 @@ def test_pictures(torus, tmp_path):
                     {"light_from": (float("nan"), 0)},
                     {"light_from": (0, 0), "shading": False}):
         with pytest.raises(brindle.Error):
-            brindle.render(torus, p, **options)
+            brindle.render(torus, p, **grouped(**options))
     for options in ({"size": (10.5, 3)}, {"transparent": "yes"}, {"colors": (1, 2)}, {"slice": 0.5}):
         with pytest.raises(TypeError):
-            brindle.render(torus, p, **options)
+            brindle.render(torus, p, **grouped(**options))
     with pytest.raises(TypeError):
         brindle.render(torus, "stripes")
     c = brindle.crosses(torus, stripes=10)
     for pattern in (p, p.curves(), brindle.texture(torus, stripes=20), brindle.samples(torus, stripes=20),
-                    c, c.cover.curves()):
+                    c, c.double_cover.curves()):
         with pytest.raises(brindle.Error, match="not made for"):
             brindle.render(brindle.shape("sphere"), pattern)
     for surface in (torus, c.surface):
-        for pattern in (c, c.cover.curves()):
+        for pattern in (c, c.double_cover.curves()):
             assert brindle.render(surface, pattern, size=(20, 20)).any()
     with pytest.raises(brindle.Error):
         brindle.write_png(tmp_path / "x.png", np.zeros((4, 4), "u1"))

@@ -70,7 +70,7 @@ def test_other_threads_run_meanwhile():
 
 def test_number_of_threads_makes_no_difference(torus):
     d = torus.smooth_field()
-    one, all_ = brindle.stripes(torus, d, stripes=20, threads=1), brindle.stripes(torus, d, stripes=20)
+    one, all_ = brindle.stripes(torus, d, stripes=20, solver=brindle.Solver(threads=1)), brindle.stripes(torus, d, stripes=20)
     np.testing.assert_array_equal(one.phases, all_.phases)
     assert one.report["threads"] == 1
 
@@ -190,7 +190,7 @@ def test_every_frame_of_a_field_tells_and_cancels(torus):
 def test_frames_are_those_of_stripes(torus):
     d = torus.smooth_field()
     p = brindle.stripes(torus, d, frequency=4)
-    animator = brindle.Animator(torus, lambda_=0.025)
+    animator = brindle.Animator(torus, stiffness=0.025)
     z = animator.frame(d, 4)
     np.testing.assert_array_equal(z, p.phases)
     assert animator.phase_step == 0 and animator.energy == pytest.approx(p.report["energy"])
@@ -213,10 +213,10 @@ def test_equal_input(torus):
 
 def test_frames_follow(torus):
     d = torus.smooth_field()
-    calm, loose = brindle.Animator(torus, lambda_=0.025), brindle.Animator(torus, lambda_=0)
+    calm, loose = brindle.Animator(torus, stiffness=0.025), brindle.Animator(torus, stiffness=0)
     for number in range(3):
         moved = torus.vertices * np.float32(1 + 0.01 * number)
-        turned = torus.turned_field(d, 2 * number)
+        turned = torus.rotate_field(d, 2 * number)
         z = calm.frame(turned, 4 + 0.1 * number, moved)
         loose.frame(turned, 4 + 0.1 * number, moved)
     assert z.dtype == np.complex64 and 0 < calm.phase_step < loose.phase_step
@@ -228,14 +228,14 @@ def test_frames_follow(torus):
 @pytest.mark.parametrize("slack", [None, 0.3])
 def test_frames_are_drawn_as_fresh_patterns_are(torus, slack):
     """Bit for bit, where vertices move and where they do not."""
-    animator, drawn = brindle.Animator(torus, slack=slack), brindle.PatternFrames(torus)
-    n, m = torus.vertex_count, len(torus.triangles)
-    np.testing.assert_array_equal(drawn.triangles, np.c_[torus.triangles, np.zeros(m, int)])
+    animator, drawn = brindle.Animator(torus, slack=slack), brindle.advanced.PatternFrames(torus)
+    n, m = torus.vertex_count, len(torus.faces)
+    np.testing.assert_array_equal(drawn.faces, np.c_[torus.faces, np.zeros(m, int)])
     buffer, corners = np.empty((n, 12), np.float32), np.empty((m, 3), np.float32)
     for number in (0, 1, 1, 2, 0):
         wave = 1 + 0.05 * np.sin(4 * torus.vertices[:, :1] + number)
         moved = (torus.vertices * wave).astype(np.float32)
-        there = torus.moved(moved)
+        there = torus.with_vertices(moved)
         d = there.projected_field((0.31, 0.9, 0.27))
         z = animator.frame(d, 4, moved)
         f = np.full(n, 4, np.float32) if slack is None else animator.frequencies
@@ -243,7 +243,7 @@ def test_frames_are_drawn_as_fresh_patterns_are(torus, slack):
         np.testing.assert_array_equal(drawn.normals(moved), there.normals)
         fresh = np.c_[moved, f, d, z.real, there.normals, z.imag]
         np.testing.assert_array_equal(buffer, fresh)
-        p = brindle.stripes_from_phases(there, z, d, frequency=f)
+        p = brindle.advanced.stripes_from_phases(there, z, d, frequency=f)
         assert drawn.corner_phases(z, d, f, moved, out=corners) is corners
         np.testing.assert_array_equal(corners, p.corner_phases)
     np.testing.assert_array_equal(drawn.vertices(z, d, 4), drawn.vertices(z, d, np.full(n, 4.0), torus.vertices))
@@ -253,7 +253,7 @@ def test_frames_are_drawn_as_fresh_patterns_are(torus, slack):
 
 def test_frames_that_do_not_fit_are_not_drawn(torus):
     d = torus.smooth_field()
-    drawn, z = brindle.PatternFrames(torus), brindle.Animator(torus).frame(d, 4)
+    drawn, z = brindle.advanced.PatternFrames(torus), brindle.Animator(torus).frame(d, 4)
     n = torus.vertex_count
     for arguments, name in (((z[1:], d, 4), "phases"), ((z, d[1:], 4), "directions"),
                             ((z, d, 4, torus.vertices[1:]), "positions"),
@@ -265,7 +265,7 @@ def test_frames_that_do_not_fit_are_not_drawn(torus):
         with pytest.raises(error, match="out: expected"):
             drawn.vertices(z, d, 4, out=out)
     with pytest.raises(brindle.Error, match="no triangles"):
-        brindle.PatternFrames(brindle.points(torus.vertices, torus.normals))
+        brindle.advanced.PatternFrames(brindle.points(torus.vertices, torus.normals))
     with pytest.raises(brindle.Error, match="phase_shift"):
         drawn.corner_phases(z, d, 4, phase_shift="none")
 
@@ -331,12 +331,12 @@ def test_siblings_and_last_phases(torus):
     animator = brindle.Animator(torus)
     z = animator.frame(d, 4)
     sibling = animator.sibling()
-    across = torus.turned_field(d, 90)
+    across = torus.rotate_field(d, 90)
     alone = brindle.Animator(torus)
     assert sibling.frame(across, 4).shape == alone.frame(across, 4).shape == z.shape
     assert sibling.energy == pytest.approx(alone.energy, rel=0.2)
     other = brindle.Animator(torus)
-    other.set_last_phases(z.astype("c16"))
+    other.set_phases(z.astype("c16"))
     other.frame(d, 4)
     assert other.phase_step < 0.1
 
@@ -344,7 +344,7 @@ def test_siblings_and_last_phases(torus):
 def test_phases_of_frames_become_patterns(torus):
     d = torus.smooth_field()
     z = brindle.Animator(torus).frame(d, 4)
-    p = brindle.stripes_from_phases(torus, z, d, frequency=4)
+    p = brindle.advanced.stripes_from_phases(torus, z, d, frequency=4)
     q = brindle.stripes(torus, d, frequency=4)
     assert p.report["branches"] == q.report["branches"]
     np.testing.assert_array_equal(p.corner_phases, q.corner_phases)
@@ -355,7 +355,7 @@ def test_fields_follow_anchors(torus):
     animator = brindle.FieldAnimator(torus)
     np.testing.assert_allclose(np.linalg.norm(animator.frame(), axis=1), 1, atol=1e-5)
     vertex = 17
-    wish = torus.turned_field(animator.frame(), 60)[vertex]
+    wish = torus.rotate_field(animator.frame(), 60)[vertex]
     got = animator.frame([vertex], [wish], 50)
     assert abs(got[vertex] @ wish) > 0.9
 
@@ -375,7 +375,7 @@ def test_measured_fields_frame_by_frame(torus):
     def angle_between(a, b):
         return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(1)), 0, 1))).mean()
 
-    detail, remembers = brindle.FieldSmoothing(torus, 0.7), brindle.FieldSmoothing(torus, 0.7, memory=3)
+    detail, remembers = brindle.advanced.FieldSmoothing(torus, 0.7), brindle.advanced.FieldSmoothing(torus, 0.7, memory=3)
     with pytest.raises(brindle.Error):
         smoothing.metrics
     steps = []
@@ -387,30 +387,30 @@ def test_measured_fields_frame_by_frame(torus):
     assert smoothing.metrics["vertices_filled"] == len(truth[::9])
     # One frame is what stripes see.
     data = noisy()
-    p = brindle.stripes(torus, data, stripes=12, field_smoothing=0.7)
-    field, coherence = brindle.FieldSmoothing(torus, 0.7).frame(data, frequency)
+    p = brindle.stripes(torus, data, stripes=12, measured=brindle.Measured(0.7))
+    field, coherence = brindle.advanced.FieldSmoothing(torus, 0.7).frame(data, frequency)
     np.testing.assert_array_equal(p.directions, field)
     np.testing.assert_array_equal(p.point_data["coherence"], coherence)
     # Filled holes are marked, and a check of the scale leaves the pattern.
     holes = np.arange(len(truth)) % 9 == 0
     np.testing.assert_array_equal(p.point_data["filled"], holes)
-    checked = brindle.stripes(torus, data, stripes=12, field_smoothing=0.7, hold_out=0.1)
+    checked = brindle.stripes(torus, data, stripes=12, measured=brindle.Measured(0.7, hold_out=0.1))
     np.testing.assert_array_equal(checked.directions, field)
     assert 0 < checked.report["held_out"] < 0.2 * len(truth)
     assert 10 < checked.report["held_out_turned_mean_deg"] < 35
     assert "held_out" not in p.report and 0 < p.report["coherence_filled_mean"] < 1
     with pytest.raises(brindle.Error, match="field_smoothing"):
-        brindle.stripes(torus, data, stripes=12, hold_out=0.1)
+        brindle.stripes(torus, data, stripes=12, measured=brindle.Measured(hold_out=0.1))
     # What counts nothing is no datum, whatever it is; so are triangles' vectors taken.
     wrong = np.where(np.arange(len(truth))[:, None] % 9 == 0, np.float32(7), data)
     weights = (np.arange(len(truth)) % 9 != 0).astype(float)
-    again, _ = brindle.FieldSmoothing(torus, 0.7).frame(wrong, frequency, confidence=weights)
+    again, _ = brindle.advanced.FieldSmoothing(torus, 0.7).frame(wrong, frequency, confidence=weights)
     np.testing.assert_allclose(again, field, atol=1e-5)
-    of_triangles, _ = smoothing.frame(truth[np.array(torus.triangles)[:, 0]], frequency)
+    of_triangles, _ = smoothing.frame(truth[np.array(torus.faces)[:, 0]], frequency)
     assert of_triangles.shape == truth.shape
     for wishes in ({"periods": 0}, {"fill": -1}, {"singularities": -1}, {"memory": -1}):
         with pytest.raises(brindle.Error):
-            brindle.FieldSmoothing(torus, **wishes)
+            brindle.advanced.FieldSmoothing(torus, **wishes)
     with pytest.raises(brindle.Error, match=r"vectors: expected .* got the shape \(5, 3\)"):
         smoothing.frame(truth[:5], frequency)
 
@@ -436,7 +436,7 @@ def run_program(program):
     "brindle.stripes(s, d, stripes=40)",
     "brindle.stripes(s, d, stripes=40, progress=lambda *report: time.sleep(0.0005))",
     "s.smooth_field()",
-    "a.frame(s.turned_field(d, next(degrees)), 5.0)",
+    "a.frame(s.rotate_field(d, next(degrees)), 5.0)",
     "brindle.stripes(s, d, stripes=40, progress=lambda *report: started.set() or threading.Event().wait())",
 ])
 def test_leaving_while_a_thread_is_at_work(call):
@@ -494,7 +494,7 @@ FORKED = """
     pytest.param("brindle.render(s, size=(20, 20)).shape", marks=pytest.mark.skipif(
         not brindle.has_opengl, reason="this build draws no pictures")),
     pytest.param("brindle.stripes(s, d, stripes=9, solver='global').report['vertices']",
-                 marks=pytest.mark.skipif(not brindle.has_solver("global"), reason="no CHOLMOD")),
+                 marks=pytest.mark.skipif(not brindle.advanced.has_solver("global"), reason="no CHOLMOD")),
 ])
 def test_forked_processes_are_told(work):
     """What would wait for ever for threads that a forked process does not have says so."""
@@ -563,7 +563,7 @@ def test_nearest_of_any_number_of_threads(torus):
         some = torus.nearest(points[part])
         for got, expected in zip(some, (triangles, weights, distances)):
             np.testing.assert_array_equal(got, expected[part])
-    found = (weights[:, :, None] * torus.vertices[torus.triangles[triangles]]).sum(axis=1)
+    found = (weights[:, :, None] * torus.vertices[torus.faces[triangles]]).sum(axis=1)
     np.testing.assert_allclose(np.linalg.norm(found - points, axis=1), distances, atol=1e-5)
 
 
@@ -582,8 +582,8 @@ def signals_heard(call):
 
 
 def moving(s):
-    fine = s.subdivided(2)
-    return lambda: fine.moved(fine.vertices)
+    fine = s.subdivide(2)
+    return lambda: fine.with_vertices(fine.vertices)
 
 
 def searching_points(s):
@@ -599,16 +599,16 @@ def making_points(s):
 
 LONG_CALLS = {
     "nearest": searching_points,
-    "carried": lambda s: functools.partial(s.carried, np.ones(s.vertex_count), s.subdivided(1)),
-    "subdivided": lambda s: functools.partial(s.subdivided, 3),
+    "interpolate_to": lambda s: functools.partial(s.interpolate_to, s.subdivide(1), np.ones(s.vertex_count)),
+    "subdivided": lambda s: functools.partial(s.subdivide, 3),
     "moved": moving,
     "shape": lambda s: lambda: brindle.shape("torus", resolution=100, subdivide=4),
     "points": making_points,
-    "smooth_field": lambda s: functools.partial(s.subdivided(1).smooth_field, curvature_anchor=0.1),
-    "curves": lambda s: brindle.stripes(s.subdivided(2), stripes=300).curves,
+    "smooth_field": lambda s: functools.partial(s.subdivide(1).smooth_field, curvature_anchor=0.1),
+    "curves": lambda s: brindle.stripes(s.subdivide(2), stripes=300).curves,
     "resampled": lambda s: functools.partial(brindle.stripes(s, stripes=60).curves, resample=1e-4),
-    "render": lambda s: functools.partial(brindle.render, s.subdivided(1), size=(9000, 2000)),
-    "mesh": lambda s: brindle.texture(s.subdivided(1), stripes=40).mesh,
+    "render": lambda s: functools.partial(brindle.render, s.subdivide(1), size=(9000, 2000)),
+    "mesh": lambda s: brindle.texture(s.subdivide(1), stripes=40).mesh,
 }
 
 

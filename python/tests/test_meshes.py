@@ -1,5 +1,7 @@
 """Objects of pyvista, trimesh, meshio and VTK, by what they look like."""
 
+import importlib.util
+import sys
 import types
 
 import numpy as np
@@ -74,7 +76,7 @@ def test_meshes_are_surfaces(make, square, data):
     expected = brindle.stripes(brindle.Surface(*square), data["points"]["velocity"], stripes=10)
     p = brindle.stripes(mesh, "velocity", stripes=10)
     np.testing.assert_array_equal(p.phases, expected.phases)
-    np.testing.assert_array_equal(p.surface.triangles, square[1])
+    np.testing.assert_array_equal(p.surface.faces, square[1])
     np.testing.assert_array_equal(p.surface.array("cells/number").shape, (len(square[0]),))
     by_name = brindle.stripes(mesh, "velocity", frequency="speed")
     np.testing.assert_array_equal(by_name.frequency, np.float32(data["points"]["speed"]))
@@ -97,7 +99,7 @@ def arrays_on(mesh):
 def test_results_are_put_back(make, square, data):
     mesh = make(square, data)
     p = brindle.stripes(mesh, "velocity", stripes=10)
-    assert p.put_on(mesh) is mesh
+    assert p.add_to(mesh) is mesh
     points, cells = arrays_on(mesh)
     np.testing.assert_array_equal(points["phase"], p.point_data["phase"])
     np.testing.assert_array_equal(points["direction"], p.directions)
@@ -106,13 +108,13 @@ def test_results_are_put_back(make, square, data):
     np.testing.assert_array_equal(branch, p.branches)
     assert "velocity" in points  # what was there stays
     t = brindle.texture(mesh, "velocity", stripes=10)
-    t.put_on(mesh)
+    t.add_to(mesh)
     uv = arrays_on(mesh)[1]["uv"]
     uv = uv[1] if isinstance(uv, list) else uv
     np.testing.assert_array_equal(uv, t.corner_uv.reshape(-1, 6))
     with pytest.raises(brindle.Error, match="arrays uv already.*prefix="):
-        t.put_on(mesh)  # whoever's it is
-    t.put_on(mesh, prefix="tile_")
+        t.add_to(mesh)  # whoever's it is
+    t.add_to(mesh, prefix="tile_")
     assert {"uv", "tile_uv"} <= set(arrays_on(mesh)[1])
 
 
@@ -123,16 +125,16 @@ def test_crosses_are_put_back(make, square, data):
     field = np.c_[np.cos(angle), np.sin(angle), 0 * angle]
     mesh = make(square, data)
     c = brindle.crosses(mesh, field, stripes=10)
-    assert len(c.singular) > 0 and c.surface.vertex_count > len(square[0])
-    assert c.put_on(mesh) is mesh
+    assert len(c.singular_faces) > 0 and c.surface.vertex_count > len(square[0])
+    assert c.add_to(mesh) is mesh
     uv = arrays_on(mesh)[1]["uv"]
     uv = uv[1] if isinstance(uv, list) else uv
-    whole = ~np.isin(c.triangle_origins, c.singular)
-    np.testing.assert_array_equal(uv[c.triangle_origins[whole]], c.corner_uv.reshape(-1, 6)[whole])
-    assert np.isnan(uv[c.singular]).all()
+    whole = ~np.isin(c.face_origins, c.singular_faces)
+    np.testing.assert_array_equal(uv[c.face_origins[whole]], c.corner_uv.reshape(-1, 6)[whole])
+    assert np.isnan(uv[c.singular_faces]).all()
     other = make((square[0], square[1][1:]), {"points": {}, "cells": {}})
     with pytest.raises(brindle.Error, match="cells.*made for another"):
-        c.put_on(other)
+        c.add_to(other)
 
 
 @pytest.mark.parametrize("make", MAKERS.values(), ids=MAKERS)
@@ -141,10 +143,10 @@ def test_arrays_of_the_mesh_are_not_replaced(make, square, data):
     mesh = make(square, named)
     p = brindle.stripes(mesh, "velocity", stripes=10)
     with pytest.raises(brindle.Error, match='arrays frequency already.*prefix="stripes_"'):
-        p.put_on(mesh)
+        p.add_to(mesh)
     assert "phase" not in arrays_on(mesh)[0], "nothing is changed"
     for _ in range(2):  # those of an earlier pattern are replaced
-        p.put_on(mesh, prefix="stripes_")
+        p.add_to(mesh, prefix="stripes_")
     points, _ = arrays_on(mesh)
     np.testing.assert_array_equal(points["frequency"], named["points"]["frequency"])
     np.testing.assert_array_equal(points["stripes_frequency"], p.frequency)
@@ -165,7 +167,7 @@ def test_files_keep_arrays_whose_names_are_taken(square, tmp_path):
 def test_results_are_not_put_on_other_meshes(square, data):
     p = brindle.stripes(brindle.shape("torus", resolution=60), stripes=10)
     with pytest.raises(brindle.Error, match="another"):
-        p.put_on(meshio_of(square, data))
+        p.add_to(meshio_of(square, data))
 
 
 def test_polygons_are_cut(square):
@@ -173,17 +175,17 @@ def test_polygons_are_cut(square):
     mixed = types.SimpleNamespace(points=vertices, faces=np.array([4, 0, 1, 2, 3, 4, 1, 4, 5, 2, 3, 4, 6, 5]),
                                   point_data={}, cell_data={"part": np.array([7.0, 8, 9])})
     s = brindle.as_surface(mixed)
-    assert s.triangle_count == 5
+    assert s.face_count == 5
     np.testing.assert_array_equal(s.cell_data["part"], [7, 7, 8, 8, 9])
     p = brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=2)
-    p.put_on(mixed)
+    p.add_to(mixed)
     assert mixed.cell_data["branch"].shape == (3,)
     assert mixed.cell_data["corner_phase"].shape == (3, 3)
     blocks = meshio.Mesh(vertices, [("triangle", [[4, 6, 5]]), ("quad", [[0, 1, 2, 3], [1, 4, 5, 2]])],
                          cell_data={"part": [[9.0], [7.0, 8.0]]})
     s = brindle.as_surface(blocks)
     np.testing.assert_array_equal(s.cell_data["part"], [9, 7, 7, 8, 8])
-    brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=2).put_on(blocks)
+    brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=2).add_to(blocks)
     assert [len(block) for block in blocks.cell_data["branch"]] == [1, 2]
 
 
@@ -270,15 +272,15 @@ def test_cells_are_those_of_files(make, package, tmp_path):
         mesh = as_grid(mesh, tmp_path / "cells.vtu")
     s = brindle.as_surface(mesh)
     np.testing.assert_array_equal(s.vertices, expected.vertices)
-    np.testing.assert_array_equal(s.triangles, expected.triangles)
-    assert s.notes == expected.notes and s.triangle_count > 0
+    np.testing.assert_array_equal(s.faces, expected.faces)
+    assert s.notes == expected.notes and s.face_count > 0
     for own, read in ((s.point_data, expected.point_data), (s.cell_data, expected.cell_data)):
         assert list(own) == list(read)
         for name in own:
             np.testing.assert_array_equal(own[name], read[name])
     p = brindle.stripes(mesh, "flow", stripes=5)
     np.testing.assert_array_equal(p.point_data["original_id"], np.arange(s.vertex_count))
-    p.put_on(mesh)
+    p.add_to(mesh)
     points, cells = arrays_on(mesh)
     np.testing.assert_array_equal(points["phase"], p.point_data["phase"])
     branch = cells["branch"]
@@ -304,7 +306,7 @@ def test_through_files_of_meshio(extension, square, data, tmp_path):
     mesh.write(path)
     s = brindle.read(path)
     np.testing.assert_allclose(s.vertices, square[0], atol=1e-6)
-    np.testing.assert_array_equal(s.triangles, square[1])
+    np.testing.assert_array_equal(s.faces, square[1])
     if mesh.point_data:
         np.testing.assert_array_equal(s.point_data["velocity"], data["points"]["velocity"])
 
@@ -316,7 +318,7 @@ def test_meshio_reads_what_brindle_writes(square, tmp_path):
     s.write(tmp_path / "stripes.ply", point_data=p.point_data)
     mesh = meshio.read(tmp_path / "stripes.ply")
     np.testing.assert_array_equal(mesh.points, s.vertices)
-    np.testing.assert_array_equal(mesh.cells[0].data, s.triangles)
+    np.testing.assert_array_equal(mesh.cells[0].data, s.faces)
     np.testing.assert_array_equal(np.float32(mesh.point_data["phase"]), p.point_data["phase"])
 
 
@@ -333,7 +335,7 @@ def test_vtk_reads_what_brindle_writes(square, tmp_path):
     np.testing.assert_array_equal(points["phase"], p.point_data["phase"])
     np.testing.assert_array_equal(cells["corner_phase"], p.corner_phases)
     again = brindle.as_surface(mesh)
-    np.testing.assert_array_equal(again.triangles, s.triangles)
+    np.testing.assert_array_equal(again.faces, s.faces)
 
 
 def test_meshio_from_brindle(square):
@@ -343,6 +345,107 @@ def test_meshio_from_brindle(square):
     points, edges = p.curves()
     lines = meshio.Mesh(points, [("line", edges)])
     assert len(lines.cells[0].data) == len(edges)
-    mesh = meshio.Mesh(s.vertices, [("triangle", s.triangles)])
-    p.put_on(mesh)
+    mesh = meshio.Mesh(s.vertices, [("triangle", s.faces)])
+    p.add_to(mesh)
     np.testing.assert_array_equal(mesh.cell_data["branch"][0], p.branches)
+
+
+class StandIn(types.ModuleType):
+    """Takes what the package takes, and checks it as the package's own classes do."""
+
+
+def pyvista_stand_in():
+    class PolyData:
+        def __init__(self, points, faces=None, lines=None, verts=None):
+            given = [cells for cells in (faces, lines, verts) if cells is not None]
+            assert points.ndim == 2 and points.shape[1] == 3 and len(given) == 1
+            size = given[0][0]
+            assert (given[0].reshape(-1, size + 1)[:, 0] == size).all()
+            self.points, self.lines, self.verts = points, lines, verts
+            self.faces = np.zeros(0, int) if faces is None else faces
+            self.n_cells = len(given[0]) // (size + 1)
+            self.point_data, self.cell_data = {}, {}
+
+    module = StandIn("pyvista")
+    module.PolyData = PolyData
+    return module
+
+
+def trimesh_stand_in():
+    class Trimesh:
+        def __init__(self, vertices, faces, process=True, vertex_attributes=None, face_attributes=None):
+            assert process is False and faces.shape[1] == 3 and faces.max() < len(vertices)
+            self.vertices, self.faces, self.visual = vertices, faces, None
+            self.vertex_attributes, self.face_attributes = dict(vertex_attributes), dict(face_attributes)
+            assert all(len(array) == len(vertices) for array in self.vertex_attributes.values())
+            assert all(len(array) == len(faces) for array in self.face_attributes.values())
+
+    module = StandIn("trimesh")
+    module.Trimesh = Trimesh
+    module.visual = types.SimpleNamespace(TextureVisuals=lambda uv: types.SimpleNamespace(uv=uv))
+    return module
+
+
+@pytest.fixture
+def converters(monkeypatch):
+    """Those of packages that are here, or stand-ins."""
+    for name, make in (("pyvista", pyvista_stand_in), ("trimesh", trimesh_stand_in)):
+        if importlib.util.find_spec(name) is None:
+            monkeypatch.setitem(sys.modules, name, make())
+    return {"meshio": brindle.to_meshio, "pyvista": brindle.to_pyvista, "trimesh": brindle.to_trimesh}
+
+
+@pytest.mark.parametrize("name", ["meshio", "pyvista", "trimesh"])
+def test_results_as_meshes_of_packages(name, converters, square, data):
+    """What is converted and read again gives the same pattern."""
+    s = brindle.Surface(*square, point_data=data["points"], cell_data=data["cells"])
+    p = brindle.stripes(s, "velocity", stripes=10)
+    for thing in (s, p):
+        mesh = converters[name](thing)
+        again = brindle.as_surface(mesh)
+        np.testing.assert_array_equal(again.faces, s.faces)
+        np.testing.assert_array_equal(again.point_data["velocity"], s.point_data["velocity"])
+        np.testing.assert_array_equal(again.cell_data["number"], s.cell_data["number"])
+        np.testing.assert_array_equal(brindle.stripes(mesh, "velocity", stripes=10).phases, p.phases)
+    np.testing.assert_array_equal(brindle.as_surface(mesh).point_data["frequency"], p.frequency)
+    t = brindle.texture(s, "velocity", stripes=10)
+    textured = converters[name](t)
+    assert brindle.as_surface(textured).face_count == len(t.mesh().faces)
+    uv = {"meshio": lambda: textured.point_data["uv"], "trimesh": lambda: textured.visual.uv,
+          "pyvista": lambda: textured.active_texture_coordinates}[name]()
+    np.testing.assert_array_equal(uv, t.mesh().uv)
+
+
+@pytest.mark.parametrize("name", ["meshio", "pyvista"])
+def test_lines_and_points_as_meshes(name, converters, square):
+    s = brindle.Surface(*square)
+    d = s.projected_field((1, 0.4, 0))
+    curves, samples = brindle.stripes(s, d, stripes=10).curves(), brindle.samples(s, d, stripes=10)
+    lines, points = converters[name](curves), converters[name](samples)
+    np.testing.assert_array_equal(lines.points, curves.points)
+    np.testing.assert_array_equal(points.points, samples.points)
+    if name == "meshio":
+        np.testing.assert_array_equal(lines.cells_dict["line"], curves.edges)
+        assert len(points.cells_dict["vertex"]) == samples.count
+    else:
+        assert (lines.n_cells, points.n_cells) == (len(curves.edges), samples.count)
+    np.testing.assert_array_equal(points.point_data["direction_u"], samples.directions[0])
+    cloud = converters[name](brindle.points(s.vertices))
+    assert brindle.as_surface(cloud).is_points
+
+
+def test_what_is_no_result_or_has_no_triangles(converters, square):
+    s = brindle.Surface(*square)
+    curves = brindle.stripes(s, s.projected_field((1, 0, 0)), stripes=10).curves()
+    with pytest.raises(brindle.Error, match="Curves has no triangles"):
+        brindle.to_trimesh(curves)
+    for convert in converters.values():
+        with pytest.raises(TypeError, match="expected a Surface"):
+            convert(square)
+
+
+@pytest.mark.parametrize("name", ["meshio", "pyvista", "trimesh"])
+def test_missing_packages_are_named(name, square, monkeypatch):
+    monkeypatch.setitem(sys.modules, name, None)
+    with pytest.raises(ImportError, match=f"{name} is not installed here; install it"):
+        getattr(brindle, f"to_{name}")(brindle.Surface(*square))

@@ -28,19 +28,19 @@ def sleeve():
 def things():
     plain = brindle.shape("molecule", resolution=14)
     far = plain.vertices.astype(float) + [5e6, 0, 0]
-    s = brindle.Surface(far, plain.triangles, crease_angle=40, repair=True,
-                        point_data={"height": far[:, 1]}, cell_data={"number": np.arange(plain.triangle_count)})
+    s = brindle.Surface(far, plain.faces, crease_angle=40, repair=True,
+                        point_data={"height": far[:, 1]}, cell_data={"number": np.arange(plain.face_count)})
     data = np.random.default_rng(0).normal(size=(s.vertex_count, 3)) + [0, 3, 0]
     data[:5] = np.nan
     torus, tube = brindle.shape("torus", resolution=20), sleeve()
     points = brindle.points(torus.vertices, torus.normals)
     first = brindle.stripes(torus, stripes=10)
-    texture = brindle.texture(s, data, stripes=12, slack=0.2, field_smoothing=1)
-    crosses = brindle.crosses(s, data, stripes=12, cancel_branches=0.1)
-    p = brindle.stripes(s, data, stripes=15, slack=0.3, avoid_branches=np.full(s.vertex_count, 0.5), field_smoothing=1)
+    texture = brindle.texture(s, data, stripes=12, slack=0.2, measured=brindle.Measured(1))
+    crosses = brindle.crosses(s, data, stripes=12, layout=brindle.Layout(cancel_branches=0.1))
+    p = brindle.stripes(s, data, stripes=15, measured=brindle.Measured(1), slack=brindle.Slack(0.3, np.full(s.vertex_count, 0.5)))
     return {"surface": s, "points": points, "stripes": p, "of points": brindle.stripes(points, stripes=10),
-            "followed": brindle.stripes(torus, stripes=10, previous=first, cancel_branches=0.1),
-            "wound": brindle.stripes(tube, tube.projected_field((0, 0, 1)), stripes=9, winding=1),
+            "followed": brindle.stripes(torus, stripes=10, previous=first, layout=brindle.Layout(cancel_branches=0.1)),
+            "wound": brindle.stripes(tube, tube.projected_field((0, 0, 1)), stripes=9, layout=brindle.Layout(winding=1)),
             "texture": texture, "crosses": crosses, "mesh": texture.mesh(), "mesh of stripes": p.mesh(),
             "curves": p.curves(min_length=0.1, resample=0.05), "faired": p.curves(trim=0.6, fair=0.25),
             "samples": brindle.samples(torus, stripes=10)}
@@ -84,7 +84,7 @@ def test_results_work_on(things, tmp_path):
     args = dict(frequency=p.frequency_wanted, previous=p)  # and can be followed
     np.testing.assert_array_equal(brindle.stripes(p.surface, p.directions, **args).phases,
                                   brindle.stripes(was.surface, was.directions, **args).phases)
-    again = brindle.samples_of(samples.u, samples.v)  # both still of one surface
+    again = brindle.advanced.samples_of(samples.u, samples.v)  # both still of one surface
     np.testing.assert_array_equal(again.points, samples.points)
     p.write(tmp_path / "a.vtp")
     was.write(tmp_path / "b.vtp")
@@ -124,8 +124,8 @@ def test_damaged_pickles(things):
 
 
 @pytest.mark.parametrize("make, instead", [
-    (brindle.Animator, "set_last_phases"), (brindle.TextureAnimator, "its surface"),
-    (brindle.FieldAnimator, "its surface"), (brindle.FieldSmoothing, "last="), (brindle.PatternFrames, "its surface")])
+    (brindle.Animator, "set_phases"), (brindle.TextureAnimator, "its surface"),
+    (brindle.FieldAnimator, "its surface"), (brindle.advanced.FieldSmoothing, "previous="), (brindle.advanced.PatternFrames, "its surface")])
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, pickle.dumps])
 def test_what_runs_names_what_to_pickle(torus, make, instead, again):
     with pytest.raises(TypeError, match=f"brindle.{make.__name__} cannot be .*{instead}"):

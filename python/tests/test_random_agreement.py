@@ -13,7 +13,7 @@ import pytest
 
 import brindle
 from brindle import _core
-from conftest import TOOL, command_words, with_names_of_parts
+from conftest import TOOL, command_words, grouped, with_names_of_parts
 
 COUNT = int(os.environ.get("BRINDLE_REQUESTS", "500"))
 PER_TEST = 25  # so that tests can be told from each other, and end soon
@@ -153,11 +153,11 @@ class Request:
             field = surface.smooth_field(curvature=kind or "max", **symmetry, **given)
         else:
             return None
-        return field if self.rotate is None else surface.turned_field(field, self.rotate)
+        return field if self.rotate is None else surface.rotate_field(field, self.rotate)
 
     def ask(self, surface):
         made = {"stripes": brindle.stripes, "texture": brindle.texture, "crosses": brindle.crosses}[self.job]
-        return made(surface, self.directions(surface), **self.options).report
+        return made(surface, self.directions(surface), **grouped(**self.options)).report
 
 
 def answer_of(words, path):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import brindle
-from brindle import _arguments
+from brindle import _arguments, _core
 
 
 @pytest.fixture(scope="module")
@@ -19,7 +19,7 @@ def results(torus):
 
 
 def test_texts_have_metrics(torus, results):
-    n, m = torus.vertex_count, torus.triangle_count
+    n, m = torus.vertex_count, torus.face_count
     assert repr(torus) == f"<brindle.Surface {torus.name}: {n} vertices, {m} triangles, diagonal {torus.diagonal:.4g}>"
     p, curves, samples = results["stripes"], results["curves"], results["samples"]
     assert f"{p.report['branches']} branches, spacing {torus.diagonal / 10:.4g}, on {torus!r}" in repr(p)
@@ -28,8 +28,8 @@ def test_texts_have_metrics(torus, results):
     assert f"{curves.count} curves of {len(curves.points)} points, length {curves.lengths.sum():.4g}" in repr(curves)
     assert f"{samples.count} samples, spacing" in repr(samples)
     assert f"{len(p.mesh().uv)} vertices" in repr(p.mesh())
-    for make in (brindle.Animator, brindle.TextureAnimator, brindle.FieldAnimator, brindle.FieldSmoothing,
-                 brindle.PatternFrames):
+    for make in (brindle.Animator, brindle.TextureAnimator, brindle.FieldAnimator, brindle.advanced.FieldSmoothing,
+                 brindle.advanced.PatternFrames):
         assert repr(make(torus)) == f"<brindle.{make.__name__} on {torus!r}>"
     points = brindle.points(torus.vertices, torus.normals)
     assert repr(brindle.stripes(points, stripes=10)).startswith("<brindle.Stripes: spacing 0.2")
@@ -47,14 +47,12 @@ def test_notebooks_draw(results, tmp_path):
 
 
 def test_notebooks_show_the_text_without_pictures(results, monkeypatch):
-    from brindle import _pictures
-
     def refuse(*_, **__):
         raise brindle.Error("no display")
 
-    monkeypatch.setattr(_pictures, "render", refuse)
+    monkeypatch.setattr(_core, "render", refuse)
     assert results["stripes"]._repr_png_() is None
-    monkeypatch.setattr(_pictures, "has_opengl", False)
+    monkeypatch.setattr(_core, "has_opengl", False)
     assert results["surface"]._repr_png_() is None
 
 
@@ -70,19 +68,18 @@ def test_types_name_the_choices(torus):
 
     tensors = np.ones((torus.vertex_count, 6))
     for kind, call in (
-            ("Solver", lambda: brindle.stripes(torus, solver="x")),
-            ("FrameSolver", lambda: brindle.Animator(torus, solver="x")),
-            ("PhaseShift", lambda: brindle.stripes(torus, phase_shift="x")),
-            ("FramePhaseShift", lambda: brindle.Animator(torus, phase_shift="x")),
-            ("Weights", lambda: brindle.stripes(torus, weights="x")),
-            ("Match", lambda: brindle.stripes(torus, previous=p, match="x")),
+            ("SolverName", lambda: brindle.stripes(torus, solver="x")),
+            ("FrameSolver", lambda: brindle.Animator(torus, solver="global")),
+            ("PhaseShift", lambda: brindle.stripes(torus, solver=brindle.Solver(phase_shift="x"))),
+            ("Run", lambda: brindle.stripes(torus, run="x")),
+            ("Match", lambda: brindle.stripes(torus, previous=brindle.Previous(p, match="x"))),
             ("Curvature", lambda: torus.curvature_field("x")),
             ("TensorAxis", lambda: torus.tensor_field(tensors, "x")),
             ("TensorOrder", lambda: torus.tensor_field(tensors, order="x")),
             ("View", lambda: brindle.render(torus, p, view="x")),
             ("Projection", lambda: brindle.render(torus, p, projection="x")),
             ("Up", lambda: brindle.render(torus, p, up="w")),
-            ("Tiles", lambda: brindle.render(torus, brindle.texture(torus, stripes=5), tiles="x"))):
+            ("Tiles", lambda: brindle.render(torus, brindle.texture(torus, stripes=5), look=brindle.Look(tiles="x")))):
         assert set(typing.get_args(getattr(_arguments, kind))) == named_by(call), kind
 
 
@@ -100,11 +97,11 @@ def test_types_of_arguments_are_the_choices():
 def test_parts_of_textures_and_crosses(results):
     """Each has its own; others say where to look."""
     texture, crosses = results["texture"], results["crosses"]
-    for part in (texture.u, texture.v, crosses.cover):
+    for part in (texture.u, texture.v, crosses.double_cover):
         assert isinstance(part, brindle.Stripes)
     for name in ("u", "v"):
         assert getattr(brindle.Texture, name).func.__annotations__["return"] == "Stripes"
         with pytest.raises(AttributeError, match="cover"):
             getattr(crosses, name)
     with pytest.raises(AttributeError, match="u and v"):
-        texture.cover
+        texture.double_cover

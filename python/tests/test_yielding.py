@@ -35,12 +35,12 @@ def test_slack_and_avoid_branches_per_vertex(trefoil):
     same = brindle.stripes(trefoil, d, slack=np.full(n, 0.25))
     np.testing.assert_array_equal(same.phases, brindle.stripes(trefoil, d, slack=0.25).phases)
     avoid_branches = (trefoil.vertices[:, 2] > 0).astype("f8")
-    avoided = brindle.stripes(trefoil, d, slack=0.25, avoid_branches=avoid_branches)
+    avoided = brindle.stripes(trefoil, d, slack=brindle.Slack(0.25, avoid_branches))
     assert "branches_in_avoided_area" in avoided.frequency_change
     for slack, avoid_branches in ((-1, None), (np.nan, None), (np.ones(3), None), (None, avoid_branches), (0.1, avoid_branches[:5]),
                         (0.1, 2 * np.ones(n))):
         with pytest.raises(brindle.Error):
-            brindle.stripes(trefoil, d, slack=slack, avoid_branches=avoid_branches)
+            brindle.stripes(trefoil, d, slack=brindle.Slack(slack, avoid_branches))
     for slack in ("much", True, 1j):
         with pytest.raises(TypeError):
             brindle.stripes(trefoil, d, slack=slack)
@@ -79,8 +79,8 @@ def test_strokes(torus, tmp_path):
     along = np.cross([0, 0, 1], torus.vertices[near])
     along /= np.linalg.norm(along, axis=1)[:, None]
     assert np.abs((d[near] * along).sum(axis=1)).min() > 0.9
-    brindle.write_strokes(tmp_path / "strokes.json", [stroke])
-    (again,) = brindle.read_strokes(tmp_path / "strokes.json")
+    brindle.advanced.write_strokes(tmp_path / "strokes.json", [stroke])
+    (again,) = brindle.advanced.read_strokes(tmp_path / "strokes.json")
     np.testing.assert_array_equal(again.points, outer)
     np.testing.assert_array_equal(torus.smooth_field(strokes=again), d)
     run_tool("stripe", "shape:torus,resolution=100", "--strokes", tmp_path / "strokes.json",
@@ -116,40 +116,40 @@ def test_windings(sleeve):
     assert [loop.name for loop in loops] == ["boundary-1", "boundary-2"]
     assert all(loop.boundary and loop.length == pytest.approx(2 * np.pi, rel=0.01) for loop in loops)
     up = sleeve.projected_field((0, 0, 1))
-    rings = brindle.stripes(sleeve, up, frequency=5, winding=0)
-    spiral = brindle.stripes(sleeve, up, frequency=5, winding=1)
-    left = brindle.stripes(sleeve, up, frequency=5, winding={"boundary-1": -2})
+    rings = brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(winding=0))
+    spiral = brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(winding=1))
+    left = brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(winding={"boundary-1": -2}))
     assert set(rings.windings().values()) == {0} and set(spiral.windings().values()) == {1}
     assert set(left.windings().values()) == {-2}
     assert rings.curves().closed.all() and spiral.curves().count == 1
-    assert 0 < spiral.turned["mean_deg"] < 5 and brindle.stripes(sleeve, up, frequency=5).turned is None
+    assert 0 < spiral.field_rotation["mean_deg"] < 5 and brindle.stripes(sleeve, up, frequency=5).field_rotation is None
     with pytest.raises(brindle.Error):
-        brindle.stripes(sleeve, up, frequency=5, winding={"loop-9": 1})
+        brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(winding={"loop-9": 1}))
     with pytest.raises(TypeError):
-        brindle.stripes(sleeve, up, frequency=5, winding=1.5)
+        brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(winding=1.5))
 
 
 def test_boundaries(sleeve):
     up = sleeve.projected_field((0, 0, 1))
-    p = brindle.stripes(sleeve, up, frequency=5, anchor_boundary=0.5)
+    p = brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(anchor_boundary=0.5))
     rim = sleeve.vertices[:, 2] == 0
     np.testing.assert_allclose(np.sin(np.angle(p.phases[rim])), -1, atol=1e-3)
     with pytest.raises(brindle.Error, match="nowhere"):
-        brindle.stripes(sleeve, sleeve.turned_field(up, 90), frequency=5, anchor_boundary=0)
+        brindle.stripes(sleeve, sleeve.rotate_field(up, 90), frequency=5, layout=brindle.Layout(anchor_boundary=0))
 
 
 def test_wales(sleeve):
-    round_ = sleeve.turned_field(sleeve.projected_field((0, 0, 1)), 90)
-    directions, frequency = sleeve.waves_round(round_, 30)
+    round_ = sleeve.rotate_field(sleeve.projected_field((0, 0, 1)), 90)
+    directions, frequency = sleeve.waves_around(round_, 30)
     p = brindle.stripes(sleeve, directions, frequency=frequency)
     assert p.report["branches"] == 0 and p.curves().count == 30
     with pytest.raises(brindle.Error):
-        sleeve.waves_round(round_, 0)
+        sleeve.waves_around(round_, 0)
 
 
 def test_measures(sleeve):
     up = sleeve.projected_field((0, 0, 1))
-    curves = brindle.stripes(sleeve, up, frequency=5, winding=0).curves()
+    curves = brindle.stripes(sleeve, up, frequency=5, layout=brindle.Layout(winding=0)).curves()
     measures = curves.measures(path_width=0.1)
     assert measures["lengths"]["longest"] == pytest.approx(2 * np.pi, rel=0.01)
     assert measures["gaps"]["mean"] == pytest.approx(0.2, rel=0.05)
@@ -170,11 +170,11 @@ def test_textures_from_frame_to_frame(torus):
     animator = brindle.TextureAnimator(torus)
     d = torus.smooth_field()
     first = animator.frame(d, 4)
-    assert first.shape == (torus.triangle_count, 3, 2) and animator.metrics["orientation"] == "afresh"
+    assert first.shape == (torus.face_count, 3, 2) and animator.metrics["orientation"] == "afresh"
     t = brindle.texture(torus, d, frequency=4)
     np.testing.assert_array_equal(first[..., 0], t.corner_uv[..., 0])  # V shares U's aggregates
     kept = first.copy()
-    animator.frame(torus.turned_field(d, 1), 4.05)
+    animator.frame(torus.rotate_field(d, 1), 4.05)
     assert animator.metrics["orientation"] in ("kept", "continued")
     np.testing.assert_array_equal(first, kept)
     with pytest.raises(brindle.Error):
@@ -190,7 +190,7 @@ def test_merged_branches():
     d = trefoil.projected_field((0.31, 0.9, 0.27))
     before = brindle.stripes(trefoil, d, stripes=40)
     assert before.cancelled_branches is None
-    after = brindle.stripes(trefoil, d, stripes=40, cancel_branches=0)
+    after = brindle.stripes(trefoil, d, stripes=40, layout=brindle.Layout(cancel_branches=0))
     said = after.cancelled_branches
     assert said["pairs"] > 0 and said["energy_after"] <= said["energy_before"]
     assert said["branches_before"] == np.count_nonzero(before.branches)
@@ -198,19 +198,19 @@ def test_merged_branches():
     assert said["branches_after"] <= said["branches_before"] - 2 * said["pairs"]
     for share in (-1, float("nan")):
         with pytest.raises(brindle.Error):
-            brindle.stripes(trefoil, d, cancel_branches=share)
+            brindle.stripes(trefoil, d, layout=brindle.Layout(cancel_branches=share))
     with pytest.raises(TypeError):
-        brindle.stripes(trefoil, d, cancel_branches="many")
+        brindle.stripes(trefoil, d, layout=brindle.Layout(cancel_branches="many"))
 
 
 def test_merged_branches_of_textures_and_crosses():
     molecule = brindle.shape("molecule", resolution=20)
     d = molecule.projected_field((0.31, 0.9, 0.27))
-    texture = brindle.texture(molecule, d, stripes=25, cancel_branches=0)
+    texture = brindle.texture(molecule, d, stripes=25, layout=brindle.Layout(cancel_branches=0))
     said = texture.cancelled_branches
     assert said["pairs"] > 0 and said["energy_after"] <= said["energy_before"]
     assert said["branches_after"] == sum(np.count_nonzero(p.branches) for p in (texture.u, texture.v))
-    before, after = (brindle.crosses(molecule, stripes=25, **merging) for merging in ({}, {"cancel_branches": 0}))
+    before, after = (brindle.crosses(molecule, stripes=25, **merging) for merging in ({}, {"layout": brindle.Layout(cancel_branches=0)}))
     assert before.cancelled_branches is None
     assert after.cancelled_branches["pairs"] > 0
     assert after.report["branches"] <= before.report["branches"] - 2 * after.cancelled_branches["pairs"]

@@ -12,7 +12,7 @@ surface = brindle.shape("trefoil")
 print(surface, "diagonal", surface.diagonal)
 
 # %% A direction per vertex: along the principal curvature, turned a little so that stripes wind.
-directions = surface.turned_field(surface.curvature_field("max"), 35)
+directions = surface.rotate_field(surface.curvature_field("max"), 35)
 print(directions.shape, "length", np.linalg.norm(directions, axis=1).mean())
 
 # %% Stripes: 40 along the bounding box's diagonal. The report says how good they are.

@@ -32,7 +32,7 @@ pattern = brindle.stripes(surface, "velocity", frequency=dense)
 print(pattern.report["branches"], "branches,", pattern.report["vertices_without_wave"], "vertices without")
 
 # %% Back into VTK: phase, sin_phase, direction, frequency, branch and corner_phase are arrays there.
-pattern.put_on(sphere)
+pattern.add_to(sphere)
 writer = vtk.vtkXMLPolyDataWriter()
 writer.SetInputData(sphere)
 writer.SetFileName("sphere.vtp")

@@ -11,7 +11,7 @@ import numpy as np
 import brindle
 
 surface = brindle.shape("torus", resolution=120)
-animator = brindle.Animator(surface, lambda_=0.025)
+animator = brindle.Animator(surface, stiffness=0.025)
 rest = np.array(surface.vertices)
 
 # %% Thirty frames: the direction turns, the frequency grows, a wave runs through the surface.
@@ -28,8 +28,8 @@ for number in range(30):
         print(f"frame {number}: {took:.1f} ms, phases moved by {animator.phase_step:.3f} radians")
 
 # %% The last frame as a pattern, to measure and to draw.
-moved = surface.moved(positions)
-pattern = brindle.stripes_from_phases(moved, phases, directions, frequency=frequency)
+moved = surface.with_vertices(positions)
+pattern = brindle.advanced.stripes_from_phases(moved, phases, directions, frequency=frequency)
 print(pattern.report["branches"], "branches")
 brindle.write_png("frame.png", brindle.render(moved, pattern, size=(600, 450)))
 

@@ -9,7 +9,7 @@ import brindle
 
 surface = brindle.shape("vessels")
 along = surface.smooth_field(curvature_anchor=0.1)
-across = surface.turned_field(along, 90)
+across = surface.rotate_field(along, 90)
 warp = brindle.stripes(surface, along, stripes=30).curves(join=True, min_length=0.1)
 weft = brindle.stripes(surface, across, stripes=30).curves(join=True, min_length=0.1)
 for name, curves in (("warp", warp), ("weft", weft)):

@@ -150,6 +150,11 @@ void check_triangle_options(const IsGiven& given) {
                "points have no triangles");
 }
 
+void check_making_of_textures(const IsGiven& given) {
+  refuse_given(given, {"--winding", "--anchor-boundary"},
+               "it is for stripes, not for textures and cross fields");
+}
+
 void check_fabrication_on_points(const IsGiven& given) {
   refuse_given(given, {"--winding", "--anchor-boundary", "--cancel-branches"},
                "points have no triangles");

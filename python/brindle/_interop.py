@@ -1,15 +1,16 @@
-"""Meshes of other packages, by what they look like. None of the packages is imported unless one of
-its objects is there."""
+"""Meshes of other packages, by what they look like, and meshes for these packages. A package is
+imported only where one of its objects is there or asked for."""
 
 from __future__ import annotations
 
-from typing import Any, Mapping
+import importlib
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional
 
 import numpy as np
 
 from . import _core
 from ._arguments import Error
-from ._surface import Surface
 
 # VTK's numbers of the types of cells that meshio names.
 _VTK_TYPES = {"vertex": 1, "line": 3, "triangle": 5, "polygon": 7, "pixel": 8, "quad": 9, "tetra": 10,
@@ -19,6 +20,16 @@ _VTK_TYPES = {"vertex": 1, "line": 3, "triangle": 5, "polygon": 7, "pixel": 8, "
               "wedge12": 31, "wedge18": 32, "hexahedron24": 33, "triangle7": 34, "line4": 35}
 _POINT_TYPES = (0, 1, 2)
 _POLYGON, _UNKNOWN = 7, 255
+
+
+def package(name: str) -> Any:
+    """A package that may be missing. Raises ImportError with the remedy."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        name = name.partition(".")[0]
+        raise ImportError(f"{name} is not installed here; install it, such as by 'pip install {name}'",
+                          name=name) from error
 
 
 class Cells:
@@ -36,20 +47,20 @@ class Cells:
         self.cell_data = numbers_of(cell_data)
 
 
+@dataclass
 class Source:
     """The mesh cell of each triangle of the surface."""
 
-    def __init__(self, cell_of_triangle: Any, vertex_count: int, cell_count: int) -> None:
-        self.cell_of_triangle = cell_of_triangle
-        self.vertex_count = vertex_count
-        self.cell_count = cell_count
+    cell_of_triangle: Any
+    vertex_count: int
+    cell_count: int
 
 
-def split_source(surface: Surface, triangle_origins: Any) -> Source:
+def split_source(surface: Any, face_origins: Any) -> Source:
     """Of a surface whose triangles are those of another one, or parts of them."""
-    source = surface._source or Source(np.arange(surface.triangle_count), surface.vertex_count,
-                                       surface.triangle_count)
-    return Source(source.cell_of_triangle[triangle_origins], source.vertex_count, source.cell_count)
+    source = surface._source or Source(np.arange(surface.face_count), surface.vertex_count,
+                                       surface.face_count)
+    return Source(source.cell_of_triangle[face_origins], source.vertex_count, source.cell_count)
 
 
 def numbers_of(arrays: Mapping[str, Any]) -> dict[str, Any]:
@@ -90,14 +101,14 @@ def padded(faces: Any) -> tuple[Any, Any]:
     return np.asarray(ends, np.int64), faces[kept]
 
 
-def surface_of(mesh: Any) -> Surface:
-    """As `as_surface`, for meshes of other packages."""
+def surface_of(mesh: Any) -> "tuple[_core.Surface, Optional[Source]]":
+    """The surface of another package's mesh, and which cells its triangles are of."""
     cells = cells_of(mesh)
     if np.isin(cells.types, _POINT_TYPES).all():
-        return Surface._of(_core.surface_of_points(cells.points, None, 8, cells.point_data))
+        return _core.surface_of_points(cells.points, None, 8, cells.point_data), None
     core, rows = _core.surface_of_cells(cells.points, cells.corners, cells.ends, cells.types,
                                         cells.point_data, cells.cell_data)
-    return Surface._of(core, Source(rows, len(cells.points), len(cells.types)))
+    return core, Source(rows, len(cells.points), len(cells.types))
 
 
 def cells_of(mesh: Any) -> Cells:
@@ -159,7 +170,7 @@ def joined(parts: list[Any], kind: Any) -> Any:
 
 
 def of_vtk(mesh: Any) -> Cells:
-    from vtkmodules.util.numpy_support import vtk_to_numpy
+    vtk_to_numpy = package("vtkmodules.util.numpy_support").vtk_to_numpy
     if mesh.GetPoints() is None:
         raise Error(f"the {mesh.GetClassName()} has no points")
     if hasattr(mesh, "GetPolys"):
@@ -181,7 +192,7 @@ def of_vtk(mesh: Any) -> Cells:
 
 
 def vtk_arrays(data: Any) -> dict[str, Any]:
-    from vtkmodules.util.numpy_support import vtk_to_numpy
+    vtk_to_numpy = package("vtkmodules.util.numpy_support").vtk_to_numpy
     arrays = {}
     for number in range(data.GetNumberOfArrays()):
         array = data.GetArray(number)
@@ -193,7 +204,7 @@ def vtk_arrays(data: Any) -> dict[str, Any]:
 # --- arrays of results --------------------------------------------------------------------------
 
 
-def put_arrays(mesh: Any, surface: Surface, points: Mapping[str, Any],
+def put_arrays(mesh: Any, surface: Any, points: Mapping[str, Any],
                cells: Mapping[str, Any]) -> Any:
     """Puts arrays on a mesh, by their names. Those of triangles are left out where it is not known
     which cells these are; Error if that leaves nothing."""
@@ -206,13 +217,13 @@ def put_arrays(mesh: Any, surface: Surface, points: Mapping[str, Any],
     cells = {name: array for name, array in spread_out.items() if array is not None}
     if not points and not cells:
         raise Error(f"the mesh has {cell_count} cells, the surface of the pattern "
-                    f"{surface.triangle_count} triangles: it was made for another one")
+                    f"{surface.face_count} triangles: it was made for another one")
     put = put_on_vtk if hasattr(mesh, "GetPointData") and not hasattr(mesh, "point_data") else put_on_dicts
     put(mesh, points, cells)
     return mesh
 
 
-def put_pattern(mesh: Any, surface: Surface, points: Mapping[str, Any], cells: Mapping[str, Any],
+def put_pattern(mesh: Any, surface: Any, points: Mapping[str, Any], cells: Mapping[str, Any],
                 prefix: str) -> Any:
     """Puts a pattern's arrays on a mesh, with prefixed names. Replaces only those of an earlier
     pattern, which has "sin_phase"."""
@@ -244,7 +255,7 @@ def counts_of(mesh: Any) -> tuple[int, int]:
     return len(cells.points), len(cells.types)
 
 
-def spread(array: Any, surface: Surface, cell_count: int) -> Any:
+def spread(array: Any, surface: Any, cell_count: int) -> Any:
     """Expands rows of triangles to rows of the mesh's cells: the maximum over a polygon's
     triangles; NaN or 0 for other cells. None if the cells are unknown."""
     source = surface._source
@@ -282,10 +293,64 @@ def blocks_of(mesh: Any, array: Any) -> list[Any]:
 
 
 def put_on_vtk(mesh: Any, points: Mapping[str, Any], cells: Mapping[str, Any]) -> None:
-    from vtkmodules.util.numpy_support import numpy_to_vtk
+    numpy_to_vtk = package("vtkmodules.util.numpy_support").numpy_to_vtk
     for data, arrays in ((mesh.GetPointData(), points), (mesh.GetCellData(), cells)):
         for name, array in arrays.items():
             made = numpy_to_vtk(np.ascontiguousarray(array), deep=1)
             made.SetName(name)
             data.AddArray(made)
     mesh.Modified()
+
+
+# --- results as meshes of other packages ---------------------------------------------------------
+
+
+def to_meshio(thing: Any) -> Any:
+    """A ``meshio.Mesh`` of a Surface, Stripes, Texture, TexturedMesh, Curves or Samples, with its
+    ``point_data`` and ``cell_data``. Raises ImportError without meshio."""
+    meshio = package("meshio")
+    points, kind, cells, point_data, cell_data = _parts_of(thing)
+    return meshio.Mesh(points, [(kind, cells)], point_data=point_data,
+                       cell_data={name: [array] for name, array in cell_data.items()})
+
+
+def to_pyvista(thing: Any) -> Any:
+    """A ``pyvista.PolyData`` of what ``to_meshio`` takes; texture coordinates are active. Raises
+    ImportError without pyvista."""
+    pyvista = package("pyvista")
+    points, kind, cells, point_data, cell_data = _parts_of(thing)
+    padded_cells = np.insert(cells, 0, cells.shape[1], axis=1).ravel()
+    mesh = pyvista.PolyData(points, **{{"triangle": "faces", "line": "lines", "vertex": "verts"}[kind]:
+                                       padded_cells})
+    for arrays, data in ((mesh.point_data, point_data), (mesh.cell_data, cell_data)):
+        for name, array in data.items():
+            arrays[name] = array
+    if "uv" in point_data:
+        mesh.active_texture_coordinates = point_data["uv"]
+    return mesh
+
+
+def to_trimesh(thing: Any) -> Any:
+    """A ``trimesh.Trimesh`` of what ``to_meshio`` takes, if that has triangles; vertices keep their
+    numbers. Raises ImportError without trimesh."""
+    trimesh = package("trimesh")
+    points, kind, cells, point_data, cell_data = _parts_of(thing)
+    if kind != "triangle":
+        raise Error(f"to_trimesh: {type(thing).__name__} has no triangles; take to_pyvista or to_meshio")
+    mesh = trimesh.Trimesh(points, cells, process=False, vertex_attributes=point_data,
+                           face_attributes=cell_data)
+    if "uv" in point_data:
+        mesh.visual = trimesh.visual.TextureVisuals(uv=point_data["uv"])
+    return mesh
+
+
+def _parts_of(thing: Any) -> tuple[Any, str, Any, dict[str, Any], dict[str, Any]]:
+    """Points, the kind of cells, cells, and arrays of both; copies that can be written to."""
+    if not hasattr(thing, "_mesh_parts"):
+        raise TypeError(f"{type(thing).__name__}: expected a Surface, Stripes, Texture, TexturedMesh, "
+                        "Curves or Samples")
+    points, kind, cells, point_data, cell_data = thing._mesh_parts()
+    if kind == "triangle" and len(cells) == 0:
+        kind, cells = "vertex", np.arange(len(points))[:, None]
+    copies = [{name: np.array(array) for name, array in data.items()} for data in (point_data, cell_data)]
+    return np.array(points), kind, np.array(cells), copies[0], copies[1]
