@@ -2,7 +2,7 @@
 """Lets ParaView and Brindle read each other's files.
 
     xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \\
-        pvpython scripts/check_paraview.py build/release/apps/brindle/brindle [--keep FOLDER]
+        pvpython paraview/tests/check_files.py build/release/apps/brindle/brindle [--keep FOLDER]
 
 ParaView writes a surface with arrays in all its formats and encodings; Brindle reads each and writes
 it as .vtp, where ParaView must find every array as it was, bit for bit. A CSV file of ParaView's
