@@ -1,13 +1,12 @@
 #include "brindle/files.h"
 
-#include <filesystem>
 #include <numeric>
 #include <string>
 
 #include <emscripten/bind.h>
 
 #include "brindle/array_field.h"
-#include "brindle/base/output_file.h"
+#include "brindle/base/memory_file.h"
 #include "brindle/creases.h"
 #include "brindle/error.h"
 #include "brindle/mesh_data.h"
@@ -16,41 +15,27 @@
 namespace brindle::web {
 namespace {
 
-/// A temporary file with its own name, which messages mention.
-class TemporaryFile {
- public:
-  TemporaryFile(const val& bytes, const std::string& name) : path_(plain(name)) {
-    std::vector<char> content(bytes["length"].as<std::size_t>());
-    val(emscripten::typed_memory_view(content.size(),
-                                      reinterpret_cast<std::uint8_t*>(content.data())))
-        .call<void>("set", bytes);
-    write_file(path_, [&](OutputStream& out) { out.write(content.data(), content.size()); });
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+std::string bytes_of(const val& bytes) {
+  std::string content(bytes["length"].as<std::size_t>(), '\0');
+  val(emscripten::typed_memory_view(content.size(),
+                                    reinterpret_cast<std::uint8_t*>(content.data())))
+      .call<void>("set", bytes);
+  return content;
+}
 
- private:
-  static std::filesystem::path plain(const std::string& name) {
-    const std::size_t slash = name.find_last_of("/\\");
-    const std::string file = slash == std::string::npos ? name : name.substr(slash + 1);
-    if (file.empty() || file == "." || file == "..") {
-      throw Error("'" + name + "' is no name of a file");
-    }
-    return file;
+/// The name without its folders, which messages mention.
+std::string plain_name(const std::string& name) {
+  const std::string file = name.substr(name.find_last_of("/\\") + 1);
+  if (file.empty() || file == "." || file == "..") {
+    throw Error("'" + name + "' is no name of a file");
   }
-
-  std::filesystem::path path_;
-};
+  return file;
+}
 
 std::shared_ptr<SurfaceObject> surface_from_file(val bytes, std::string name, float crease_angle) {
   return guarded([&] {
-    const TemporaryFile file(bytes, name);
-    LoadedMesh loaded = read_mesh(file.path());
+    const MemoryFile file(plain_name(name), bytes_of(bytes));
+    LoadedMesh loaded = read_mesh(file.name());
     std::vector<std::string> notes;
     add_lines(notes, describe(loaded.repair));
     add_lines(notes, loaded.left_out);

@@ -1,10 +1,9 @@
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include <emscripten/bind.h>
 
-#include "brindle/base/input_file.h"
+#include "brindle/base/memory_file.h"
 #include "brindle/files.h"
 #include "brindle/line_drawing.h"
 #include "brindle/polylines.h"
@@ -66,15 +65,10 @@ val samples_of(const PatternObject& u, const PatternObject& v) {
   });
 }
 
-/// The content that `write` gives to a file of this name.
-template <class Write>
-val written(const std::string& name, const Write& write) {
-  const std::filesystem::path path = "written-" + name;
-  write(path);
-  const std::string content = whole_input(path, "a file");
-  std::filesystem::remove(path);
+/// What has been written into the file.
+val content_of(const MemoryFile& file) {
   return array_of(std::span<const std::uint8_t>(
-      reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
+      reinterpret_cast<const std::uint8_t*>(file.content.data()), file.content.size()));
 }
 
 val curves_file(const PatternObject& object, std::string format, bool join, float trim,
@@ -82,8 +76,9 @@ val curves_file(const PatternObject& object, std::string format, bool join, floa
   return guarded([&] {
     const StripeCurves curves = traced(object, join, trim, fair);
     const std::array<NamedLines, 1> kinds{NamedLines{"stripes", curves.lines, {}}};
-    return written("stripes." + format,
-                   [&](const std::filesystem::path& path) { write_polylines(path, kinds); });
+    MemoryFile file("stripes." + format);
+    write_polylines(file.name(), kinds);
+    return content_of(file);
   });
 }
 
@@ -101,9 +96,9 @@ val drawing(const PatternObject& object, val rotation, float zoom, bool orthogra
     const std::array<PenLines, 1> lines{PenLines{"stripes", Color{}, curves.lines}};
     const std::vector<Pen> pens =
         line_drawing(surface.mesh, surface.normals, lines, view, width, height);
-    return written("drawing.svg", [&](const std::filesystem::path& path) {
-      write_svg(path, width, height, pens);
-    });
+    MemoryFile file("drawing.svg");
+    write_svg(file.name(), width, height, pens);
+    return content_of(file);
   });
 }
 

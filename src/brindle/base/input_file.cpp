@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "brindle/base/memory_file.h"
 #include "brindle/base/number_text.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
@@ -58,11 +59,20 @@ InputStream::~InputStream() {
 }
 
 InputStream::InputStream(InputStream&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), place_(other.place_), bad_(other.bad_) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      memory_(other.memory_),
+      place_(other.place_),
+      bad_(other.bad_) {}
 
 std::size_t InputStream::read(void* bytes, std::size_t count) {
   auto* const begin = static_cast<char*>(bytes);
   std::size_t done = 0;
+  if (memory_) {
+    const auto place = static_cast<std::size_t>(std::min<std::uint64_t>(place_, memory_->size()));
+    done = memory_->copy(begin, count, place);
+    place_ += done;
+    return done;
+  }
   while (done < count && !bad_) {
     const auto read = system::read_some(descriptor_, begin + done, count - done);
     if (read == 0) break;
@@ -77,7 +87,7 @@ std::size_t InputStream::read(void* bytes, std::size_t count) {
 }
 
 void InputStream::seek(std::uint64_t place) {
-  bad_ = bad_ || !system::go_to(descriptor_, place);
+  bad_ = bad_ || (!memory_ && !system::go_to(descriptor_, place));
   place_ = place;
 }
 
@@ -102,6 +112,7 @@ bool InputLines::next(std::string& line) {
 }
 
 InputStream open_input(const fs::path& path, const std::string& kind) {
+  if (const MemoryFile* file = MemoryFile::find(path)) return InputStream(file->content);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
@@ -140,7 +151,8 @@ InputFile::InputFile(const fs::path& path, Progress progress)
       stage_("loading " + shown(path.string())),
       stream_(open_input(path, "a mesh file")) {
   std::error_code error;
-  remaining_ = fs::file_size(path, error);
+  const MemoryFile* const memory = MemoryFile::find(path);
+  remaining_ = memory != nullptr ? memory->content.size() : fs::file_size(path, error);
   if (error) fail("cannot be read: " + error.message());
   size_ = remaining_;
   if (remaining_ == 0) fail("is empty; write it again");

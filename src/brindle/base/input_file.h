@@ -17,10 +17,11 @@
 
 namespace brindle {
 
-/// Reads a file's bytes at any position. After a system error it returns none.
+/// Reads the bytes of a file, or of memory, at any position. After a system error it returns none.
 class InputStream {
  public:
   explicit InputStream(system::Descriptor descriptor) : descriptor_(descriptor) {}
+  explicit InputStream(std::string_view memory) : memory_(memory) {}
   ~InputStream();
   InputStream(InputStream&& other) noexcept;
   InputStream& operator=(InputStream&&) = delete;
@@ -36,7 +37,8 @@ class InputStream {
   bool bad() const { return bad_; }
 
  private:
-  system::Descriptor descriptor_;
+  system::Descriptor descriptor_ = -1;
+  std::optional<std::string_view> memory_;
   std::uint64_t place_ = 0;
   bool bad_ = false;
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/memory_file.h"
 #include "brindle/base/system.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
@@ -226,6 +227,13 @@ void UnfinishedFile::finish() {
 
 void write_file(const fs::path& path, const std::function<void(OutputStream&)>& write,
                 const Progress& progress) {
+  if (MemoryFile* file = MemoryFile::find(path)) {
+    std::string content;
+    OutputStream out(content);
+    write(out);
+    file->content = std::move(content);
+    return;
+  }
   refuse_folder(path);
   if (is_device(path)) return write_device(path, write, progress);
   UnfinishedFile file(path);

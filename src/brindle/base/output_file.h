@@ -118,10 +118,10 @@ class TextOutput {
 /// leaves no file; an earlier file at `path` is unchanged. (File systems without unnamed files use
 /// .brindle-NUMBER.tmp until the file is complete; killing the process leaves that.) A replaced
 /// file passes on its owner and permissions; links are followed and stay. A `path` that is not a
-/// regular file (a device, a pipe) is written directly. Throws Error, with the path, the system's
-/// reason and the remedy, if the folder does not exist, is not writable or is full; passes on what
-/// `write` throws. `progress` reports "writing PATH" every few megabytes. The final size is
-/// unknown, so the fraction approaches 1 ever more slowly.
+/// regular file (a device, a pipe) is written directly; a MemoryFile of that name instead. Throws
+/// Error, with the path, the system's reason and the remedy, if the folder does not exist, is not
+/// writable or is full; passes on what `write` throws. `progress` reports "writing PATH" every few
+/// megabytes. The final size is unknown, so the fraction approaches 1 ever more slowly.
 void write_file(const std::filesystem::path& path, const std::function<void(OutputStream&)>& write,
                 const Progress& progress = {});
 
