@@ -290,15 +290,15 @@ def check_public_names():
 
 
 def check_examples(page):
-    """C++ in a page that names an example program is part of that program."""
-    names = re.findall(r"docs/examples/(\w+\.cpp)", page.prose)
+    """C++ or C in a page that names an example program is part of that program."""
+    names = re.findall(r"docs/examples/(\w+\.(?:cpp|c)\b)", page.prose)
     if not names:
         return
     programs = [ROOT / "docs" / "examples" / name for name in names]
     known = "\n".join(without_indent(program.read_text()) for program in programs)
     for block in page.blocks:
         code = without_indent("\n".join(block.lines))
-        if block.language == "cpp" and code not in known:
+        if block.language in ("cpp", "c") and code not in known:
             page.fail(block.line, f"not part of {', '.join(names)}")
 
 
