@@ -33,6 +33,13 @@ void save(const std::filesystem::path& path, const Surface& surface,
           const TextureAnimator& animator);
 void save(const std::filesystem::path& path, const Surface& surface, const CrossAnimator& animator);
 
+/// The bytes of such a file, for programs that store them elsewhere. Throws Error for another
+/// surface.
+std::string saved_bytes(const Surface& surface, const StripePattern& pattern);
+std::string saved_bytes(const Surface& surface, const StripeAnimator& animator);
+std::string saved_bytes(const Surface& surface, const TextureAnimator& animator);
+std::string saved_bytes(const Surface& surface, const CrossAnimator& animator);
+
 // Throw Error, naming the file and the remedy, if it cannot be read, is no such file, is damaged or
 // truncated, holds something else, or is of a newer version. Any bytes are safe to load.
 
@@ -40,5 +47,12 @@ Saved<StripePattern> load_pattern(const std::filesystem::path& path);
 Saved<StripeAnimator> load_stripe_animator(const std::filesystem::path& path);
 Saved<TextureAnimator> load_texture_animator(const std::filesystem::path& path);
 Saved<CrossAnimator> load_cross_animator(const std::filesystem::path& path);
+
+// The same for `saved_bytes`.
+
+Saved<StripePattern> pattern_of_bytes(std::string_view bytes);
+Saved<StripeAnimator> stripe_animator_of_bytes(std::string_view bytes);
+Saved<TextureAnimator> texture_animator_of_bytes(std::string_view bytes);
+Saved<CrossAnimator> cross_animator_of_bytes(std::string_view bytes);
 
 }  // namespace brindle

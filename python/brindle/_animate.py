@@ -24,7 +24,22 @@ def checked_slack(surface: Surface, slack: Any) -> Slack:
     return slack_of(slack)
 
 
-class Animator(Running):
+def loaded(kind: Any, surface: Surface, *saved: Any) -> Any:
+    """An animator as ``Saved.__reduce__`` left it."""
+    animator = kind.__new__(kind)
+    animator.surface = surface
+    animator._core = getattr(_core, kind.__name__).loaded(surface._core, *saved)
+    return animator
+
+
+class Saved(Running):
+    """An animator that is copied and pickled with its last frame, and goes on with the same bits."""
+
+    def __reduce__(self) -> Any:
+        return loaded, (type(self), self.surface, *self._core.saved())
+
+
+class Animator(Saved):
     """Lays stripes over one surface whose directions, frequencies and positions change. Where its
     triangles change, too, follow the last pattern by ``brindle.stripes(..., previous=)``.
 
@@ -37,9 +52,6 @@ class Animator(Running):
     One frame at a time: a concurrent call raises Error. A failed call leaves the animator
     unchanged.
     """
-
-    _INSTEAD = ("pickle its surface and the last phases; a new one goes on from these by "
-                "set_phases")
 
     def __init__(self, surface: Any, *, stiffness: float = 0.025,
                  solver: Union[Solver, FrameSolver] = "multilevel",
@@ -113,7 +125,7 @@ class Animator(Running):
         self._core.set_phases(phases)
 
 
-class TextureAnimator(Running):
+class TextureAnimator(Saved):
     """Lays a texture over one surface whose field changes from frame to frame. Triangles go on
     running as they ran, so that the seam stays where it is. ``oriented`` and ``slack`` as
     for ``brindle.texture``, all else as for ``Animator``."""

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
+#include "brindle/saved.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/waves/parsed_words.h"
@@ -160,6 +161,23 @@ std::unique_ptr<AnimatorData> sibling_of(AnimatorData& data) {
   return std::make_unique<AnimatorData>(data.surface, data.animator.sibling());
 }
 
+py::tuple saved_animator(AnimatorData& data) {
+  const OneAtATime alone(data.busy, "this animator");
+  return py::make_tuple(py::bytes(saved_bytes(data.surface->surface, data.animator)),
+                        data.phase_step, data.unchanged, data.frequencies);
+}
+
+std::unique_ptr<AnimatorData> loaded_animator(const SurfacePointer& surface, const py::bytes& bytes,
+                                              double phase_step, bool unchanged,
+                                              std::vector<float> frequencies) {
+  auto data = std::make_unique<AnimatorData>(
+      surface, stripe_animator_of_bytes(static_cast<std::string_view>(bytes)).result);
+  data->phase_step = phase_step;
+  data->unchanged = unchanged;
+  data->frequencies = std::move(frequencies);
+  return data;
+}
+
 void bind_animator(py::module_& module) {
   py::class_<AnimatorData>(module, "Animator")
       .def(py::init(&make_animator), py::arg("surface").none(false), py::arg("solver"),
@@ -186,6 +204,8 @@ void bind_animator(py::module_& module) {
              return without_lock([&] { return data.animator.energy(); });
            })
       .def("sibling", sibling_of)
+      .def("saved", saved_animator)
+      .def_static("loaded", loaded_animator)
       .def("restart",
            [](AnimatorData& data) {
              const OneAtATime alone(data.busy, "this animator");

@@ -6,6 +6,7 @@
 
 #include "arrays.h"
 #include "brindle/error.h"
+#include "brindle/saved.h"
 #include "brindle/texture_coordinates.h"
 #include "frame_waves.h"
 #include "given_options.h"
@@ -20,17 +21,13 @@ constexpr const char* kOrientations[] = {"afresh", "kept", "continued", "shorten
 // One frame at a time; concurrent calls are rejected.
 struct TextureAnimatorData {
   SurfacePointer surface;
-  PhaseShiftKind phase_shift;
   TextureAnimator animator;
   MovingNormals normals;
   py::dict metrics;
   std::atomic<bool> busy{false};
 
-  TextureAnimatorData(SurfacePointer on, const TextureAnimatorOptions& options)
-      : surface(std::move(on)),
-        phase_shift(options.stripes.phase_shift),
-        animator(surface->surface, options),
-        normals(surface->surface) {}
+  TextureAnimatorData(SurfacePointer on, TextureAnimator with)
+      : surface(std::move(on)), animator(std::move(with)), normals(surface->surface) {}
 };
 
 std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer& surface,
@@ -44,7 +41,21 @@ std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer&
   options.oriented = oriented;
   options.stripes.lambda = stiffness;
   options.stripes.slack = slack_of(slack, branch_penalty, surface->surface.mesh);
-  return std::make_unique<TextureAnimatorData>(surface, options);
+  return std::make_unique<TextureAnimatorData>(surface, TextureAnimator(surface->surface, options));
+}
+
+py::tuple saved_texture_animator(TextureAnimatorData& data) {
+  const OneAtATime alone(data.busy, "this animator");
+  return py::make_tuple(py::bytes(saved_bytes(data.surface->surface, data.animator)), data.metrics);
+}
+
+std::unique_ptr<TextureAnimatorData> loaded_texture_animator(const SurfacePointer& surface,
+                                                             const py::bytes& bytes,
+                                                             py::dict metrics) {
+  auto data = std::make_unique<TextureAnimatorData>(
+      surface, texture_animator_of_bytes(static_cast<std::string_view>(bytes)).result);
+  data->metrics = std::move(metrics);
+  return data;
 }
 
 py::dict metrics_of(const TextureFrameResult& result) {
@@ -77,7 +88,7 @@ py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::ha
   std::optional<TextureFrameResult> result;
   Job(progress).run([&](const Progress& reports) {
     result.emplace(data.animator.frame(input, reports));
-    uv = corner_texture_coordinates(result->pattern.waves, data.phase_shift);
+    uv = corner_texture_coordinates(result->pattern.waves, result->pattern.phase_shift);
   });
   data.metrics = metrics_of(*result);
   return owned<float>(std::move(uv), {static_cast<py::ssize_t>(mesh.triangle_count()), 3, 2});
@@ -89,8 +100,12 @@ void bind_texture_animator(py::module_& module) {
   py::class_<TextureAnimatorData>(module, "TextureAnimator")
       .def(py::init(&make_texture_animator), py::arg("surface").none(false), py::arg("oriented"),
            py::arg("solver"), py::arg("stiffness"), py::arg("slack"), py::arg("avoid_branches"))
-      .def_readonly("surface", &TextureAnimatorData::surface)
-      .def_readonly("metrics", &TextureAnimatorData::metrics)
+      .def_property_readonly("surface",
+                             [](const TextureAnimatorData& data) { return data.surface; })
+      .def_property_readonly("metrics",
+                             [](const TextureAnimatorData& data) { return data.metrics; })
+      .def("saved", saved_texture_animator)
+      .def_static("loaded", loaded_texture_animator)
       .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
            py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"), py::arg("progress"))
       .def("restart", [](TextureAnimatorData& data) {

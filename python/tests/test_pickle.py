@@ -124,9 +124,26 @@ def test_damaged_pickles(things):
 
 
 @pytest.mark.parametrize("make, instead", [
-    (brindle.Animator, "set_phases"), (brindle.TextureAnimator, "its surface"),
     (brindle.FieldAnimator, "its surface"), (brindle.advanced.FieldSmoothing, "previous="), (brindle.advanced.PatternFrames, "its surface")])
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, pickle.dumps])
 def test_what_runs_names_what_to_pickle(torus, make, instead, again):
     with pytest.raises(TypeError, match=f"brindle.{make.__name__} cannot be .*{instead}"):
         again(make(torus))
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda thing: pickle.loads(pickle.dumps(thing))],
+                         ids=["copy", "deepcopy", "pickle"])
+@pytest.mark.parametrize("options", [{}, {"slack": 0.2}, {"lambda_": 0}], ids=str)
+@pytest.mark.parametrize("make", [brindle.Animator, brindle.TextureAnimator])
+def test_animators_go_on(torus, again, options, make):
+    one = make(torus, **options)
+    fields = [torus.projected_field((0.3, 0.9, z)) for z in (0, 0.2, 0.4)]
+    one.frame(fields[0], 5)
+    one.frame(-fields[1], 5, 1.1 * torus.vertices)
+    other = again(one)
+    assert type(other) is make and other.surface.vertex_count == torus.vertex_count
+    for name in {"phase_step", "unchanged", "energy", "metrics"}.intersection(dir(one)):
+        assert values_of(getattr(other, name)) == values_of(getattr(one, name)), name
+    for field in (fields[1], fields[2], fields[2]):
+        np.testing.assert_array_equal(other.frame(field, 5), one.frame(field, 5))
+        assert repr(getattr(other, "metrics", None)) == repr(getattr(one, "metrics", None))

@@ -217,8 +217,7 @@ void archive_pattern(Archive& archive, const Surface& surface, StripePattern& pa
 
 /// `put` adds what follows the surface.
 template <class Put>
-void save_file(const std::filesystem::path& path, const Surface& surface, Content content,
-               const Put& put) {
+std::string file_of(const Surface& surface, Content content, const Put& put) {
   Archive archive;
   archive_surface(archive, const_cast<Surface&>(surface));  // writing changes nothing
   put(archive);
@@ -226,31 +225,40 @@ void save_file(const std::filesystem::path& path, const Surface& surface, Conten
   Header header{
       {}, kFormat, static_cast<std::uint32_t>(content), payload.size(), checksum_of(payload)};
   std::copy(std::begin(kMagic), std::end(kMagic), header.magic);
-  write_file(path, [&](OutputStream& out) {
-    out.write(&header, sizeof header);
-    out.write(payload.data(), payload.size());
-  });
+  std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
+  return bytes += payload;
 }
 
 template <class Animator>
-void save_animator(const std::filesystem::path& path, const Surface& surface, Content content,
-                   const Animator& animator) {
-  save_file(path, surface, content, [&](Archive& archive) {
+std::string file_of_animator(const Surface& surface, Content content, const Animator& animator) {
+  return file_of(surface, content, [&](Archive& archive) {
     AnimatorArchive::write(archive, surface, const_cast<Animator&>(animator));
   });
 }
 
+template <class Result>
+void save_file(const std::filesystem::path& path, const Surface& surface, const Result& result) {
+  const std::string bytes = saved_bytes(surface, result);
+  write_file(path, [&](OutputStream& out) { out << bytes; });
+}
+
 /// `take(archive, surface)` returns what follows the surface.
 template <class Result, class Take>
-Saved<Result> load_file(const std::filesystem::path& path, Content content, const Take& take) {
+Saved<Result> result_of(std::string_view bytes, Content content, const Take& take) {
+  Archive archive(payload_of(bytes, content));
+  Surface surface;
+  archive_surface(archive, surface);
+  Result result = take(archive, surface);
+  archive.check_end();
+  return {std::move(surface), std::move(result)};
+}
+
+template <class Result>
+Saved<Result> load_file(const std::filesystem::path& path,
+                        Saved<Result> (*load)(std::string_view bytes)) {
   const std::string bytes = whole_input(path, "a file that brindle saved");
   try {
-    Archive archive(payload_of(bytes, content));
-    Surface surface;
-    archive_surface(archive, surface);
-    Result result = take(archive, surface);
-    archive.check_end();
-    return {std::move(surface), std::move(result)};
+    return load(bytes);
   } catch (const Error& error) {
     throw Error(path.string() + ": " + error.what());
   }
@@ -258,45 +266,65 @@ Saved<Result> load_file(const std::filesystem::path& path, Content content, cons
 
 }  // namespace
 
-void save(const std::filesystem::path& path, const Surface& surface, const StripePattern& pattern) {
-  save_file(path, surface, Content::pattern, [&](Archive& archive) {
+std::string saved_bytes(const Surface& surface, const StripePattern& pattern) {
+  return file_of(surface, Content::pattern, [&](Archive& archive) {
     archive_pattern(archive, surface, const_cast<StripePattern&>(pattern));
   });
 }
+std::string saved_bytes(const Surface& surface, const StripeAnimator& animator) {
+  return file_of_animator(surface, Content::stripes, animator);
+}
+std::string saved_bytes(const Surface& surface, const TextureAnimator& animator) {
+  return file_of_animator(surface, Content::texture, animator);
+}
+std::string saved_bytes(const Surface& surface, const CrossAnimator& animator) {
+  return file_of_animator(surface, Content::crosses, animator);
+}
 
+void save(const std::filesystem::path& path, const Surface& surface, const StripePattern& pattern) {
+  save_file(path, surface, pattern);
+}
 void save(const std::filesystem::path& path, const Surface& surface,
           const StripeAnimator& animator) {
-  save_animator(path, surface, Content::stripes, animator);
+  save_file(path, surface, animator);
 }
-
 void save(const std::filesystem::path& path, const Surface& surface,
           const TextureAnimator& animator) {
-  save_animator(path, surface, Content::texture, animator);
+  save_file(path, surface, animator);
 }
-
 void save(const std::filesystem::path& path, const Surface& surface,
           const CrossAnimator& animator) {
-  save_animator(path, surface, Content::crosses, animator);
+  save_file(path, surface, animator);
 }
 
-Saved<StripePattern> load_pattern(const std::filesystem::path& path) {
-  return load_file<StripePattern>(path, Content::pattern, [](Archive& archive, const Surface& s) {
+Saved<StripePattern> pattern_of_bytes(std::string_view bytes) {
+  return result_of<StripePattern>(bytes, Content::pattern, [](Archive& archive, const Surface& s) {
     StripePattern pattern;
     archive_pattern(archive, s, pattern);
     return pattern;
   });
 }
+Saved<StripeAnimator> stripe_animator_of_bytes(std::string_view bytes) {
+  return result_of<StripeAnimator>(bytes, Content::stripes, AnimatorArchive::read_stripes);
+}
+Saved<TextureAnimator> texture_animator_of_bytes(std::string_view bytes) {
+  return result_of<TextureAnimator>(bytes, Content::texture, AnimatorArchive::read_texture);
+}
+Saved<CrossAnimator> cross_animator_of_bytes(std::string_view bytes) {
+  return result_of<CrossAnimator>(bytes, Content::crosses, AnimatorArchive::read_crosses);
+}
 
+Saved<StripePattern> load_pattern(const std::filesystem::path& path) {
+  return load_file(path, pattern_of_bytes);
+}
 Saved<StripeAnimator> load_stripe_animator(const std::filesystem::path& path) {
-  return load_file<StripeAnimator>(path, Content::stripes, AnimatorArchive::read_stripes);
+  return load_file(path, stripe_animator_of_bytes);
 }
-
 Saved<TextureAnimator> load_texture_animator(const std::filesystem::path& path) {
-  return load_file<TextureAnimator>(path, Content::texture, AnimatorArchive::read_texture);
+  return load_file(path, texture_animator_of_bytes);
 }
-
 Saved<CrossAnimator> load_cross_animator(const std::filesystem::path& path) {
-  return load_file<CrossAnimator>(path, Content::crosses, AnimatorArchive::read_crosses);
+  return load_file(path, cross_animator_of_bytes);
 }
 
 }  // namespace brindle
