@@ -24,13 +24,15 @@ struct StripeAnimator::State {
   std::shared_ptr<const std::vector<SlicedWave>> built_from = {};
   bool is_sibling = false;  ///< whether the hierarchy came from another animator
   FramePhases phases = FramePhases(options);
-  bool has_yielded = false;  ///< whether the frame being solved has relaxed frequencies
+  bool has_yielded = false;    ///< whether the frame being solved has relaxed frequencies
+  bool has_coarsened = false;  ///< whether the frame being solved builds coarser levels
   FrameFrequencies relaxed = {};
   RestNormals in_place = {};
   FrameSewing sewing = {};
 
   Level& finest() { return hierarchy.levels[0]; }
   void build_levels(std::vector<SlicedWave> waves);
+  void drop_levels();
 };
 
 /// Builds the levels that follow the couplings of these waves.
@@ -39,6 +41,14 @@ void StripeAnimator::State::build_levels(std::vector<SlicedWave> waves) {
   phases.couple_to(finest(), *built_from);
   finest().couplings.anchor.clear();
   coarsen(hierarchy);
+}
+
+/// Leaves a new finest level alone; the old one has gauges.
+void StripeAnimator::State::drop_levels() {
+  Level made = make_level({finest().topology.layout, nullptr});
+  hierarchy = {};
+  hierarchy.levels.push_back(std::move(made));
+  built_from.reset();
 }
 
 namespace {
@@ -154,6 +164,7 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   clock.add(&FrameMilliseconds::frequency);
   start(progress.part(0.3, 0.4));
   clock.lap();
+  s.has_coarsened = s.hierarchy.levels.size() == 1;
   if (!s.phases.load(s.finest(), yielded)) return unchanged_result();
   try {
     WholeLevels levels{s.hierarchy, s.phases.next_waves(), s.built_from};
@@ -215,11 +226,11 @@ void StripeAnimator::start(const Progress& progress) {
 /// Rolls back a frame that was not completed.
 void StripeAnimator::take_phases_back() {
   State& s = *state_;
+  // Aggregates depend on the couplings of the first completed frame with waves.
+  if (s.has_coarsened) s.drop_levels();
   s.phases.take_back(s.finest());
   if (s.phases.has_frame || s.is_sibling) return;
-  // Aggregates depend on the couplings of the first completed frame.
   s.hierarchy = {};
-  s.built_from.reset();
   s.phases.degree.clear();
 }
 
