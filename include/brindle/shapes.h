@@ -30,7 +30,25 @@ struct ShapePart {
 /// for a part number out of range.
 std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int parts);
 
-/// All names, in the order in which help lists them.
+/// A parameter of a shape.
+struct ShapeParameter {
+  std::string name;
+  double standard = 0;
+  double lower = 0, upper = 0;
+  bool whole = false;  ///< integers only
+  std::string help;
+};
+
+struct ShapeInfo {
+  std::string name;
+  std::string help;
+  std::vector<ShapeParameter> parameters;
+};
+
+/// All shapes, in the order in which help lists them.
+std::vector<ShapeInfo> shape_catalogue();
+
+/// Their names.
 std::vector<std::string> shape_names();
 
 /// A line per shape and one per parameter, with ranges and defaults.

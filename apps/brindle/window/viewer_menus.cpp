@@ -120,7 +120,7 @@ void Viewer::draw_shape_menu() {
   const bool open = ImGui::BeginMenu("Shape");
   log_.note_widget("item Shape");
   if (!open) return;
-  for (const ShapeEntry& shape : shapes_.shapes()) {
+  for (const ShapeInfo& shape : shapes_.shapes()) {
     if (item(shape.name.c_str(), nullptr)) open_mesh(shape_text(shape, {}));
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shape.help.c_str());
   }

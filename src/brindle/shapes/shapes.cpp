@@ -18,13 +18,7 @@
 namespace brindle {
 namespace {
 
-struct Parameter {
-  std::string_view name;
-  double standard;
-  double lower, upper;
-  bool whole;  ///< integers only
-  std::string_view help;
-};
+using Parameter = ShapeParameter;
 
 /// The values of all parameters of a shape.
 class Values {
@@ -54,7 +48,7 @@ struct Shape {
 };
 
 Parameter length(std::string_view name, double standard, std::string_view help) {
-  return {name, standard, 1e-3, 1e3, false, help};
+  return {std::string(name), standard, 1e-3, 1e3, false, std::string(help)};
 }
 
 Parameter resolution(int standard, int lower, int upper, std::string_view help) {
@@ -63,11 +57,12 @@ Parameter resolution(int standard, int lower, int upper, std::string_view help) 
           static_cast<double>(lower),
           static_cast<double>(upper),
           true,
-          help};
+          std::string(help)};
 }
 
 Parameter seed(std::string_view name, std::uint32_t standard) {
-  return {name, static_cast<double>(standard), 0, 4294967295.0, true, "another one, another shape"};
+  return {std::string(name),           static_cast<double>(standard), 0, 4294967295.0, true,
+          "another one, another shape"};
 }
 
 Shape plane() {
@@ -419,9 +414,8 @@ double parse_value(const Shape& shape, const Parameter& parameter, std::string_v
   const bool fits = value >= parameter.lower && value <= parameter.upper &&
                     (!parameter.whole || value == std::floor(value));
   if (!number || !fits) {
-    throw Error("shape '" + std::string(shape.name) + "': parameter '" +
-                std::string(parameter.name) + "' must be " + range(parameter) + ", not '" +
-                std::string(text) + "'");
+    throw Error("shape '" + std::string(shape.name) + "': parameter '" + parameter.name +
+                "' must be " + range(parameter) + ", not '" + std::string(text) + "'");
   }
   return value;
 }
@@ -523,6 +517,14 @@ std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int pa
   return part_of((*strips)(asked.values), part, parts);
 }
 
+std::vector<ShapeInfo> shape_catalogue() {
+  std::vector<ShapeInfo> shapes;
+  for (const Shape& shape : catalogue()) {
+    shapes.push_back({std::string(shape.name), std::string(shape.help), shape.parameters});
+  }
+  return shapes;
+}
+
 std::vector<std::string> shape_names() {
   std::vector<std::string> names;
   for (const Shape& shape : catalogue()) names.emplace_back(shape.name);
@@ -534,8 +536,8 @@ std::string shape_help() {
   for (const Shape& shape : catalogue()) {
     text += std::string(shape.name) + ": " + std::string(shape.help) + '\n';
     for (const Parameter& parameter : shape.parameters) {
-      text += "    " + std::string(parameter.name) + formatted("=%g  ", parameter.standard) +
-              std::string(parameter.help) + " (" + range(parameter) + ")\n";
+      text += "    " + parameter.name + formatted("=%g  ", parameter.standard) + parameter.help +
+              " (" + range(parameter) + ")\n";
     }
   }
   return text;

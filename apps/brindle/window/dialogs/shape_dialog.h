@@ -6,30 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "brindle/shapes.h"
 #include "window/base/live_session.h"
 
 namespace brindle::tool {
 
-struct ShapeParameter {
-  std::string name;
-  std::string standard;
-  std::string help;
-  float lowest = 0;
-  float highest = 1;
-  bool whole = false;
-};
-
-struct ShapeEntry {
-  std::string name;
-  std::string help;
-  std::vector<ShapeParameter> parameters;
-};
-
-/// The catalogue, parsed from `shape_help`.
-std::vector<ShapeEntry> shape_entries(const std::string& help);
-
 /// "shape:torus,minor=0.2": only values other than the defaults.
-std::string shape_text(const ShapeEntry& shape, const std::map<std::string, std::string>& values);
+std::string shape_text(const ShapeInfo& shape, const std::map<std::string, std::string>& values);
 
 /// The parameters of "shape:torus,minor=0.2".
 std::map<std::string, std::string> shape_values(const std::string& text);
@@ -40,19 +23,19 @@ class ShapeDialog {
   /// `open` is called with a shape to replace the present one.
   ShapeDialog(LiveSession& live, WindowLog& log, std::function<void(const std::string&)> open);
 
-  const std::vector<ShapeEntry>& shapes() const { return shapes_; }
+  const std::vector<ShapeInfo>& shapes() const { return shapes_; }
   void open() { is_open_ = true; }
 
   /// While it is open.
   void draw();
 
  private:
-  void draw_parameter(const ShapeEntry& shape, const ShapeParameter& parameter);
+  void draw_parameter(const ShapeInfo& shape, const ShapeParameter& parameter);
 
   LiveSession& live_;
   WindowLog& log_;
   std::function<void(const std::string&)> open_;
-  std::vector<ShapeEntry> shapes_;
+  std::vector<ShapeInfo> shapes_;
   bool is_open_ = false;
 };
 
