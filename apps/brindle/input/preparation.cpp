@@ -185,14 +185,9 @@ PreparedWaves prepare_waves(const WaveSource& source, const WaveOptions& waves,
 }
 
 void take_waves(PreparedWaves waves, Preparation& prepared) {
+  static_cast<FieldMetrics&>(prepared) = std::move(static_cast<FieldMetrics&>(waves));
   prepared.waves = std::move(waves.waves);
   prepared.frequencies_v = std::move(waves.frequencies_v);
-  prepared.metrics = std::move(waves.metrics);
-  prepared.support = std::move(waves.support);
-  prepared.field_rows_nonfinite = waves.field_rows_nonfinite;
-  prepared.field_step = waves.field_step;
-  prepared.turn_deg = waves.turn_deg;
-  prepared.field_milliseconds = waves.field_milliseconds;
 }
 
 Preparation prepare(const SurfaceOptions& surface, const WaveOptions& waves, JobListener& listener,

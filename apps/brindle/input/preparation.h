@@ -61,15 +61,9 @@ void check_own_arrays(const SurfaceOptions& surface, const WaveOptions& waves);
 Preparation prepare_surface(const SurfaceOptions& surface, JobListener& listener);
 
 /// Waves on a surface, and the time spent.
-struct PreparedWaves {
+struct PreparedWaves : FieldMetrics {
   WaveSet waves;
   FrequencyField frequencies_v;
-  WaveReport metrics;
-  std::optional<std::size_t> field_rows_nonfinite;
-  std::optional<FieldStep> field_step;
-  float turn_deg = 0;  ///< turn of the waves from their field
-  double field_milliseconds = 0;
-  FieldSupport support;       ///< of smoothed waves
   DirectionField seen_field;  ///< as WavesOfField has it
 };
 

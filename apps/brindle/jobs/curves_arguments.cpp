@@ -26,7 +26,7 @@ void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
   add_field(command, "--creases", arguments.crease_deg);
-  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  add_output_options(command, arguments);
   arguments.picture = add_camera_options(command);
   add_paper_options(command, *arguments.picture);
 }
@@ -81,9 +81,8 @@ void check_curves_points(const CurvesArguments& arguments) {
 }
 
 std::vector<UsedFile> curves_inputs(const CurvesArguments& arguments) {
-  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  std::vector<UsedFile> inputs = job_inputs(arguments);
   if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
-  add_slack_files(arguments.solving.slack, inputs);
   return inputs;
 }
 

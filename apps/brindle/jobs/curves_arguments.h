@@ -1,7 +1,6 @@
 /// Arguments of `brindle curves`.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,11 +11,7 @@
 #include "cli/option_values.h"
 #include "input/fabrication_options.h"
 #include "input/second_waves.h"
-#include "input/solving_options.h"
-#include "input/surface_options.h"
-#include "input/wave_options.h"
 #include "outputs/outputs.h"
-#include "pictures/picture.h"
 
 namespace brindle::tool {
 
@@ -57,17 +52,10 @@ struct TracingOptions : LineShape {
   }
 };
 
-struct CurvesArguments : TracingOptions {
-  SurfaceOptions surface;
-  WaveOptions waves;
+struct CurvesArguments : JobArguments, TracingOptions {
   SecondWaveOptions second;
-  SolvingOptions solving;
   FabricationOptions fabrication;
   std::optional<float> crease_deg;  ///< lines along sharper edges, and borders
-  std::shared_ptr<PictureOptions> picture;
-  std::vector<std::string> outputs;
-  std::string report;
-  bool quiet = false;
 };
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);

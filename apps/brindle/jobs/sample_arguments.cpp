@@ -19,7 +19,7 @@ void add_sample_options(CLI::App& command, SampleArguments& arguments) {
   add_field(command, "--min-distance", arguments.min_distance);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
-  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  add_output_options(command, arguments);
   arguments.picture = add_camera_options(command);
   add_paper_options(command, *arguments.picture);
   add_glyph_options(command, arguments.glyphs);
@@ -65,10 +65,9 @@ void check_sample_points(const CLI::App& command, const SampleArguments& argumen
 }
 
 std::vector<UsedFile> sample_inputs(const SampleArguments& arguments) {
-  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  std::vector<UsedFile> inputs = job_inputs(arguments);
   if (!arguments.second.field.empty()) inputs.push_back({"--field-v", arguments.second.field});
   for (UsedFile& file : glyph_files(arguments.glyphs)) inputs.push_back(std::move(file));
-  add_slack_files(arguments.solving.slack, inputs);
   return inputs;
 }
 

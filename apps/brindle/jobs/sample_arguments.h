@@ -1,33 +1,20 @@
 /// Arguments of `brindle sample`.
 #pragma once
 
-#include <memory>
-#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "input/second_waves.h"
-#include "input/solving_options.h"
-#include "input/surface_options.h"
-#include "input/wave_options.h"
 #include "outputs/outputs.h"
 #include "pictures/glyph_options.h"
-#include "pictures/picture.h"
 
 namespace brindle::tool {
 
-struct SampleArguments {
-  SurfaceOptions surface;
-  WaveOptions waves;
+struct SampleArguments : JobArguments {
   SecondWaveOptions second;
-  SolvingOptions solving;
-  std::shared_ptr<PictureOptions> picture;
   GlyphOptions glyphs;
   float min_distance = 0.25f;
-  std::vector<std::string> outputs;
-  std::string report;
-  bool quiet = false;
 };
 
 /// The kind of output of a path. Throws CLI::ValidationError with a remedy for files that cannot

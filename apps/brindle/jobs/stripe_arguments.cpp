@@ -130,11 +130,10 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
 }  // namespace
 
 std::vector<UsedFile> stripe_inputs(const StripeArguments& arguments) {
-  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  std::vector<UsedFile> inputs = job_inputs(arguments);
   if (!arguments.texture.tile.empty()) inputs.push_back({"--texture", arguments.texture.tile});
   if (!arguments.previous.empty()) inputs.push_back({"--previous", arguments.previous});
   for (UsedFile& file : style_files(arguments.style)) inputs.push_back(std::move(file));
-  add_slack_files(arguments.solving.slack, inputs);
   return inputs;
 }
 
@@ -183,7 +182,7 @@ void add_stripe_options(CLI::App& command, StripeArguments& arguments) {
   add_fabrication_options(command, arguments.fabrication);
   add_texture_options(command, arguments.texture, arguments.waves);
   command.add_flag("--uv", arguments.uv);
-  add_output_options(command, arguments.outputs, arguments.report, arguments.quiet);
+  add_output_options(command, arguments);
   arguments.picture = add_picture_options(command);
   add_paper_options(command, *arguments.picture);
   add_style_options(command, arguments.style);

@@ -1,7 +1,6 @@
 /// Arguments of `brindle stripe`.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,32 +9,20 @@
 #include "device/device.h"
 #include "input/carried_pattern.h"
 #include "input/fabrication_options.h"
-#include "input/solving_options.h"
-#include "input/surface_options.h"
-#include "input/used_files.h"
-#include "input/wave_options.h"
 #include "outputs/outputs.h"
-#include "pictures/picture.h"
 #include "pictures/style_options.h"
 #include "pictures/texture_options.h"
 
 namespace brindle::tool {
 
-struct StripeArguments {
-  SurfaceOptions surface;
-  WaveOptions waves;
-  SolvingOptions solving;
+struct StripeArguments : JobArguments {
   FabricationOptions fabrication;
   DeviceKind device = DeviceKind::cpu;
   std::string previous;  ///< file of the pattern to continue; empty: none
   MatchOptions match;
   TextureChoice texture;
-  std::shared_ptr<PictureOptions> picture;
   StyleOptions style;
   bool uv = false;
-  std::vector<std::string> outputs;
-  std::string report;
-  bool quiet = false;
 };
 
 void add_stripe_options(CLI::App& command, StripeArguments& arguments);

@@ -42,14 +42,19 @@ void check_drawing_file(const std::filesystem::path& path) {
   if (!why.empty()) refuse_output(path, why);
 }
 
-void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
-                        bool& quiet) {
-  app.add_option("-o,--output", outputs)
+void add_output_options(CLI::App& app, JobArguments& arguments) {
+  app.add_option("-o,--output", arguments.outputs)
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);  // what follows is MESH
-  app.add_option("--report", report);
-  app.add_flag("-q,--quiet", quiet);
+  app.add_option("--report", arguments.report);
+  app.add_flag("-q,--quiet", arguments.quiet);
+}
+
+std::vector<UsedFile> job_inputs(const JobArguments& arguments) {
+  std::vector<UsedFile> inputs = input_files(arguments.surface, arguments.waves);
+  add_slack_files(arguments.solving.slack, inputs);
+  return inputs;
 }
 
 bool has(const Outputs& outputs, OutputKind kind) {

@@ -4,13 +4,17 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "brindle/recipe/report.h"
+#include "input/solving_options.h"
+#include "input/surface_options.h"
 #include "input/used_files.h"
 #include "input/wave_options.h"
 #include "outputs/written_files.h"
+#include "pictures/picture.h"
 #include "pictures/style_options.h"
 
 namespace brindle::tool {
@@ -32,9 +36,22 @@ bool has(const Outputs& outputs, OutputKind kind);
 /// Whether there is a picture or a drawing.
 bool draws(const Outputs& outputs);
 
+/// The arguments of all commands that make patterns.
+struct JobArguments {
+  SurfaceOptions surface;
+  WaveOptions waves;
+  SolvingOptions solving;
+  std::shared_ptr<PictureOptions> picture;
+  std::vector<std::string> outputs;
+  std::string report;
+  bool quiet = false;
+};
+
 /// --output, --report and --quiet.
-void add_output_options(CLI::App& app, std::vector<std::string>& outputs, std::string& report,
-                        bool& quiet);
+void add_output_options(CLI::App& app, JobArguments& arguments);
+
+/// Input files of the surface, the field and the solver.
+std::vector<UsedFile> job_inputs(const JobArguments& arguments);
 
 /// The kind of a file of `brindle stripe`: .png a picture, .svg .pdf a drawing, .obj .ply .vtp
 /// .gltf .glb a mesh, .json a report. Throws CLI::ValidationError for other extensions, and for

@@ -61,8 +61,7 @@ RankFamilies solve_families(const RankRun& run, const Arguments& arguments, bool
 }
 
 /// Collective. As `plan_outputs`, also for pieces.
-template <class Arguments>
-Outputs plan_rank_outputs(const RankRun& run, const Arguments& arguments,
+Outputs plan_rank_outputs(const RankRun& run, const JobArguments& arguments,
                           const std::vector<UsedFile>& own_inputs, const PlanOutput& plan) {
   const std::vector<UsedFile> inputs = rank_inputs(run, arguments.surface, own_inputs);
   Outputs outputs = plan_outputs(inputs, arguments.outputs, arguments.report,

@@ -96,9 +96,11 @@ void enter_stage(const RankRun& run, JobListener& listener, const char* name) {
   enter_stage(run.ranks, listener, name);
 }
 
-RankPreparation prepare_piece(const RankRun& run, const SurfaceOptions& surface,
-                              const WaveOptions& waves, const std::optional<Viewpoint>& viewpoint,
-                              bool all_arrays, JobListener& listener) {
+RankPreparation prepare_piece(const RankRun& run, const JobArguments& arguments, bool all_arrays,
+                              JobListener& listener) {
+  const WaveOptions& waves = arguments.waves;
+  const SurfaceOptions& surface = arguments.surface;
+  const std::optional<Viewpoint> viewpoint = viewpoint_of(*arguments.picture);
   RankPreparation prepared;
   Stopwatch watch;
   WantedArrays wanted = wanted_arrays(waves);
@@ -115,12 +117,9 @@ RankPreparation prepare_piece(const RankRun& run, const SurfaceOptions& surface,
   BaseField field = make_base_field(source, waves);
   PreparedWaves made =
       prepare_waves(source, waves, prepared.read.subdivided, std::move(field), listener);
-  prepared.field_milliseconds = watch.lap();
+  made.field_milliseconds = watch.lap();
+  static_cast<FieldMetrics&>(prepared) = std::move(static_cast<FieldMetrics&>(made));
   prepared.waves = std::move(made.waves);
-  prepared.metrics = std::move(made.metrics);
-  prepared.field_rows_nonfinite = made.field_rows_nonfinite;
-  prepared.support = std::move(made.support);
-  prepared.turn_deg = made.turn_deg;
   return prepared;
 }
 

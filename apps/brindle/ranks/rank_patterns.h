@@ -14,7 +14,7 @@
 #include "input/preparation.h"
 #include "input/second_waves.h"
 #include "input/used_files.h"
-#include "pictures/picture.h"
+#include "outputs/outputs.h"
 #include "ranks/mesh_pieces.h"
 #include "ranks/rank_run.h"
 
@@ -34,15 +34,8 @@ struct RankPreparation : PreparationMetrics {
   std::optional<DistributedSurface> surface;
   WaveSet waves;
 };
-RankPreparation prepare_piece(const RankRun& run, const SurfaceOptions& surface,
-                              const WaveOptions& waves, const std::optional<Viewpoint>& viewpoint,
-                              bool all_arrays, JobListener& listener);
-template <class Arguments>
-RankPreparation prepare_piece(const RankRun& run, const Arguments& arguments, bool all_arrays,
-                              JobListener& listener) {
-  return prepare_piece(run, arguments.surface, arguments.waves, viewpoint_of(*arguments.picture),
-                       all_arrays, listener);
-}
+RankPreparation prepare_piece(const RankRun& run, const JobArguments& arguments, bool all_arrays,
+                              JobListener& listener);
 
 /// A solved pattern of a partition, with a row per vertex of it.
 struct RankPattern {

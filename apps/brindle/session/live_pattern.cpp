@@ -133,11 +133,7 @@ InputData data_of(const Preparation& prepared, const PreparedWaves& waves) {
 
 PreparationMetrics metrics_of(const Preparation& prepared, const PreparedWaves& waves) {
   PreparationMetrics metrics = prepared;
-  metrics.metrics = waves.metrics;
-  metrics.field_rows_nonfinite = waves.field_rows_nonfinite;
-  metrics.field_step = waves.field_step;
-  metrics.turn_deg = waves.turn_deg;
-  metrics.field_milliseconds = waves.field_milliseconds;
+  static_cast<FieldMetrics&>(metrics) = waves;
   return metrics;
 }
 

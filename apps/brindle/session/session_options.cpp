@@ -327,17 +327,12 @@ void ParsedSession::add_options(Shown shown) {
 }
 
 void ParsedSession::take_shared() {
-  const auto take = [this](const auto& shown) {
-    arguments_->surface = shown.surface;
-    arguments_->waves = shown.waves;
-    arguments_->solving = shown.solving;
-    arguments_->picture = shown.picture;
-  };
+  JobArguments& shared = *arguments_;
   if (curves_) {
-    take(*curves_);
+    shared = *curves_;
     arguments_->fabrication = curves_->fabrication;
   }
-  if (samples_) take(*samples_);
+  if (samples_) shared = *samples_;
 }
 
 std::vector<UsedFile> ParsedSession::inputs() const {

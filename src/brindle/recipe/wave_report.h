@@ -29,17 +29,21 @@ struct WaveReport : WaveMetrics {
   std::optional<FrequencySmoothingReport> frequency_smoothing = {};  ///< of smoothed frequencies
 };
 
-/// Metrics of a run before its stripes are solved.
-struct PreparationMetrics {
+/// Metrics of waves and of their field.
+struct FieldMetrics {
   WaveReport metrics;                               ///< of the waves
   std::optional<std::size_t> field_rows_nonfinite;  ///< of a field file or array
   std::optional<FieldStep> field_step;  ///< of a smooth field that continued a previous one
   float turn_deg = 0;                   ///< rotation of the waves from their field
   FieldSupport support;                 ///< of smoothed waves
-  std::size_t vertices_joined = 0;      ///< with others at their position
-  double load_milliseconds = 0;         ///< reading or making the mesh
   double field_milliseconds = 0;        ///< directions and frequencies
-  double topology_milliseconds = 0;     ///< neighbourhood and normals
+};
+
+/// Metrics of a run before its stripes are solved.
+struct PreparationMetrics : FieldMetrics {
+  std::size_t vertices_joined = 0;   ///< with others at their position
+  double load_milliseconds = 0;      ///< reading or making the mesh
+  double topology_milliseconds = 0;  ///< neighbourhood and normals
 };
 
 /// Option names for the library's warnings; `source` is "the field 'wind.csv'".
