@@ -24,6 +24,10 @@ bool is_given(const CLI::App& command, const std::string& option) {
 
 void refuse_given(const CLI::App& command, const std::vector<std::string>& options,
                   std::string_view why) {
+  for (const std::string& option : options) {
+    // A misspelt name would never be rejected.
+    if (command.get_option_no_throw(option) == nullptr) row_of(option);
+  }
   refuse_usage(command, [&](const IsGiven& given) { brindle::refuse_given(given, options, why); });
 }
 

@@ -16,7 +16,8 @@ namespace brindle::tool {
 bool is_given(const CLI::App& command, const std::string& option);
 
 /// Throws CLI::ValidationError for the first of `options` that was given; `why` gives the reason
-/// that it has no effect. Skips options that the command does not have.
+/// that it has no effect. Skips options that only other commands have; throws Error for names that
+/// no command has.
 void refuse_given(const CLI::App& command, const std::vector<std::string>& options,
                   std::string_view why);
 
