@@ -100,7 +100,8 @@ struct OptionInfo {
   /// Before the part's value: ",epsilon=", or "@"; all of a flag: ",rounded", or "none" instead of
   /// the value; otherwise the unit behind a number: "px".
   std::string_view written = {};
-  bool own = false;  ///< of curves and samples: kept apart from the value for stripes
+  bool styles = false;  ///< pictures with it have a style
+  bool own = false;     ///< of curves and samples: kept apart from the value for stripes
   OptionStage stale = OptionStage::none;  ///< stages that a change makes stale
   unsigned jobs = 0;                      ///< bits of PatternJob
   std::string_view help = {};             ///< one line of at most 70 bytes, without a full stop

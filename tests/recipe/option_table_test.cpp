@@ -81,6 +81,22 @@ TEST(OptionTable, SaysOfEveryOptionWhatItIs) {
   }
 }
 
+/// A style changes how a pattern is drawn, not the pattern.
+TEST(OptionTable, StylesChangePicturesAlone) {
+  std::size_t styles = 0;
+  for (const OptionInfo& info : option_table()) {
+    if (!info.styles) continue;
+    ++styles;
+    SCOPED_TRACE(info.name);
+    constexpr OptionStage kLater = OptionStage::style | OptionStage::values | OptionStage::margin;
+    const auto stages = static_cast<unsigned>(info.stale);
+    EXPECT_EQ(stages & ~static_cast<unsigned>(kLater), 0U);
+    EXPECT_FALSE(info.is_for(PatternJob::curves));
+    EXPECT_FALSE(info.is_for(PatternJob::compare));
+  }
+  EXPECT_GT(styles, 30U);
+}
+
 TEST(OptionTable, FindsRowsByNameAndJob) {
   for (const OptionInfo& info : option_table()) {
     for (const PatternJob job : kJobs) {

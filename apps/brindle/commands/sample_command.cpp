@@ -30,7 +30,7 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
       command, outputs, arguments.quiet, sample_stages(arguments),
       [&](ProgressDisplay& display) {
         SampleJob made = make_sample_job(arguments, display);
-        if (has_glyphs(command)) {
+        if (is_styled(command)) {
           made.glyphs = read_glyph_input(arguments.glyphs, made.prepared, arguments.surface,
                                          arguments.waves, *arguments.picture);
           made.glyphs.picture = picture;

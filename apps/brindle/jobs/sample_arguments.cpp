@@ -41,7 +41,7 @@ void check_sample_options(const CLI::App& command, const SampleArguments& argume
   check_solving_options(command, arguments.solving);
   check_glyph_options(command, arguments.glyphs);
   if (!has(outputs, OutputKind::picture)) {
-    refuse_glyph_options(command, "no picture is written; add --output FILE.png");
+    refuse_style_options(command, "no picture is written; add --output FILE.png");
     refuse_picture_options(command, arguments.waves,
                            "no picture is written; add --output FILE.png");
   }

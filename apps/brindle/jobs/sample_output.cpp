@@ -77,7 +77,7 @@ void write_sample_file(const Output& output, const CLI::App& command,
     case OutputKind::samples:
       return write_all_samples(path, mesh, prepared.arrays, samples, listener);
     case OutputKind::picture: {
-      if (has_glyphs(command)) {
+      if (is_styled(command)) {
         return write_glyphs(path, prepared.surface, samples, arguments.glyphs, job.glyphs,
                             *arguments.picture, listener.progress());
       }

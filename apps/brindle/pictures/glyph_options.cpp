@@ -13,10 +13,6 @@
 namespace brindle::tool {
 namespace {
 
-const std::vector<std::string> kGlyphOptions = {
-    "--glyph",       "--glyph-size", "--size-by",   "--size-range", "--color-by",
-    "--color-range", "--colormap",   "--threshold", "--legend",     "--no-legend"};
-
 GlyphChoice parse_glyph(const std::string& option, const std::string& text) {
   if (const auto shape = parse_glyph_shape(text)) return {*shape, {}};
   if (lower_extension(text) == ".png") return {GlyphShape::quad, text};
@@ -44,16 +40,6 @@ void add_glyph_options(CLI::App& app, GlyphOptions& options) {
   add_parsed_option(app, "--size-by", options.size_by, parse_size_value);
   add_parsed_option(app, "--size-range", options.size_range, parse_size_range);
   add_color_options(app, options.style);
-}
-
-bool has_glyphs(const CLI::App& command) {
-  return std::ranges::any_of(kGlyphOptions, [&](const std::string& option) {
-    return command.get_option_no_throw(option) != nullptr && is_given(command, option);
-  });
-}
-
-void refuse_glyph_options(const CLI::App& command, std::string_view why) {
-  refuse_given(command, kGlyphOptions, why);
 }
 
 void check_glyph_options(const CLI::App& command, const GlyphOptions& options) {

@@ -34,12 +34,6 @@ struct GlyphOptions {
 
 void add_glyph_options(CLI::App& app, GlyphOptions& options);
 
-/// Whether any of the options was given.
-bool has_glyphs(const CLI::App& command);
-
-/// Throws CLI::ValidationError for given options; `why` is the reason that they have no effect.
-void refuse_glyph_options(const CLI::App& command, std::string_view why);
-
 /// Throws CLI::ValidationError for options without effect beside others.
 void check_glyph_options(const CLI::App& command, const GlyphOptions& options);
 

@@ -7,20 +7,12 @@
 #include "brindle/image.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/command_line.h"
+#include "cli/described_options.h"
 #include "cli/option_fields.h"
 #include "input/vertex_values.h"
 
 namespace brindle::tool {
 namespace {
-
-const std::vector<std::string> kStyleOptions = {
-    "--width-by",      "--width-range",    "--color-by",     "--color-range",   "--opacity-by",
-    "--colormap",      "--threshold",      "--color-on",     "--pixel-width",   "--stroke-spacing",
-    "--tones",         "--cross-hatch",    "--between",      "--with",          "--legend",
-    "--no-legend",     "--flat",           "--transparent",  "--depth-cue",     "--opacity-range",
-    "--outline",       "--creases",        "--hidden-lines", "--line-width",    "--occlusion",
-    "--ground-shadow", "--texture-by",     "--regions",      "--texture-shift", "--texture-flow",
-    "--tile-size-by",  "--tile-size-range"};
 
 ValueRange parse_shares(const std::string& option, const std::string& text) {
   const ValueRange range = parse_range(option, text);
@@ -161,10 +153,22 @@ void add_style_options(CLI::App& app, StyleOptions& options) {
   add_region_options(app, options);
 }
 
+namespace {
+
+std::vector<std::string> style_options(const CLI::App& command) {
+  std::vector<std::string> options;
+  for (const OptionInfo& row : option_table()) {
+    const bool is_style = row.styles && row.is_for(job_of(command.get_name()));
+    if (is_style) options.push_back("--" + std::string(row.name));
+  }
+  return options;
+}
+
+}  // namespace
+
 bool is_styled(const CLI::App& command) {
-  return std::ranges::any_of(kStyleOptions, [&](const std::string& option) {
-    return command.get_option_no_throw(option) != nullptr && is_given(command, option);
-  });
+  return std::ranges::any_of(style_options(command),
+                             [&](const std::string& option) { return is_given(command, option); });
 }
 
 void add_flow_option(CLI::App& app, StyleOptions& options) {
@@ -172,7 +176,7 @@ void add_flow_option(CLI::App& app, StyleOptions& options) {
 }
 
 void refuse_style_options(const CLI::App& command, std::string_view why) {
-  refuse_given(command, kStyleOptions, why);
+  refuse_given(command, style_options(command), why);
 }
 
 namespace {

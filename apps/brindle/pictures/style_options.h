@@ -133,7 +133,7 @@ void add_style_options(CLI::App& app, StyleOptions& options);
 /// --texture-flow, of moving pictures.
 void add_flow_option(CLI::App& app, StyleOptions& options);
 
-/// Whether any option of a style was given.
+/// Whether any option of a style was given; for samples, of glyphs.
 bool is_styled(const CLI::App& command);
 
 /// Throws CLI::ValidationError for given style options; `why` is the reason that they have no

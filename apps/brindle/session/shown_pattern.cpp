@@ -34,7 +34,7 @@ ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arg
                              std::span<const Sample> samples, JobListener& listener) {
   ShownOrnaments drawn;
   const Surface& surface = prepared->surface;
-  if (!has_glyphs(command)) {
+  if (!is_styled(command)) {
     const Ornament discs = discs_of(samples, surface.mesh.origin);
     drawn.ornaments = ornamented(surface, std::span(&discs, 1),
                                  render_options(*arguments.picture, surface.mesh.origin));

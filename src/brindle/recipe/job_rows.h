@@ -183,6 +183,7 @@ constexpr auto kFrameRows =
                .form = "U[,V]",
                .part_of = "texture",
                .written = ",flow=",
+               .styles = true,
                .help = "--texture: move all tiles by U,V tiles per second"}});
 
 constexpr auto kJobRows = joined(kPictureRows, kOutputRows, kCreaseRows, kFrameRows);

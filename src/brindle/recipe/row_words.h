@@ -29,8 +29,8 @@ constexpr NumberRange kPixels = {.least = 0, .most = 10000, .above_least = true}
 constexpr std::string_view kNeedsWhole =
     "it needs the whole surface in one process; start brindle without mpirun";
 
-/// Rows of one group. `common` has the group's name, and the stage, jobs, `one_process` and `own`
-/// of rows without their own. All lengths get the same metavariable and unit.
+/// Rows of one group. `common` has the group's name, and the stage, jobs, `one_process`, `own`
+/// and `styles` of rows without their own. All lengths get the same metavariable and unit.
 template <std::size_t N>
 constexpr std::array<OptionInfo, N> in_group(const OptionInfo& common,
                                              const OptionInfo (&rows)[N]) {
@@ -39,6 +39,7 @@ constexpr std::array<OptionInfo, N> in_group(const OptionInfo& common,
     OptionInfo& row = result[i] = rows[i];
     row.group = common.group;
     row.own = row.own || common.own;
+    row.styles = row.styles || common.styles;
     if (row.one_process.empty()) row.one_process = common.one_process;
     if (row.stale == OptionStage::none) row.stale = common.stale;
     if (row.jobs == 0) row.jobs = common.jobs;
