@@ -148,12 +148,12 @@ class Look:
     light_from: Optional[tuple[float, float]] = None
 
     def __post_init__(self) -> None:
-        for name, check in (("stripe_width", number), ("tiles", word), ("tube_radius", number),
-                            ("transparent", flag), ("shading", flag)):
+        for name in ("stripe_width", "tiles", "transparent"):
             if getattr(self, name) is not None:
-                check(getattr(self, name), name)
-        if self.tiles is not None and self.tiles not in get_args(Tiles):
-            raise Error(f"tiles: expected one of whole|cut, got '{self.tiles}'")
+                checked(name, getattr(self, name))
+        if self.tube_radius is not None:
+            number(self.tube_radius, "tube_radius")
+        flag(self.shading, "shading")
         if self.light_from is not None:
             numbers_of(self.light_from, "light_from", "(azimuth, elevation) in degrees", 2)
             if not self.shading:

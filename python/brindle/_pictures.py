@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Error, Projection, Up, View, path_of, word
+from ._arguments import Error, Projection, Up, View, path_of
 from ._look import Drawn, picture_of
 from ._options import Look, group
 from ._surface import Surface, as_surface
@@ -41,8 +41,8 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
     raises brindle.Error.
     """
     surface = as_surface(surface)
-    picture = picture_of(surface, size, camera, projection, up, slice, colors)
     chosen: Look = group(look, Look, "look")
+    picture = picture_of(surface, size, camera, projection, up, slice, colors, view, chosen)
     if pattern is not None and (not isinstance(pattern, Drawn) or isinstance(pattern, Surface)):
         raise TypeError(f"pattern: expected Stripes, Texture, Curves or Samples, got "
                         f"{type(pattern).__name__}")
@@ -53,13 +53,6 @@ def render(surface: Any, pattern: Any = None, *, size: Sequence[int] = (1200, 90
             raise Error(f"{name} has no effect here: the picture shows something else")
     if pattern is not None:
         _check_belongs(surface, pattern)
-    picture.set_light(chosen.shading, chosen.transparent)
-    if chosen.light_from is not None:
-        picture.set_light_from(*chosen.light_from)
-    if view is not None:
-        picture.set_view(word(view, "view"))
-    if chosen.stripe_width is not None:
-        picture.set_stripe_width(chosen.stripe_width)
     return shown._drawn(surface, picture, chosen, tile)
 
 

@@ -31,14 +31,10 @@ struct CurvesData {
   std::size_t jogs = 0;                            // edges at which moved curves have a jog
   std::optional<StripeCurves> traced;              // all curves, if some were left out or reshaped
   std::optional<Polylines> unshaped;               // the remaining curves, if they were reshaped
+
+  static constexpr int kMembers = 7;
 };
 using CurvesPointer = std::shared_ptr<CurvesData>;
-
-template <Of<CurvesData> T>
-auto members(T& all) {
-  auto& [surface, curves, ends, short_curves, jogs, traced, unshaped] = all;
-  return std::tie(surface, curves, ends, short_curves, jogs, traced, unshaped);
-}
 
 void check_not_negative(float value, const char* name) {
   if (value >= 0 && std::isfinite(value)) return;
@@ -292,14 +288,10 @@ struct SamplesData {
   SurfacePointer surface;
   std::vector<Sample> samples;
   std::size_t doubles = 0;  // number left out
+
+  static constexpr int kMembers = 3;
 };
 using SamplesPointer = std::shared_ptr<SamplesData>;
-
-template <Of<SamplesData> T>
-auto members(T& all) {
-  auto& [surface, samples, doubles] = all;
-  return std::tie(surface, samples, doubles);
-}
 
 void check_same(const StripesData& u, const StripesData& v) {
   if (u.surface == v.surface) return;

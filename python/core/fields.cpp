@@ -27,26 +27,7 @@ namespace brindle::python {
 namespace {
 
 CurvatureDirection curvature_direction(const std::string& which) {
-  if (which == "max") return CurvatureDirection::maximum;
-  if (which == "min") return CurvatureDirection::minimum;
-  throw Error("curvature: '" + which + "' is neither 'max' nor 'min'");
-}
-
-TensorOrder tensor_order(const std::string& order) {
-  if (order == "vtk") return TensorOrder::vtk;
-  if (order == "voigt") return TensorOrder::voigt;
-  if (order == "plane") return TensorOrder::plane;
-  throw Error("order: '" + order + "' is none of vtk, voigt, plane");
-}
-
-TensorAxis tensor_axis(const std::string& axis) {
-  if (axis == "major") return TensorAxis::major;
-  if (axis == "minor") return TensorAxis::minor;
-  if (axis == "max-abs") return TensorAxis::max_abs;
-  if (axis == "tangent-major") return TensorAxis::tangent_major;
-  if (axis == "tangent-minor") return TensorAxis::tangent_minor;
-  throw Error("axis: '" + axis +
-              "' is none of 'major', 'minor', 'max-abs', 'tangent-major', 'tangent-minor'");
+  return static_cast<CurvatureDirection>(choice("--curvature-direction", which));
 }
 
 // (points, radius, strength) of each.
@@ -200,9 +181,10 @@ py::tuple array_field(const SurfaceData& data, const std::string& name, py::hand
 
 py::tuple tensor_field(const SurfaceData& data, const std::string& name, py::handle tensors,
                        const std::string& axis, const std::string& order) {
-  const DataArray array =
-      in_vtk_order(data_array_of(name, tensors, data.surface.mesh), tensor_order(order));
-  TensorField field = tensor_field_of(data.surface, array, tensor_axis(axis));
+  const DataArray array = in_vtk_order(data_array_of(name, tensors, data.surface.mesh),
+                                       static_cast<TensorOrder>(choice("--tensor-order", order)));
+  TensorField field =
+      tensor_field_of(data.surface, array, static_cast<TensorAxis>(choice("--tensor", axis)));
   return py::make_tuple(owned(std::move(field.directions)), nonfinite_rows(array),
                         field.near_normal, field.isotropic, field.not_symmetric);
 }

@@ -28,144 +28,57 @@ namespace brindle::python {
 
 namespace py = pybind11;
 
-template <class T, class Type>
-concept Of = std::same_as<std::remove_const_t<T>, Type>;
+template <class T, class... Types>
+concept OneOf = (std::same_as<std::remove_const_t<T>, Types> || ...);
 
-// The members of types that are more than their bytes. Structured bindings name all of them: with a
-// new one, these lines do not compile.
-
-template <Of<Mesh> T>
-auto members(T& all) {
-  auto& [positions, triangles, origin] = all;
-  return std::tie(positions, triangles, origin);
+/// The number of members of types that are more than their bytes. Structured bindings name all of
+/// them: with a new one, `members` does not compile.
+template <class T>
+constexpr int member_count() {
+  if constexpr (requires { T::kMembers; }) return T::kMembers;
+  if (OneOf<T, Adjacency, Creases, DataArrays, FieldSupport, WindingSum, TextureWaves>) return 2;
+  if (OneOf<T, Mesh, WaveSet>) return 3;
+  if (OneOf<T, Surface, DataArray>) return 5;
+  if (OneOf<T, PhaseSolution, FollowedReport, SurfaceLoop>) return 6;
+  if (OneOf<T, Polylines, StripesData>) return 7;
+  if (OneOf<T, StripePattern, StripeCurves>) return 8;
+  if (OneOf<T, PreparationMetrics>) return 9;
+  if (OneOf<T, FabricationMetrics, TextureData>) return 12;
+  return OneOf<T, SurfaceData> ? 13 : 0;
 }
 
-template <Of<Adjacency> T>
+template <class T>
 auto members(T& all) {
-  auto& [offsets, neighbors] = all;
-  return std::tie(offsets, neighbors);
-}
-
-template <Of<Creases> T>
-auto members(T& all) {
-  auto& [copied, edges] = all;
-  return std::tie(copied, edges);
-}
-
-template <Of<Surface> T>
-auto members(T& all) {
-  auto& [mesh, neighborhood, normals, creases, turned] = all;
-  return std::tie(mesh, neighborhood, normals, creases, turned);
-}
-
-template <Of<DataArray> T>
-auto members(T& all) {
-  auto& [name, type, components, bytes, axis_bytes] = all;
-  return std::tie(name, type, components, bytes, axis_bytes);
-}
-
-template <Of<DataArrays> T>
-auto members(T& all) {
-  auto& [points, cells] = all;
-  return std::tie(points, cells);
-}
-
-template <Of<WaveSet> T>
-auto members(T& all) {
-  auto& [positions, directions, frequencies] = all;
-  return std::tie(positions, directions, frequencies);
-}
-
-template <Of<PhaseSolution> T>
-auto members(T& all) {
-  auto& [z, energy, iterations, energies, topology_milliseconds, solve_milliseconds] = all;
-  return std::tie(z, energy, iterations, energies, topology_milliseconds, solve_milliseconds);
-}
-
-template <Of<StripePattern> T>
-auto members(T& all) {
-  auto& [waves, wanted, change, phase_shift, solution, corners, quality, milliseconds] = all;
-  return std::tie(waves, wanted, change, phase_shift, solution, corners, quality, milliseconds);
-}
-
-template <Of<FieldSupport> T>
-auto members(T& all) {
-  auto& [coherence, filled] = all;
-  return std::tie(coherence, filled);
-}
-
-template <Of<PreparationMetrics> T>
-auto members(T& all) {
-  auto& [metrics, nonfinite, step, turn_deg, coherence, joined, load, field, topology] = all;
-  return std::tie(metrics, nonfinite, step, turn_deg, coherence, joined, load, field, topology);
-}
-
-template <Of<FollowedReport> T>
-auto members(T& all) {
-  auto& [previous, lambda, matched_by, unmatched, phase_step, field_turned_deg] = all;
-  return std::tie(previous, lambda, matched_by, unmatched, phase_step, field_turned_deg);
-}
-
-template <Of<SurfaceLoop> T>
-auto members(T& all) {
-  auto& [name, boundary, vertices, length, center, component] = all;
-  return std::tie(name, boundary, vertices, length, center, component);
-}
-
-template <Of<WindingSum> T>
-auto members(T& all) {
-  auto& [boundaries, periods] = all;
-  return std::tie(boundaries, periods);
-}
-
-template <Of<FabricationMetrics> T>
-auto members(T& all) {
-  auto& [loops, windings, branches, centers, sums, before, energy_before, largest_turn, mean_turn,
-         largest_change, cancelled_branches, fixed] = all;
-  return std::tie(loops, windings, branches, centers, sums, before, energy_before, largest_turn,
-                  mean_turn, largest_change, cancelled_branches, fixed);
-}
-
-template <Of<TextureWaves> T>
-auto members(T& all) {
-  auto& [u, v] = all;
-  return std::tie(u, v);
-}
-
-template <Of<Polylines> T>
-auto members(T& all) {
-  auto& [points, normals, offsets, closed, origin, places, arrivals] = all;
-  return std::tie(points, normals, offsets, closed, origin, places, arrivals);
-}
-
-template <Of<StripeCurves> T>
-auto members(T& all) {
-  auto& [lines, ends, joined, at_neighbors, smooth_forks, trimmed, trimmed_away, largest_move] =
-      all;
-  return std::tie(lines, ends, joined, at_neighbors, smooth_forks, trimmed, trimmed_away,
-                  largest_move);
-}
-
-template <Of<SurfaceData> T>
-auto members(T& all) {
-  auto& [surface, name, repair, point_repair, arrays, left_out, vertex_of_row, partners,
-         original_ids, joined, crease_angle, load, topology] = all;
-  return std::tie(surface, name, repair, point_repair, arrays, left_out, vertex_of_row, partners,
-                  original_ids, joined, crease_angle, load, topology);
-}
-
-template <Of<StripesData> T>
-auto members(T& all) {
-  auto& [surface, pattern, prepared, solver, threads, followed, fabrication] = all;
-  return std::tie(surface, pattern, prepared, solver, threads, followed, fabrication);
-}
-
-template <Of<TextureData> T>
-auto members(T& all) {
-  auto& [surface, u, v, cover, waves, phase_shift, triangle_origins, singular, metrics, quality,
-         cancelled_branches, report] = all;
-  return std::tie(surface, u, v, cover, waves, phase_shift, triangle_origins, singular, metrics,
-                  quality, cancelled_branches, report);
+  constexpr int kCount = member_count<T>();
+  if constexpr (kCount == 2) {
+    auto& [a, b] = all;
+    return std::tie(a, b);
+  } else if constexpr (kCount == 3) {
+    auto& [a, b, c] = all;
+    return std::tie(a, b, c);
+  } else if constexpr (kCount == 5) {
+    auto& [a, b, c, d, e] = all;
+    return std::tie(a, b, c, d, e);
+  } else if constexpr (kCount == 6) {
+    auto& [a, b, c, d, e, f] = all;
+    return std::tie(a, b, c, d, e, f);
+  } else if constexpr (kCount == 7) {
+    auto& [a, b, c, d, e, f, g] = all;
+    return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (kCount == 8) {
+    auto& [a, b, c, d, e, f, g, h] = all;
+    return std::tie(a, b, c, d, e, f, g, h);
+  } else if constexpr (kCount == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = all;
+    return std::tie(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (kCount == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = all;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else {
+    static_assert(kCount == 13);
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = all;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  }
 }
 
 /// Whether values of the type are their bytes. Eigen's vectors of fixed size are, although their

@@ -1,5 +1,6 @@
 #include "words.h"
 
+#include <algorithm>
 #include <map>
 
 #include "brindle/base/text.h"
@@ -14,6 +15,7 @@ const std::map<std::string, std::string>& other_names() {
       {"field", "directions"},     {"rotate", "rotate_field"},
       {"texture", "tile"},         {"frequency-range", "range"},
       {"cross", "crosses"},        {"along", "run"},
+      {"tensor", "axis"},          {"tensor-order", "order"},
       {"stripes-v", "stripes[1]"}, {"frequency-v", "frequency[1]"}};
   return kNames;
 }
@@ -30,6 +32,13 @@ std::string argument_of(const std::string& option) {
 
 std::string in_pythons_words(const std::string& text) {
   return with_option_names(text, argument_of);
+}
+
+std::size_t choice(const std::string& option, const std::string& word) {
+  saying_in_pythons_words([&] { check_choice(option, word); });
+  const std::string all = '|' + std::string(row_of(option).form) + '|';
+  return static_cast<std::size_t>(std::count(
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.find('|' + word + '|')), '|'));
 }
 
 }  // namespace brindle::python

@@ -133,7 +133,7 @@ def test_ctrl_c_interrupts():
             os.kill(os.getpid(), signal.SIGINT)
         threading.Thread(target=interrupt).start()
         try:
-            brindle.stripes(s, d, solver="relaxation", epsilon=0, progress=lambda *_: started.set())
+            brindle.stripes(s, d, solver=brindle.Solver("relaxation", epsilon=0), progress=lambda *_: started.set())
             print("not interrupted")
         except KeyboardInterrupt:
             print("interrupted")
@@ -375,7 +375,7 @@ def test_measured_fields_frame_by_frame(torus):
     def angle_between(a, b):
         return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(1)), 0, 1))).mean()
 
-    detail, remembers = brindle.advanced.FieldSmoothing(torus, 0.7), brindle.advanced.FieldSmoothing(torus, 0.7, memory=3)
+    detail, remembers = brindle.advanced.FieldSmoothing(torus, 0.7), brindle.advanced.FieldSmoothing(torus, 0.7, temporal_smoothing=3)
     with pytest.raises(brindle.Error):
         smoothing.metrics
     steps = []
@@ -408,7 +408,7 @@ def test_measured_fields_frame_by_frame(torus):
     np.testing.assert_allclose(again, field, atol=1e-5)
     of_triangles, _ = smoothing.frame(truth[np.array(torus.faces)[:, 0]], frequency)
     assert of_triangles.shape == truth.shape
-    for wishes in ({"periods": 0}, {"fill": -1}, {"singularities": -1}, {"memory": -1}):
+    for wishes in ({"periods": 0}, {"fill": -1}, {"singularities": -1}, {"temporal_smoothing": -1}):
         with pytest.raises(brindle.Error):
             brindle.advanced.FieldSmoothing(torus, **wishes)
     with pytest.raises(brindle.Error, match=r"vectors: expected .* got the shape \(5, 3\)"):
