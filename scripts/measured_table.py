@@ -37,7 +37,7 @@ def row(surface, truth, name, degrees, holes=0.0, outliers=0.0):
     plain = brindle.stripes(surface, field, stripes=STRIPES)
     cells = [f"{error(field[known], truth[known]):.2f}° · {plain.report['branches']}"]
     for detail in DETAILS:
-        seen = brindle.stripes(surface, field, stripes=STRIPES, field_smoothing=detail)
+        seen = brindle.stripes(surface, field, stripes=STRIPES, measured=brindle.Measured(detail))
         cells.append(f"{error(seen.directions, truth):.2f}° · {seen.report['branches']}")
     print(f"| {name} | {' | '.join(cells)} |")
 

@@ -102,7 +102,7 @@ def grouped(stripes_v=None, frequency_v=None, **options):
     if options.pop("along", False):
         options["run"] = "along"
     for name, of_v in (("stripes", stripes_v), ("frequency", frequency_v)):
-        if of_v is not None:
+        if stripes_v is not None or frequency_v is not None:
             options[name] = (options.get(name), of_v)
     return options | {name: group for name, group in groups.items() if group is not None}
 
