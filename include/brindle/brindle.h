@@ -67,6 +67,7 @@
 #include "brindle/texture_pattern.h"
 #include "brindle/texture_waves.h"
 #include "brindle/threads.h"
+#include "brindle/tool_paths.h"
 #include "brindle/types.h"
 #include "brindle/version.h"
 #include "brindle/wave_metrics.h"

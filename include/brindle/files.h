@@ -16,6 +16,7 @@
 #include "brindle/progress.h"
 #include "brindle/samples.h"
 #include "brindle/strokes.h"
+#include "brindle/tool_paths.h"
 
 namespace BRINDLE_EXPORT brindle {
 
@@ -189,6 +190,21 @@ bool is_polyline_format(const std::filesystem::path& path);
 /// rows or that differ between kinds or do not fit (`fitted_arrays`), and what write_file throws.
 void write_polylines(const std::filesystem::path& path, std::span<const NamedLines> kinds,
                      const Progress& progress = {});
+
+/// Whether `write_tool_paths` supports the path's extension.
+bool is_tool_path_format(const std::filesystem::path& path);
+
+/// Writes paths by the path's extension, whole or not at all:
+/// .csv .vtp .ply .obj  as `write_polylines`, in the mesh's units, with arrays: direction, width,
+///                      speed, extrusion (width over nominal width), join, cut, and the pose
+///                      qw, qx, qy, qz (`path_poses`);
+/// .dxf                 a 3D polyline per path (R12), in millimetres of the machine;
+/// .gcode               G0 and G1 in millimetres, absolute (G21, G90), F in millimetres a minute,
+///                      with E for printers; cuts are comments. With 5 axes, X, Y and Z are the
+///                      tool's tip on the part (G43.4), and its axis is Rz(C) Rx(A) z.
+/// Throws Error for another extension, what `machine_points` throws, and what write_file throws.
+void write_tool_paths(const std::filesystem::path& path, const ToolPaths& paths,
+                      const Machine& machine, const Progress& progress = {});
 
 /// Whether `write_samples` supports the path's extension.
 bool is_sample_format(const std::filesystem::path& path);

@@ -93,8 +93,8 @@ struct PenLines {
 };
 
 /// A pen for each of `drawn`, with the visible parts of its lines from `view`, and one named
-/// "outline", wider and grey, with the surface's outline. Each pen goes on at the nearest end of
-/// the strokes left. Throws what Visibility does, and Cancelled if `progress` cancels.
+/// "outline", wider and grey, with the surface's outline. Pens travel little between their strokes.
+/// Throws what Visibility does, and Cancelled if `progress` cancels.
 std::vector<Pen> line_drawing(const Mesh& mesh, std::span<const Vec3> normals,
                               std::span<const PenLines> drawn, const CameraView& view, int width,
                               int height, const Progress& progress = {});

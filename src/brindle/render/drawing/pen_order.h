@@ -9,10 +9,9 @@
 
 namespace brindle {
 
-/// Reorders and reverses strokes so that pens travel little between them: from the upper left
-/// corner, and then from the end of each stroke, a pen goes on at the nearest end of those left.
-/// Strokes have a point or more, all finite; those of filled pens stay. Throws Cancelled if
-/// `progress` cancels.
+/// Reorders and reverses strokes so that pens travel little between them, from the upper left
+/// corner on (`nearest_order`, `shorten_travel`). Strokes have a point or more, all finite; those
+/// of filled pens stay. Throws Cancelled if `progress` cancels.
 void order_strokes(std::span<Pen> pens, const Progress& progress = {});
 
 // Limits on the size of drawings.
