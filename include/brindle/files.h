@@ -16,9 +16,11 @@
 #include "brindle/progress.h"
 #include "brindle/samples.h"
 #include "brindle/strokes.h"
-#include "brindle/tool_paths.h"
 
 namespace BRINDLE_EXPORT brindle {
+
+struct Machine;
+struct ToolPaths;
 
 /// Arrays that formats store in their own way: "normal" (unit vectors) of 3 floating-point numbers;
 /// "color" (red, green, blue) of 3, floating-point from 0 to 1 or uint8 from 0 to 255; "uv"

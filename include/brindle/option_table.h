@@ -29,7 +29,8 @@ enum class PatternJob : std::uint8_t {
   curves = 2,
   sample = 4,
   animate = 8,
-  compare = 16
+  compare = 16,
+  paths = 32
 };
 
 /// The stages that a change of an option makes stale, as a set of bits; all later stages are stale,

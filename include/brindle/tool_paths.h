@@ -65,10 +65,10 @@ struct ToolPaths {
 /// Joins are straight ways, laid onto the surface, that cross no curve. Widths are straight
 /// distances sideways, on the same side of the surface; a neighbour farther than two widths is
 /// none. The radius at a point is that of the circle through it and the points half a width before
-/// and after it. Results do not depend on the number of threads; rigid motion and reversed curves
-/// change nothing but them. Throws Error unless `width` is finite and above 0, for other options
-/// below 0 or not finite, for curves without normals, and for a spiral of more than one open curve.
-/// Throws Cancelled if `progress` cancels.
+/// and after it. Results do not depend on the number of threads or the sense of curves (up to
+/// ties), and move with the mesh. Throws Error unless `width` is finite and above 0, for other
+/// options below 0 or not finite, for curves without normals, and for a spiral of anything but one
+/// open curve. Throws Cancelled if `progress` cancels.
 ToolPaths tool_paths(const Mesh& mesh, const Polylines& curves, const ToolPathOptions& options,
                      const Progress& progress = {});
 
@@ -90,7 +90,7 @@ struct Machine {
   Vec3 up = Vec3::UnitZ();  ///< turned into Z by the smallest rotation; not zero
   /// The place of the middle of the base of the paths' bounding box; empty: nothing moves.
   std::optional<Eigen::Vector3d> place = {};
-  double layer_height = 0.2;  ///< above 0
+  double thickness = 0.2;     ///< of the trace, along the normal; above 0
   double filament = 1.75;     ///< its diameter, above 0
   double speed = 30;          ///< above 0; less where paths are wider than nominal
   double travel_speed = 120;  ///< above 0
@@ -114,7 +114,7 @@ std::vector<Eigen::Vector3d> machine_points(const ToolPaths& paths, const Machin
 /// `speed`, so that the flow of material is never above nominal.
 double speed_at(const ToolPaths& paths, std::size_t point, const Machine& machine);
 
-/// Millimetres of filament for the segment behind a point: width times height times length over
+/// Millimetres of filament for the segment behind a point: width times thickness times length over
 /// the filament's section.
 double extrusion_of(const ToolPaths& paths, std::size_t point,
                     std::span<const Eigen::Vector3d> positions, const Machine& machine);

@@ -14,7 +14,7 @@ namespace {
 
 TEST_F(ToolTest, HelpHasExamples) {
   EXPECT_TRUE(has(run({"--help"}).out, "Examples:"));
-  for (const char* command : {"stripe", "compare", "curves", "sample", "animate", "info",
+  for (const char* command : {"stripe", "compare", "curves", "paths", "sample", "animate", "info",
 #ifdef BRINDLE_HAS_GL
                               "render",
 #endif

@@ -14,8 +14,8 @@ namespace {
 
 using Words = std::set<std::string>;
 
-const std::vector<std::string> kCommands = {"stripe", "compare", "curves",  "sample", "animate",
-                                            "info",   "render",  "gallery", "help"};
+const std::vector<std::string> kCommands = {"stripe",  "compare", "curves", "paths",   "sample",
+                                            "animate", "info",    "render", "gallery", "help"};
 
 Words all_matches(const std::string& text, const std::regex& pattern) {
   Words matches;

@@ -15,6 +15,7 @@
 #include "brindle/shapes.h"
 #include "brindle/smooth_field.h"
 #include "brindle/stripe_pattern.h"
+#include "brindle/tool_paths.h"
 #include "test_folder.h"
 
 namespace brindle {

@@ -146,7 +146,7 @@ TEST(PathOrder, ReversedLinesMotionAndScaleChangeNothing) {
   const Polylines lines = scattered_lines(3, 200);
   Polylines turned, moved = lines;
   for (std::size_t line = 0; line < lines.count(); ++line) {
-    for (const std::size_t i : {1, 0}) turned.add(lines.points_of(line)[i], Vec3::UnitZ());
+    for (const std::size_t i : {1u, 0u}) turned.add(lines.points_of(line)[i], Vec3::UnitZ());
     turned.end_line(false);
   }
   const Eigen::Matrix3f rotation =

@@ -126,9 +126,9 @@ TEST(ToolPaths, RingsOfACylinderBecomeOneSpiral) {
   for (const Vec3& point : paths.lines.points) {
     turned += std::remainder(angle_of(point) - last, 2 * std::numbers::pi);
     last = angle_of(point);
-    // The pitch is 1/f, up to a millionth, and the path rises.
+    // The pitch is 1/f, and the path rises.
     EXPECT_NEAR(static_cast<double>(point.z() - first.z()),
-                std::abs(turned) / (2 * std::numbers::pi) / static_cast<double>(kFrequency), 1e-3);
+                std::abs(turned) / (2 * std::numbers::pi) / static_cast<double>(kFrequency), 2e-6);
   }
   EXPECT_NEAR(std::abs(turned) / (2 * std::numbers::pi), 24, 1.01);
   // Inner turns have neighbours above and below, at the pitch seen at right angles to the helix.

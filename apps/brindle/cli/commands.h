@@ -38,6 +38,7 @@ Command add_curves_command(CLI::App& app, RankJobs* ranks = nullptr);
 Command add_sample_command(CLI::App& app, RankJobs* ranks = nullptr);
 Command add_compare_command(CLI::App& app);
 Command add_animate_command(CLI::App& app);
+Command add_paths_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_gallery_command(CLI::App& app);

@@ -51,6 +51,7 @@ PatternJob job_of(const std::string& command) {
   if (command == "sample") return PatternJob::sample;
   if (command == "animate") return PatternJob::animate;
   if (command == "compare") return PatternJob::compare;
+  if (command == "paths") return PatternJob::paths;
   return PatternJob::stripe;
 }
 

@@ -132,6 +132,7 @@ LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress)
     static_cast<LoadedMesh&>(loaded) = file_of(options).mesh(reading);
   }
   if (!options.moved.isZero(0)) translate(loaded.mesh, options.moved);
+  if (options.lids) leave_out(*options.lids, loaded);
   loaded.own_vertices = loaded.mesh.vertex_count();
   if (options.subdivide > 0) {
     subdivide(loaded.mesh, loaded.arrays, options.subdivide,

@@ -10,6 +10,7 @@
 
 #include "brindle/creases.h"
 #include "brindle/files.h"
+#include "input/lids.h"
 
 namespace brindle::tool {
 
@@ -23,6 +24,7 @@ struct SurfaceOptions {
   bool points = false;                     ///< the vertices only
   std::optional<int> neighbors = {};       ///< per point, instead of `kDefaultNeighbors`
   Vec3 moved = Vec3::Zero();               ///< translation after reading
+  std::optional<Lids> lids = {};           ///< left out after reading
   /// The mesh's file, as far as `is_points` had to read it.
   mutable std::shared_ptr<SurfaceFile> file = {};
 

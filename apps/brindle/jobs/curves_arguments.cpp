@@ -16,23 +16,26 @@ WantedWinding parse_wales(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
+void add_traced_options(CLI::App& command, CurvesArguments& arguments) {
   add_surface_options(command, arguments.surface);
   add_wave_options(command, arguments.waves);
   add_fields(command, arguments.second);
-  add_fields<TracingOptions>(command, arguments);
   add_fabrication_options(command, arguments.fabrication);
   add_parsed_option(command, "--wales", arguments.second.wales, parse_wales);
   add_solver_option(command, arguments.solving);
   add_solving_options(command, arguments.solving);
-  add_field(command, "--creases", arguments.crease_deg);
   add_output_options(command, arguments);
   arguments.picture = add_camera_options(command);
+}
+
+void add_curves_options(CLI::App& command, CurvesArguments& arguments) {
+  add_traced_options(command, arguments);
+  add_fields<TracingOptions>(command, arguments);
+  add_field(command, "--creases", arguments.crease_deg);
   add_paper_options(command, *arguments.picture);
 }
 
-void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
-                          const Outputs& outputs) {
+void check_traced_options(const CLI::App& command, const CurvesArguments& arguments) {
   check_field_options(command, arguments.waves);
   check_solving_options(command, arguments.solving);
   check_fabrication_options(arguments.fabrication, arguments.solving.stripes.solver.solver);
@@ -47,6 +50,11 @@ void check_curves_options(const CLI::App& command, const CurvesArguments& argume
     refuse_given(command, {"--field-v", "--stripes-v", "--frequency-v", "--wales"},
                  "V is not traced; add --lines v or --lines both");
   }
+}
+
+void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,
+                          const Outputs& outputs) {
+  check_traced_options(command, arguments);
   const bool picture = has(outputs, OutputKind::picture);
   if (!picture && !has(outputs, OutputKind::drawing)) {
     refuse_picture_options(command, arguments.waves,

@@ -24,15 +24,13 @@ struct LineShape {
   Length min_length;                 ///< shorter lines are left out
   std::optional<Length> path_width;  ///< of drawings
 
-  /// Calls `add("--option", field)` for each option that sets a field.
+  /// Calls `add("--option", field)` for each option that sets a field but those of tubes.
   template <class Add>
-  void visit(const Add& add) {
+  void visit_lines(const Add& add) {
     add("--min-length", min_length);
     add("--simplify", simplify);
     add("--resample", resample);
     add("--path-width", path_width);
-    add("--tube-radius", tube_radius);
-    add("--tube-sides", tube_sides);
   }
 };
 
@@ -42,13 +40,21 @@ struct TracingOptions : LineShape {
   float offset = 0;
   CurveOptions curves;
 
-  /// Calls `add("--option", field)` for each option that sets a field.
+  /// Calls `add("--option", field)` for each option that sets a field but those of tubes.
   template <class Add>
-  void visit(const Add& add) {
+  void visit_lines(const Add& add) {
     add("--lines", traced);
     add("--offset", offset);
     visit_curves(curves, add);
-    LineShape::visit(add);
+    LineShape::visit_lines(add);
+  }
+
+  /// The same for all.
+  template <class Add>
+  void visit(const Add& add) {
+    visit_lines(add);
+    add("--tube-radius", tube_radius);
+    add("--tube-sides", tube_sides);
   }
 };
 
@@ -59,6 +65,12 @@ struct CurvesArguments : JobArguments, TracingOptions {
 };
 
 void add_curves_options(CLI::App& command, CurvesArguments& arguments);
+
+/// The options of a surface, its waves, the solver and the making of curves, without their shape.
+void add_traced_options(CLI::App& command, CurvesArguments& arguments);
+
+/// Throws CLI::ValidationError for options of these that are without effect beside others.
+void check_traced_options(const CLI::App& command, const CurvesArguments& arguments);
 
 /// Throws CLI::ValidationError for options without effect on these files or beside other options.
 void check_curves_options(const CLI::App& command, const CurvesArguments& arguments,

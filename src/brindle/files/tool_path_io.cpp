@@ -13,6 +13,7 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/tool_paths.h"
 
 namespace brindle {
 namespace {

@@ -12,8 +12,8 @@ namespace brindle {
 namespace {
 
 void check_machine(const Machine& machine) {
-  for (const double amount : {machine.unit, machine.layer_height, machine.filament, machine.speed,
-                              machine.travel_speed}) {
+  for (const double amount :
+       {machine.unit, machine.thickness, machine.filament, machine.speed, machine.travel_speed}) {
     if (amount > 0 && std::isfinite(amount)) continue;
     throw Error("lengths and speeds of a machine must be finite numbers above 0");
   }
@@ -56,7 +56,7 @@ double extrusion_of(const ToolPaths& paths, std::size_t point,
   const double width =
       static_cast<double>(paths.widths[point] + paths.widths[point + 1]) / 2 * machine.unit;
   const double section = std::numbers::pi / 4 * machine.filament * machine.filament;
-  return width * machine.layer_height * (positions[point + 1] - positions[point]).norm() / section;
+  return width * machine.thickness * (positions[point + 1] - positions[point]).norm() / section;
 }
 
 MachineMetrics machine_metrics(const ToolPaths& paths, const Machine& machine) {

@@ -107,7 +107,7 @@ LinesBeside SegmentSearch::lines_beside(float reach, const Progress& progress) c
       256);
   for (std::vector<Index>& lines : beside_of) {
     std::ranges::sort(lines);
-    lines.erase(std::ranges::unique(lines).begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   }
   return beside_of;
 }

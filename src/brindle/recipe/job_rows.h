@@ -9,7 +9,7 @@ namespace brindle {
 constexpr unsigned kPrinted = kStripe | kCurves | kSample;
 
 constexpr auto kPictureRows =
-    in_group({.group = "Picture", .jobs = kStripe | kCurves | kSample | kAnimate},
+    in_group({.group = "Picture", .jobs = kStripe | kCurves | kSample | kAnimate | kPaths},
              {{.name = "camera",
                .common = true,
                .kind = OptionKind::text,
@@ -28,7 +28,7 @@ constexpr auto kPictureRows =
                .kind = OptionKind::text,
                .form = "WIDTHxHEIGHT",
                .standard = "1200x900",
-               .jobs = kAnimate,
+               .jobs = kAnimate | kPaths,
                .help = "picture: pixels (default 1200x900)"},
               {.name = "size",
                .common = true,
@@ -57,7 +57,7 @@ constexpr auto kPictureRows =
                .help = "picture: fast or careful (default final)"}});
 
 constexpr auto kOutputRows =
-    in_group({.group = "Output", .jobs = kStripe | kCurves | kSample},
+    in_group({.group = "Output", .jobs = kStripe | kCurves | kSample | kPaths},
              {{.name = "output",
                .common = true,
                .kind = OptionKind::text,

@@ -7,6 +7,7 @@
 #include "brindle/error.h"
 #include "brindle/recipe/job_rows.h"
 #include "brindle/recipe/mark_rows.h"
+#include "brindle/recipe/path_rows.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/recipe/solving_rows.h"
 #include "brindle/recipe/style_rows.h"
@@ -17,7 +18,7 @@ namespace brindle {
 namespace {
 
 constexpr auto kTable =
-    joined(kWaveRows, kSolvingRows, kTextureRows, kStyleRows, kMarkRows, kJobRows);
+    joined(kWaveRows, kSolvingRows, kTextureRows, kStyleRows, kMarkRows, kPathRows, kJobRows);
 
 template <class Condition>
 const OptionInfo& first_row(const std::string& option, Condition is_meant) {

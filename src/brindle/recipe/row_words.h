@@ -16,7 +16,8 @@ constexpr unsigned kCurves = static_cast<unsigned>(PatternJob::curves);
 constexpr unsigned kSample = static_cast<unsigned>(PatternJob::sample);
 constexpr unsigned kAnimate = static_cast<unsigned>(PatternJob::animate);
 constexpr unsigned kCompare = static_cast<unsigned>(PatternJob::compare);
-constexpr unsigned kAll = kStripe | kCurves | kSample | kAnimate | kCompare;
+constexpr unsigned kPaths = static_cast<unsigned>(PatternJob::paths);
+constexpr unsigned kAll = kStripe | kCurves | kSample | kAnimate | kCompare | kPaths;
 
 constexpr NumberRange kAnyNumber = {};
 constexpr NumberRange kNotNegative = {.least = 0};
