@@ -24,6 +24,7 @@ _HOMES = {
     "_interop": ("to_meshio", "to_pyvista", "to_trimesh"),
     "_options": ("Layout", "Look", "Measured", "Previous", "Slack", "Solver"),
     "_outputs": ("Curves", "Samples", "Stripes", "Texture", "TexturedMesh"),
+    "_paths": ("Paths", "paths"),
     "_patterns": ("crosses", "samples", "stripes", "texture"),
     "_pictures": ("has_opengl", "read_png", "render", "write_png"),
     "_surface": ("Loop", "Stroke", "Surface", "as_surface", "points", "read", "shape", "shape_help",

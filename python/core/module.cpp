@@ -71,6 +71,7 @@ PYBIND11_MODULE(_core, module) {
   bind_textures(module);
   bind_pictures(module);
   bind_curves(module);
+  bind_paths(module);
   bind_loops(module);
   bind_animators(module);
   bind_field_smoothing(module);

@@ -104,6 +104,7 @@ void bind_solving(py::module_& module);
 void bind_patterns(py::module_& module);
 void bind_textures(py::module_& module);
 void bind_curves(py::module_& module);
+void bind_paths(py::module_& module);
 void bind_animators(py::module_& module);
 void bind_field_smoothing(py::module_& module);
 void bind_texture_animator(py::module_& module);
