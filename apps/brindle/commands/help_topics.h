@@ -122,6 +122,9 @@ A drawing (.svg, .pdf) has 96 pixels in an inch.
                                   tubes, with --tube-radius
             .svg .pdf             drawing without hidden lines
             .png                  picture with tubes
+  paths     .gcode .dxf           moves and polylines of a machine
+            .csv .vtp .ply .obj   points with directions, widths, speeds and poses
+            .png                  picture with tubes
   sample    .csv .ply .vtp        points with normal, directions, spacings and place
             .png                  picture with glyphs
   animate   .mp4 %04d.png         video, pictures

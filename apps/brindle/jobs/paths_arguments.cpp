@@ -68,6 +68,9 @@ void check_paths_options(const CLI::App& command, const PathsArguments& argument
   const bool picture = has(outputs, OutputKind::picture);
   const bool gcode = writes(outputs, ".gcode"), machine = gcode || writes(outputs, ".dxf");
   if (!picture) check_picture_options(command, arguments);
+  if (arguments.traced == TracedWaves::both) {
+    refuse_given(command, {"--lines"}, "paths of both would cross; make those of u, then of v");
+  }
   if (arguments.order == PathOrder::spiral) check_spiral(command, arguments);
   if (!gcode) {
     refuse_given(command, {"--gcode", "--axes"}, "no G-code is written; add --output FILE.gcode");

@@ -57,47 +57,6 @@ void check_spiral(const PathsArguments& arguments, const CurveFamily& family) {
       "layers");
 }
 
-/// The paths of V after those of U.
-void append(ToolPaths more, ToolPaths& paths) {
-  if (paths.lines.count() == 0) {
-    paths = std::move(more);
-    return;
-  }
-  if (more.lines.count() == 0) return;
-  const auto first = static_cast<Index>(paths.lines.points.size());
-  ToolPathMetrics& metrics = paths.metrics;
-  const double travel =
-      static_cast<double>((more.lines.points.front() - paths.lines.points.back()).norm());
-  const auto add = [](auto& to, const auto& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  const double points = static_cast<double>(first),
-               more_points = static_cast<double>(more.lines.points.size());
-  metrics.mean_width = (points * metrics.mean_width + more_points * more.metrics.mean_width) /
-                       (points + more_points);
-  add(paths.lines.points, more.lines.points);
-  add(paths.lines.normals, more.lines.normals);
-  add(paths.lines.closed, more.lines.closed);
-  for (std::size_t i = 1; i < more.lines.offsets.size(); ++i) {
-    paths.lines.offsets.push_back(first + more.lines.offsets[i]);
-  }
-  add(paths.directions, more.directions);
-  add(paths.widths, more.widths);
-  add(paths.joined, more.joined);
-  add(paths.cut, more.cut);
-  metrics.curves += more.metrics.curves;
-  metrics.bends_cut += more.metrics.bends_cut;
-  metrics.left_out += more.metrics.left_out;
-  metrics.joins += more.metrics.joins;
-  metrics.length += more.metrics.length;
-  metrics.joined_length += more.metrics.joined_length;
-  metrics.travel += more.metrics.travel + travel;
-  metrics.travel_nearest += more.metrics.travel_nearest + travel;
-  metrics.least_radius = std::min(metrics.least_radius, more.metrics.least_radius);
-  metrics.least_width = std::min(metrics.least_width, more.metrics.least_width);
-  metrics.most_width = std::max(metrics.most_width, more.metrics.most_width);
-}
-
 }  // namespace
 
 std::vector<JobStage> paths_stages(const PathsArguments& arguments) {
@@ -113,15 +72,9 @@ PathsJob make_paths_job(const PathsArguments& arguments, JobListener& listener) 
   const ToolPathOptions options = options_of(arguments, job.curves);
   listener.stage(kPaths);
   Stopwatch watch;
-  const auto count = static_cast<double>(job.curves.families.size());
-  double done = 0;
-  for (const CurveFamily& family : job.curves.families) {
-    check_spiral(arguments, family);
-    append(tool_paths(mesh, family.curves.lines, options,
-                      listener.progress().part(done / count, (done + 1) / count)),
-           job.paths);
-    ++done;
-  }
+  const CurveFamily& family = job.curves.families.front();
+  check_spiral(arguments, family);
+  job.paths = tool_paths(mesh, family.curves.lines, options, listener.progress());
   job.order_milliseconds = watch.lap();
   listener.stage(kCoverage);
   job.coverage = measure_coverage(mesh, job.paths.lines, static_cast<double>(options.width),
