@@ -30,7 +30,8 @@ constexpr std::array<std::pair<PatternJob, std::string_view>, 6> kCommandOfJob =
      {PatternJob::sample, "sample"},
      {PatternJob::animate, "animate"},
      {PatternJob::compare, "compare"},
-     {PatternJob::paths, "paths"}}};
+     {PatternJob::paths, "paths"},
+     {PatternJob::relief, "relief"}}};
 
 std::string commands_of(unsigned jobs) {
   std::string commands;
