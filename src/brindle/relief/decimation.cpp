@@ -43,8 +43,9 @@ struct Quadric {
 /// Collapses edges of a mesh whose corners are linked by vertex.
 class Decimation {
  public:
-  Decimation(const Mesh& mesh, std::span<const std::uint8_t> locked)
-      : triangles_(mesh.triangles),
+  Decimation(const Mesh& mesh, std::span<const std::uint8_t> locked, double narrowest)
+      : narrowest_(narrowest),
+        triangles_(mesh.triangles),
         first_(mesh.vertex_count(), kNoCorner),
         next_(3 * mesh.triangle_count()),
         locked_(locked.begin(), locked.end()),
@@ -137,7 +138,7 @@ class Decimation {
       moved[c % 3] = w;
       const Point before = area_normal(old), after = area_normal(moved);
       turns = turns || !(after.dot(before) > 0.3 * after.norm() * before.norm()) ||
-              is_sliver(moved, after);
+              narrow(moved, after) < std::min(narrow(old, before), narrowest_);
     });
     if (turns) return false;
     for_corners(w, [&](Index c) {
@@ -148,12 +149,13 @@ class Decimation {
     return common == 2 && around + at_w <= kMostAround;
   }
 
-  bool is_sliver(const Triangle& t, const Point& area) const {
+  /// The smallest height of a triangle with this area normal.
+  double narrow(const Triangle& t, const Point& area) const {
     double longest = 0;
     for (int m = 0; m < 3; ++m) {
-      longest = std::max(longest, (positions_[t[m]] - positions_[t[(m + 1) % 3]]).squaredNorm());
+      longest = std::max(longest, (positions_[t[m]] - positions_[t[(m + 1) % 3]]).norm());
     }
-    return !(area.norm() > 0.005 * longest);
+    return longest > 0 ? area.norm() / longest : 0;
   }
 
   void move(Index v, Index w) {
@@ -185,6 +187,7 @@ class Decimation {
     triangles_[t] = {0, 0, 0};
   }
 
+  double narrowest_;                 // new triangles are as high, or as their predecessors
   std::vector<Triangle> triangles_;  // removed ones have equal corners
   std::vector<Index> first_, next_;  // corners at a vertex
   std::vector<std::uint8_t> locked_;
@@ -199,7 +202,7 @@ class Decimation {
 
 Mesh decimated(const Mesh& mesh, std::span<const std::uint8_t> locked, float tolerance,
                const Progress& progress) {
-  Decimation decimation(mesh, locked);
+  Decimation decimation(mesh, locked, tolerance);
   const double square = static_cast<double>(tolerance) * tolerance;
   // Small errors first, without a queue: what flat parts spare does not depend on the order.
   const std::array<double, 5> shares = {1e-6, 1e-6, 0.05, 1, 1};
