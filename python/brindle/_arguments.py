@@ -6,7 +6,7 @@ import numbers
 import os
 import warnings
 from functools import cached_property, wraps
-from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Callable, Literal, Mapping
 
 import numpy as np
 from numpy.typing import NDArray

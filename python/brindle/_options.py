@@ -21,7 +21,7 @@ def checked(name: str, value: Any) -> Any:
     if kind == "choice":
         _core.check_choice(option_name(name), word(value, name))
     elif kind == "flag":
-        flag(value, name)
+        return flag(value, name)
     elif kind in ("number", "whole"):
         check_scalar(name, value)
         return in_range(name, (number if kind == "number" else whole_number)(value, name), value)
@@ -40,6 +40,11 @@ class Options:
                 option = self._OPTION_OF.get(field.name, field.name)
                 object.__setattr__(self, field.name, checked(option, value))
 
+    def __repr__(self) -> str:
+        given = ", ".join(f"{field.name}={getattr(self, field.name)!r}" for field in fields(self)  # type: ignore[arg-type]
+                          if getattr(self, field.name) is not None)
+        return f"{type(self).__name__}({given})"
+
     def given(self) -> dict[str, Any]:
         """By the names of options: those other than None, False and the words of defaults."""
         every = {self._OPTION_OF.get(field.name, field.name): getattr(self, field.name)
@@ -47,7 +52,6 @@ class Options:
         return {name: value for name, value in every.items()
                 if value is not None and value is not False
                 and not (ROWS[name]["kind"] == "choice" and value == ROWS[name]["standard"])}
-
 
 
 def parts_of(option: str) -> list[str]:
@@ -71,7 +75,7 @@ def _group(name: str) -> Any:
     lines = [f"``{field}``: {_core.in_pythons_words(ROWS[option]['help'])}."
              for field, option in zip(names, options)]
     return make_dataclass(name, [(field, Any, None) for field in names], bases=(Options,), frozen=True,
-                          eq=False, namespace={"__module__": "brindle",
+                          eq=False, repr=False, namespace={"__module__": "brindle",
                                                "__doc__": "\n\n".join([about, *lines])})
 
 

@@ -183,7 +183,6 @@ void bind_animator(py::module_& module) {
       .def(py::init(&make_animator), py::arg("surface").none(false), py::arg("solver"),
            py::arg("stiffness"), py::arg("edge_weights"), py::arg("slack"),
            py::arg("avoid_branches"))
-      .def_readonly("surface", &AnimatorData::surface)
       .def("frame", frame, py::arg("directions"), py::arg("frequencies"), py::arg("positions"),
            py::arg("out"), py::arg("progress"))
       .def_readonly("phase_step", &AnimatorData::phase_step)
@@ -231,7 +230,6 @@ void bind_animators(py::module_& module) {
            }),
            py::arg("surface").none(false), py::arg("symmetry"), py::arg("stiffness"),
            py::arg("sweeps"))
-      .def_readonly("surface", &FieldAnimatorData::surface)
       .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"),
            py::arg("progress"));
 }

@@ -354,8 +354,7 @@ void bind_curves(py::module_& module) {
   module.def("curves", curves, py::arg("stripes"), py::arg("request"));
   py::class_<SamplesData, SamplesPointer> type(module, "Samples");
   bind_pickle(type);
-  type.def_readonly("surface", &SamplesData::surface)
-      .def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })
+  type.def_property_readonly("count", [](const SamplesData& data) { return data.samples.size(); })
       .def_readonly("doubles", &SamplesData::doubles)
       .def("columns", sample_columns)
       .def("spacing", spacing_of)

@@ -120,7 +120,6 @@ void bind_field_smoothing(py::module_& module) {
       .def(py::init(&make_field_smoothing), py::arg("surface").none(false), py::arg("periods"),
            py::arg("symmetry"), py::arg("fill"), py::arg("singularities"),
            py::arg("temporal_smoothing"), py::arg("hold_out"))
-      .def_property_readonly("surface", [](const FieldSmoothingData& data) { return data.surface; })
       .def("frame", field_smoothing_frame, py::arg("vectors"), py::arg("frequencies"),
            py::arg("confidence"), py::arg("previous"), py::arg("progress"))
       .def("filled", [](const FieldSmoothingData& data) { return owned(std::vector(data.filled)); })

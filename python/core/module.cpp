@@ -9,7 +9,6 @@
 #include "brindle/phases/parsed_words.h"
 #include "brindle/progress.h"
 #include "brindle/solver.h"
-#include "brindle/threads.h"
 #include "brindle/version.h"
 #include "pattern_data.h"
 #include "process.h"
@@ -39,7 +38,6 @@ PYBIND11_MODULE(_core, module) {
   const auto& error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
   py::register_exception<Cancelled>(module, "Cancelled", error);
   module.def("version", version);
-  module.def("threads", ThreadLimit::current);
   module.def("has_solver", [](const std::string& name) {
     const auto solver = parse_solver(name);
     return solver && is_available(*solver);

@@ -100,10 +100,7 @@ void bind_texture_animator(py::module_& module) {
   py::class_<TextureAnimatorData>(module, "TextureAnimator")
       .def(py::init(&make_texture_animator), py::arg("surface").none(false), py::arg("oriented"),
            py::arg("solver"), py::arg("stiffness"), py::arg("slack"), py::arg("avoid_branches"))
-      .def_property_readonly("surface",
-                             [](const TextureAnimatorData& data) { return data.surface; })
-      .def_property_readonly("metrics",
-                             [](const TextureAnimatorData& data) { return data.metrics; })
+      .def_readonly("metrics", &TextureAnimatorData::metrics)
       .def("saved", saved_texture_animator)
       .def_static("loaded", loaded_texture_animator)
       .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
