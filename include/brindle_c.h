@@ -413,8 +413,8 @@ BRINDLE_C_API brindle_status brindle_solve_frame(brindle_animator* animator,
                                                  const brindle_frame_input* input,
                                                  const brindle_progress* progress,
                                                  brindle_frame_result* result);
-/* The vertices of the last frame, for shaders; one entry per vertex. Errors: before the first
- * frame, another number, points without triangles. */
+/* The vertices of the last frame, for shaders; one entry per vertex. Errors: no frame yet, also
+ * since the animator was loaded; another number; points without triangles. */
 BRINDLE_C_API brindle_status brindle_fill_frame(brindle_animator* animator,
                                                 brindle_pattern_vertex* vertices,
                                                 size_t vertex_count);

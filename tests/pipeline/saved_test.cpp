@@ -264,8 +264,9 @@ TEST_F(SavedFiles, TextureAnimatorsGoOnWithTheSameBits) {
   cases[4].options.stripes.solver = FrameSolver::relaxation;
   cases[4].options.whole_tiles = TileMotifs{.layout = TileLayout::courses, .split = true};
   cases[5].options.stripes.lambda = 0;
-  for (const auto& [shape, options] : cases) {
-    const MovingWaves moving(make_surface(make_shape(shape)));
+  for (const Case& c : cases) {
+    const TextureAnimatorOptions& options = c.options;
+    const MovingWaves moving(make_surface(make_shape(c.shape)));
     const auto frame = [&](TextureAnimator& animator, int n) {
       if (n == 3 && options.stripes.slack.relaxes()) animator.set_slack(0.1f);
       const WaveSet waves = moving.at(input_number(n));
@@ -277,7 +278,7 @@ TEST_F(SavedFiles, TextureAnimatorsGoOnWithTheSameBits) {
              bits(animator.energy_v()) + (r.broken ? bits(r.broken->words) : "");
     };
     expect_the_same_bits(file, moving.surface, TextureAnimator(moving.surface, options),
-                         load_texture_animator, frame, shape);
+                         load_texture_animator, frame, c.shape);
   }
 }
 
@@ -391,6 +392,9 @@ TEST_F(SavedFiles, ErrorsNameFileAndRemedy) {
   EXPECT_THROW(load_pattern(folder), Error);
   const Surface other = make_surface(make_shape("torus,resolution=9"));
   EXPECT_THROW(save(file, other, StripeAnimator(moving.surface)), Error);
+  const StripePattern pattern = stripe_pattern(moving.surface, moving.at(0));
+  EXPECT_NE(error_of([&] { save(file, other, pattern); }).find("of another surface"),
+            std::string::npos);
   EXPECT_THROW(save(folder / "no" / "folder", moving.surface, StripeAnimator(moving.surface)),
                Error);
 }

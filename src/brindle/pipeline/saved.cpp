@@ -267,6 +267,9 @@ Saved<Result> load_file(const std::filesystem::path& path,
 }  // namespace
 
 std::string saved_bytes(const Surface& surface, const StripePattern& pattern) {
+  if (pattern.solution.z.size() != surface.mesh.vertex_count()) {
+    throw Error("the pattern is of another surface; save it with its own");
+  }
   return file_of(surface, Content::pattern, [&](Archive& archive) {
     archive_pattern(archive, surface, const_cast<StripePattern&>(pattern));
   });
