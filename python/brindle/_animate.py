@@ -35,6 +35,8 @@ def loaded(kind: Any, surface: Surface, *saved: Any) -> Any:
 class Saved(Running):
     """An animator that is copied and pickled with its last frame, and goes on with the same bits."""
 
+    _core: Any
+
     def __reduce__(self) -> Any:
         return loaded, (type(self), self.surface, *self._core.saved())
 
