@@ -22,6 +22,7 @@
 #include <mpi.h>
 
 #include "brindle/creases.h"
+#include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
 #include "brindle/measured_field.h"
@@ -31,6 +32,7 @@
 
 namespace BRINDLE_EXPORT brindle {
 
+class Communicator;
 struct RankSurface;
 
 /// One rank's partition. It may be empty, of any topology, and have several components.
@@ -56,6 +58,12 @@ struct SurfacePiece {
 /// leaves one of each over all ranks, as `repair_mesh` does in one process. Ghosts do not count.
 /// Throws Error on all ranks for a partition that a DistributedSurface would reject by itself.
 std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm communicator);
+
+/// Collective. The result of `cells_to_points` on the whole surface, at the partition's vertices:
+/// means over the triangles of all ranks but ghosts, with the bits of the whole if triangles are
+/// numbered. All ranks have the same number of components. Throws Error on all ranks unless there
+/// is a row per triangle.
+DataArray cells_to_points(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells);
 
 /// Data sent by a rank, and its time waiting for others.
 struct Traffic {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,7 +36,7 @@ class RankPiece {
   /// Whether owners of vertices and ghost triangles are the same.
   bool is_shared_like(const RankPiece& other) const;
 
-  /// Collective. As the library's `cells_to_points`, over own triangles of all ranks.
+  /// Collective. The library's `cells_to_points`, over own triangles of all ranks.
   DataArray cells_to_points(const Mesh& mesh, const DataArray& rows) const;
 
   /// Collective. The smallest and largest number over all ranks; the first is above the second if
@@ -45,13 +44,6 @@ class RankPiece {
   std::array<double, 2> extent(std::array<double, 2> own) const;
 
  private:
-  /// The factor of a triangle's row at a vertex.
-  using Sign = std::function<double(std::size_t triangle, Index vertex)>;
-
-  /// Collective. Means of numeric rows at vertices.
-  std::vector<double> means_of(const Mesh& mesh, std::span<const double> rows, std::size_t columns,
-                               const Sign& sign) const;
-
   /// A vertex on its owner.
   struct Source {
     int rank;
@@ -60,6 +52,7 @@ class RankPiece {
   };
 
   Ranks ranks_;
+  std::vector<std::uint64_t> vertex_ids_;
   std::vector<std::uint8_t> ghosts_;
   DistributedSurface surface_;
   OwnerExchange owners_;

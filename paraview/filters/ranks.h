@@ -27,6 +27,8 @@ class Ranks {
   int size() const { return alone() ? 1 : communicator_->size(); }
   bool alone() const { return !communicator_ || communicator_->size() == 1; }
   MPI_Comm communicator() const { return comm_; }
+  /// Not of a single process.
+  Communicator& messages() const { return *communicator_; }
 
   /// As Communicator::together. In a single process, throws what `work` throws.
   void throw_on_all(const std::function<void()>& work) const {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/distributed/surface/piece_data.h"
 #include "brindle/distributed/surface/shared_vertices.h"
 #include "brindle/distributed/surface/subdivided_piece.h"
 #include "brindle/error.h"
@@ -122,6 +121,17 @@ TEST(PieceData, MovesRowsOfTrianglesToVerticesAsInTheWhole) {
       const SurfacePiece piece = piece_of(whole, cut.rank_of_triangle(whole), rank());
       const DataArray own = rows_of(cells, numbers(piece.triangle_ids));
       EXPECT_EQ(cells_to_points(ranks, piece, own), rows_of(expected, numbers(piece.vertex_ids)));
+      // A ghost repeats a triangle.
+      SurfacePiece with_ghost = piece;
+      if (!piece.mesh.triangles.empty()) {
+        with_ghost.mesh.triangles.push_back(piece.mesh.triangles[0]);
+        with_ghost.triangle_ids.push_back(piece.triangle_ids[0]);
+        with_ghost.ghost_triangles.assign(with_ghost.triangle_ids.size(), 0);
+        with_ghost.ghost_triangles.back() = 1;
+      }
+      const DataArray with_rows = rows_of(cells, numbers(with_ghost.triangle_ids));
+      EXPECT_EQ(cells_to_points(ranks, with_ghost, with_rows),
+                rows_of(expected, numbers(piece.vertex_ids)));
       SurfacePiece without_numbers = piece;
       without_numbers.triangle_ids.clear();
       const auto near = doubles_of(cells_to_points(ranks, without_numbers, own).view());

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "brindle/base/array_numbers.h"
-#include "brindle/distributed/surface/piece_data.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/files.h"

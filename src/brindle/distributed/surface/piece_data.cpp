@@ -1,5 +1,3 @@
-#include "brindle/distributed/surface/piece_data.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,7 +7,9 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/base/array_rows.h"
+#include "brindle/communicator.h"
 #include "brindle/distributed/surface/shared_vertices.h"
+#include "brindle/distributed_surface.h"
 #include "brindle/mesh_data.h"
 
 namespace brindle {
@@ -148,12 +148,26 @@ class CellMeans {
   std::vector<double> rows_;
 };
 
+/// Of partitions without ghosts.
+DataArray means_over_ranks(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells) {
+  if (ranks.size() == 1) return cells_to_points(piece.mesh, cells);
+  return CellMeans(ranks, piece, cells).means(cells.name);
+}
+
 }  // namespace
 
 DataArray cells_to_points(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells) {
   ranks.throw_on_all([&] { check_rows_per_triangle(cells, piece.mesh.triangle_count()); });
-  if (ranks.size() == 1) return cells_to_points(piece.mesh, cells);
-  return CellMeans(ranks, piece, cells).means(cells.name);
+  if (piece.ghost_triangles.empty()) return means_over_ranks(ranks, piece, cells);
+  std::vector<Index> own(piece.mesh.triangle_count());
+  std::iota(own.begin(), own.end(), Index{0});
+  std::erase_if(own, [&](Index t) { return piece.ghost_triangles[t] != 0; });
+  SurfacePiece part{{piece.mesh.positions, {}, piece.mesh.origin}, piece.vertex_ids, {}};
+  for (const Index t : own) {
+    part.mesh.triangles.push_back(piece.mesh.triangles[t]);
+    if (!piece.triangle_ids.empty()) part.triangle_ids.push_back(piece.triangle_ids[t]);
+  }
+  return means_over_ranks(ranks, part, rows_of(cells, own));
 }
 
 }  // namespace brindle
