@@ -38,7 +38,7 @@ namespace {
 
 constexpr const char* kRemedy =
     "install a GPU driver with EGL or Mesa's software renderer "
-    "(Debian and Ubuntu: libegl1 libgl1-mesa-dri)";
+    "(Debian and Ubuntu: libegl1 libopengl0 libgl1-mesa-dri)";
 
 struct Candidate {
   std::string name;
@@ -149,9 +149,12 @@ void GLAPIENTRY collect_error(GLenum, GLenum type, GLuint, GLenum severity, GLsi
 }  // namespace
 
 HeadlessContext::HeadlessContext() : state_(std::make_unique<State>()) {
-  // Without EGL, libepoxy would end the program.
+  // Without one of them, libepoxy would end the program.
   if (!system::load_library("libEGL.so.1")) {
     throw Error(std::string("there is no EGL on this system; ") + kRemedy);
+  }
+  if (!system::load_library("libOpenGL.so.0") && !system::load_library("libGL.so.1")) {
+    throw Error(std::string("there is no OpenGL on this system; ") + kRemedy);
   }
   std::string tried;
   for (const Candidate& candidate :
