@@ -1,8 +1,10 @@
-"""Lets CMake build the package's module. Its version is that of include/brindle/version.h.
+"""Lets CMake build the package's module. Its version is that of include/brindle/version.h, its
+description that of packaging/about.json.
 
 Environment: CMAKE_ARGS, more for CMake ("-DBRINDLE_CHOLMOD=ON"); BRINDLE_BUILD_FOLDER, a build
 folder that is there and used as it is configured ("build/release"), so that nothing is built twice.
 """
+import json
 import os
 import pathlib
 import re
@@ -49,7 +51,8 @@ class BuildByCMake(build_ext):
         return options + shlex.split(os.environ.get("CMAKE_ARGS", ""))
 
 
-setup(version=version(), ext_modules=[Extension("brindle._core", [])],
-      cmdclass={"build_ext": BuildByCMake},
+about = json.loads((ROOT / "packaging/about.json").read_text())
+setup(version=version(), description=about["description"], license=about["license"],
+      ext_modules=[Extension("brindle._core", [])], cmdclass={"build_ext": BuildByCMake},
       options={"build": {"build_base": "build/setuptools"},
                "egg_info": {"egg_base": "python"}})

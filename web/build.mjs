@@ -74,8 +74,9 @@ function version() {
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 for (const name of readdirSync(join(here, 'package'))) cpSync(join(here, 'package', name), join(out, name));
+const { description, license } = JSON.parse(text(join(root, 'packaging/about.json')));
 const manifest = JSON.parse(text(join(here, 'package/package.json')));
-writeFileSync(join(out, 'package.json'), `${JSON.stringify({ ...manifest, version: version() }, null, 2)}\n`);
+writeFileSync(join(out, 'package.json'), `${JSON.stringify({ ...manifest, version: version(), description, license }, null, 2)}\n`);
 cpSync(join(root, 'LICENSE'), join(out, 'LICENSE'));
 // A module of the package: emscripten's loader, its WebAssembly, and the same embedded in a script.
 function putModule(from, to) {
