@@ -60,7 +60,7 @@ class BaseHeights {
   /// The distance between two places, in details of the texture.
   float details(Index t, const Vec3& from, const Vec3& to) const {
     if (base_.textured[t] == 0) return 0;
-    return (uv_at(base_, t, to) - uv_at(base_, t, from)).norm() / texture_.smoothing;
+    return (uv_at(base_, t, to) - uv_at(base_, t, from)).norm() / texture_.detail;
   }
 
  private:

@@ -33,7 +33,7 @@ void check_options(const ReliefTexture& texture, const ReliefOptions& options) {
   }
   if (options.depth > 0 && options.kind != ReliefKind::inlay) refuse("only an inlay has a depth");
   if (!texture.height) refuse("the texture has no height");
-  if (!(texture.smoothing >= 1.0f / 256) || !(texture.smoothing <= 0.25f)) {
+  if (!(texture.detail >= 1.0f / 256) || !(texture.detail <= 0.25f)) {
     refuse("the texture's detail is from 1/256 to 1/4");
   }
 }
