@@ -39,10 +39,9 @@ constexpr int member_count() {
   if (OneOf<T, Adjacency, Creases, DataArrays, FieldSupport, WindingSum, TextureWaves>) return 2;
   if (OneOf<T, Mesh, WaveSet>) return 3;
   if (OneOf<T, Surface, DataArray>) return 5;
-  if (OneOf<T, PhaseSolution, FollowedReport, SurfaceLoop>) return 6;
+  if (OneOf<T, FieldMetrics, PhaseSolution, FollowedReport, SurfaceLoop>) return 6;
   if (OneOf<T, Polylines, StripesData>) return 7;
   if (OneOf<T, StripePattern, StripeCurves>) return 8;
-  if (OneOf<T, PreparationMetrics>) return 9;
   if (OneOf<T, FabricationMetrics, TextureData>) return 12;
   return OneOf<T, SurfaceData> ? 13 : 0;
 }
@@ -50,7 +49,11 @@ constexpr int member_count() {
 template <class T>
 auto members(T& all) {
   constexpr int kCount = member_count<T>();
-  if constexpr (kCount == 2) {
+  if constexpr (std::same_as<T, PreparationMetrics>) {
+    return std::tuple_cat(
+        members<FieldMetrics>(all),
+        std::tie(all.vertices_joined, all.load_milliseconds, all.topology_milliseconds));
+  } else if constexpr (kCount == 2) {
     auto& [a, b] = all;
     return std::tie(a, b);
   } else if constexpr (kCount == 3) {
@@ -68,9 +71,6 @@ auto members(T& all) {
   } else if constexpr (kCount == 8) {
     auto& [a, b, c, d, e, f, g, h] = all;
     return std::tie(a, b, c, d, e, f, g, h);
-  } else if constexpr (kCount == 9) {
-    auto& [a, b, c, d, e, f, g, h, i] = all;
-    return std::tie(a, b, c, d, e, f, g, h, i);
   } else if constexpr (kCount == 12) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l] = all;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);

@@ -24,7 +24,7 @@ values, arrays, lengths, cameras, solvers and output files. Parts of values are 
 of surfaces and fields.
 )";
 
-constexpr std::array<std::pair<PatternJob, std::string_view>, 6> kCommandOfJob = {
+constexpr std::array<std::pair<PatternJob, std::string_view>, 7> kCommandOfJob = {
     {{PatternJob::stripe, "stripe"},
      {PatternJob::curves, "curves"},
      {PatternJob::sample, "sample"},
