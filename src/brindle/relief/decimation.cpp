@@ -43,9 +43,8 @@ struct Quadric {
 /// Collapses edges of a mesh whose corners are linked by vertex.
 class Decimation {
  public:
-  Decimation(const Mesh& mesh, std::span<const std::uint8_t> locked, double narrowest)
-      : narrowest_(narrowest),
-        triangles_(mesh.triangles),
+  Decimation(const Mesh& mesh, std::span<const std::uint8_t> locked)
+      : triangles_(mesh.triangles),
         first_(mesh.vertex_count(), kNoCorner),
         next_(3 * mesh.triangle_count()),
         locked_(locked.begin(), locked.end()),
@@ -138,7 +137,7 @@ class Decimation {
       moved[c % 3] = w;
       const Point before = area_normal(old), after = area_normal(moved);
       turns = turns || !(after.dot(before) > 0.3 * after.norm() * before.norm()) ||
-              narrow(moved, after) < std::min(narrow(old, before), narrowest_);
+              is_sliver(moved, after);
     });
     if (turns) return false;
     for_corners(w, [&](Index c) {
@@ -149,13 +148,12 @@ class Decimation {
     return common == 2 && around + at_w <= kMostAround;
   }
 
-  /// The smallest height of a triangle with this area normal.
-  double narrow(const Triangle& t, const Point& area) const {
+  bool is_sliver(const Triangle& t, const Point& area) const {
     double longest = 0;
     for (int m = 0; m < 3; ++m) {
-      longest = std::max(longest, (positions_[t[m]] - positions_[t[(m + 1) % 3]]).norm());
+      longest = std::max(longest, (positions_[t[m]] - positions_[t[(m + 1) % 3]]).squaredNorm());
     }
-    return longest > 0 ? area.norm() / longest : 0;
+    return !(area.norm() > 0.005 * longest);
   }
 
   void move(Index v, Index w) {
@@ -187,7 +185,6 @@ class Decimation {
     triangles_[t] = {0, 0, 0};
   }
 
-  double narrowest_;                 // new triangles are as high, or as their predecessors
   std::vector<Triangle> triangles_;  // removed ones have equal corners
   std::vector<Index> first_, next_;  // corners at a vertex
   std::vector<std::uint8_t> locked_;
@@ -202,7 +199,7 @@ class Decimation {
 
 Mesh decimated(const Mesh& mesh, std::span<const std::uint8_t> locked, float tolerance,
                const Progress& progress) {
-  Decimation decimation(mesh, locked, tolerance);
+  Decimation decimation(mesh, locked);
   const double square = static_cast<double>(tolerance) * tolerance;
   // Small errors first, without a queue: what flat parts spare does not depend on the order.
   const std::array<double, 5> shares = {1e-6, 1e-6, 0.05, 1, 1};

@@ -141,17 +141,16 @@ class ReliefMaker {
     });
   }
 
-  /// Lowers vertices until no triangles intersect before decimation, of those with a 1 in `tested`
-  /// and those that move. Returns whether vertices were lowered.
-  bool lower(std::vector<std::uint8_t> tested, const Progress& progress) {
+  /// Lowers vertices until no triangles intersect before decimation.
+  void lower(const Progress& progress) {
+    std::vector<std::uint8_t> tested;
     for (int i = 0; i < kMostLowerings; ++i) {
-      progress.tick();
-      const std::vector<std::uint8_t> found = intersecting_triangles(mesh_, {}, tested);
+      const std::vector<std::uint8_t> found = intersecting_triangles(
+          mesh_, progress.part(static_cast<double>(i) / kMostLowerings, 1), tested);
       tested = lower_at(found, i + 1 == kMostLowerings);
-      if (tested.empty()) return i > 0;
+      if (tested.empty()) return;
       displace();
     }
-    return true;
   }
 
   /// Lowers the vertices of triangles. Returns the triangles that move; empty: none.
@@ -189,51 +188,46 @@ class ReliefMaker {
     return locked;
   }
 
-  /// The displaced and decimated mesh. Where triangles intersect, vertices are lowered or, if only
-  /// decimation makes them intersect, kept.
+  /// The displaced and decimated mesh. If triangles intersect, vertices are lowered; if they
+  /// intersect after that, their vertices stay in decimation.
   Mesh reduced(const Progress& progress, ReliefMetrics& metrics) {
     displace();
     std::vector<std::uint8_t> locked = locked_vertices();
-    constexpr int kRounds = 6;
+    constexpr int kRounds = 5;
     for (int i = 0; i < kRounds; ++i) {
       const double begin = 1 - std::pow(0.5, i), end = 1 - std::pow(0.5, i + 1);
       const double middle = 0.5 * (begin + end);
       Mesh mesh = decimated(mesh_, locked, 0.5f * tolerance_, progress.part(begin, middle));
       const std::vector<std::uint8_t> found =
           intersecting_triangles(mesh, progress.part(middle, end));
-      metrics.intersecting_triangles =
-          static_cast<std::size_t>(ranges::count(found, std::uint8_t{1}));
-      if (metrics.intersecting_triangles == 0) return mesh;
-      const std::vector<std::uint8_t> near = vertices_near(mesh, found, 4 << i);
-      std::vector<std::uint8_t> tested(mesh_.triangle_count());
-      for (std::size_t t = 0; t < tested.size(); ++t) {
-        for (const Index v : mesh_.triangles[t]) tested[t] |= near[v];
+      const auto count = static_cast<std::size_t>(ranges::count(found, std::uint8_t{1}));
+      if (count == 0 || i + 1 == kRounds) {
+        metrics.intersecting_triangles = count;
+        return mesh;
       }
-      if (lower(std::move(tested), progress)) continue;
-      for (std::size_t v = 0; v < near.size(); ++v) locked[v] |= near[v];
+      if (i == 0) {
+        lower(progress.part(end, end));
+      } else {
+        lock_around(mesh, found, locked);
+      }
     }
-    const std::vector<std::uint8_t> found = intersecting_triangles(mesh_, {});
-    metrics.intersecting_triangles =
-        static_cast<std::size_t>(ranges::count(found, std::uint8_t{1}));
     return mesh_;
   }
 
-  /// Vertices within a number of tolerances of the triangles found in a decimated mesh.
-  std::vector<std::uint8_t> vertices_near(const Mesh& mesh, const std::vector<std::uint8_t>& found,
-                                          int tolerances) const {
+  /// Locks the vertices in boxes around triangles of a decimated mesh.
+  void lock_around(const Mesh& mesh, const std::vector<std::uint8_t>& found,
+                   std::vector<std::uint8_t>& locked) const {
     Mesh bad{mesh.positions, {}, mesh.origin};
     for (std::size_t t = 0; t < found.size(); ++t) {
       if (found[t] != 0) bad.triangles.push_back(mesh.triangles[t]);
     }
     const NearestOnMesh nearest(bad);
-    std::vector<std::uint8_t> near(mesh_.vertex_count());
-    parallel_for(near.size(), [&](std::size_t begin, std::size_t end) {
+    const double reach = 4.0 * tolerance_;
+    parallel_for(mesh_.vertex_count(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Eigen::Vector3d place = mesh_.positions[i].cast<double>();
-        near[i] = nearest.nearest(place, tolerances * static_cast<double>(tolerance_)) ? 1 : 0;
+        if (nearest.nearest(mesh_.positions[i].cast<double>(), reach)) locked[i] = 1;
       }
     });
-    return near;
   }
 
   void measure(Relief& relief) const {
