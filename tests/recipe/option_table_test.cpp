@@ -15,8 +15,7 @@ namespace brindle {
 namespace {
 
 constexpr PatternJob kJobs[] = {PatternJob::stripe,  PatternJob::curves,  PatternJob::sample,
-                                PatternJob::animate, PatternJob::compare, PatternJob::paths,
-                                PatternJob::relief};
+                                PatternJob::animate, PatternJob::compare, PatternJob::paths};
 
 std::set<std::string> words(std::string_view text, char separator = ' ') {
   std::istringstream stream{std::string(text)};

@@ -24,14 +24,13 @@ values, arrays, lengths, cameras, solvers and output files. Parts of values are 
 of surfaces and fields.
 )";
 
-constexpr std::array<std::pair<PatternJob, std::string_view>, 7> kCommandOfJob = {
+constexpr std::array<std::pair<PatternJob, std::string_view>, 6> kCommandOfJob = {
     {{PatternJob::stripe, "stripe"},
      {PatternJob::curves, "curves"},
      {PatternJob::sample, "sample"},
      {PatternJob::animate, "animate"},
      {PatternJob::compare, "compare"},
-     {PatternJob::paths, "paths"},
-     {PatternJob::relief, "relief"}}};
+     {PatternJob::paths, "paths"}}};
 
 std::string commands_of(unsigned jobs) {
   std::string commands;

@@ -1,15 +1,10 @@
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
-#include <string_view>
-
-#include <Eigen/Geometry>
 
 #include "brindle/base/input_file.h"
 #include "brindle/base/text.h"
-#include "brindle/files/binary_numbers.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/mesh_formats.h"
 #include "brindle/files/text/text_words.h"
@@ -118,27 +113,6 @@ RawMesh read_stl(const std::filesystem::path& path, const Progress& progress) {
                     "damaged; copy or export it again");
   }
   return read_text(path, progress);
-}
-
-void write_stl(OutputStream& out, const Mesh& mesh) {
-  BinaryOutput binary(out);
-  // Files that start with "solid" are text to many readers.
-  std::array<char, 80> header = {};
-  constexpr std::string_view kHeader = "binary STL by brindle";
-  std::copy(kHeader.begin(), kHeader.end(), header.begin());
-  binary.put(header);
-  binary.put(static_cast<std::uint32_t>(mesh.triangle_count()));
-  for (const Triangle& t : mesh.triangles) {
-    const auto &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const Vec3 normal =
-        (b - a).cast<double>().cross((c - a).cast<double>()).normalized().cast<float>();
-    binary.put(normal.data(), 3);
-    for (const Index v : t) {
-      const Vec3 position = (mesh.positions[v].cast<double>() + mesh.origin).cast<float>();
-      binary.put(position.data(), 3);
-    }
-    binary.put(std::uint16_t{0});
-  }
 }
 
 }  // namespace brindle
