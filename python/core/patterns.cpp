@@ -310,7 +310,7 @@ void check_solving(const Solving& solving, const GivenOptions& options, bool is_
     brindle::check_solver_options(given, solver.solver, solver.cycles);
     brindle::check_following(given, given("--previous"), solver.solver);
     brindle::check_fabrication(solving.fabrication, solver.solver);
-    if (!is_stripes) brindle::check_making_of_textures(given);
+    if (!is_stripes) brindle::check_fabrication_of_textures(given);
     if (!points) return;
     brindle::check_fabrication_on_points(given);
     brindle::check_triangle_options(given);

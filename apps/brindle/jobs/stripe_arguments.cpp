@@ -82,7 +82,7 @@ void check_options(const CLI::App& command, const StripeArguments& arguments,
   check_solving_options(command, arguments.solving);
   check_previous(command, arguments, texture);
   check_fabrication_options(arguments.fabrication, arguments.solving.stripes.solver.solver);
-  if (texture) refuse_usage(command, check_making_of_textures);
+  if (texture) refuse_usage(command, check_fabrication_of_textures);
   check_style_options(command, arguments.style, drawn_by(arguments.texture, texture));
   check_drawings(command, arguments, outputs, texture);
   check_light_option(command, arguments.style, arguments.waves);

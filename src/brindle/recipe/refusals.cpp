@@ -150,7 +150,7 @@ void check_triangle_options(const IsGiven& given) {
                "points have no triangles");
 }
 
-void check_making_of_textures(const IsGiven& given) {
+void check_fabrication_of_textures(const IsGiven& given) {
   refuse_given(given, {"--winding", "--anchor-boundary"},
                "it is for stripes, not for textures and cross fields");
 }

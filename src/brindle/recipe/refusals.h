@@ -89,7 +89,7 @@ void check_triangle_options(const IsGiven& given);
 void check_fabrication_on_points(const IsGiven& given);
 
 /// Rejects windings and anchored boundaries, for textures and cross fields.
-void check_making_of_textures(const IsGiven& given);
+void check_fabrication_of_textures(const IsGiven& given);
 
 void check_min_distance_on_points(float min_distance);
 
