@@ -56,7 +56,7 @@ TEST_F(Options, WithoutEffectAreRefused) {
       {"stripe", "--feature-anchor", "0,angle=30"},
       {"curves", "--feature-anchor", "0,radius=5%"},
       {"sample", "--feature-anchor", "0,angle=30"},
-      {"compare", "--curvature-anchor", "0.1"},
+      {"compare", "--curvature-anchor", "0.1", "--direction", "1,0,0"},
       {"stripe", "--tensor", "minor"},
       {"stripe", "--tensor", "minor", "--field", "field.csv"},
       {"curves", "--tensor", "minor", "--frequency-by", "array:a"},

@@ -14,6 +14,7 @@
 #include "pictures/drawing_file.h"
 
 namespace brindle::tool {
+
 OutputKind planned_stripes(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".png") return OutputKind::picture;
@@ -78,8 +79,8 @@ Outputs plan_outputs(const std::vector<UsedFile>& inputs, const std::vector<std:
   check_report("--report", report);
   if (!report.empty()) outputs.push_back({report, OutputKind::report, "--report"});
   check_files(inputs, files_of(outputs));
-  std::ranges::stable_partition(
-      outputs, [](OutputKind kind) { return kind != OutputKind::report; }, &Output::kind);
+  std::stable_partition(outputs.begin(), outputs.end(),
+                        [](const Output& output) { return output.kind != OutputKind::report; });
   return outputs;
 }
 
