@@ -4,7 +4,7 @@
 #define BRINDLE_VERSION_MAJOR 0
 #define BRINDLE_VERSION_MINOR 3
 #define BRINDLE_VERSION_PATCH 0
-#define BRINDLE_VERSION "0.3.0"
+#define BRINDLE_VERSION "1.0.0"
 
 #include "brindle/export.h"
 

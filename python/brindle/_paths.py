@@ -29,7 +29,7 @@ class Paths:
                 f"{report['travel']:.4g}, on {self.curves.stripes.surface!r}>")
 
     @kept_property
-    def _columns(self) -> "dict[str, NDArray[Any]]:
+    def _columns(self) -> dict[str, NDArray[Any]]:
         return self._core.columns()
 
     @kept_property
@@ -73,7 +73,7 @@ class Paths:
         return self._columns["cuts"]
 
     @kept_property
-    def report(self) -> "dict[str, Any]:
+    def report(self) -> dict[str, Any]:
         """Lengths, travel and counts, as in ``brindle paths --report``."""
         return self._core.metrics()
 
@@ -90,7 +90,7 @@ class Paths:
         options.axes = axes
         options.unit = number(scale, "scale")
         if place is not None:
-            options.place = place
+            options.set_place(place)
         for name, value in machine.items():
             if name not in _NUMBERS:
                 raise TypeError(f"write() has no argument '{name}'; it has {', '.join(_NUMBERS)}")
@@ -107,7 +107,7 @@ def paths(curves: Curves, *, order: Order = "nearest", width: Optional[float] = 
     the surface (default: two widths; 0 with ``least_radius`` and ``order="spiral"``).
     ``least_radius``: curves are cut at tighter bends. ``least_length``: shorter ones are left out.
     ``cut_length``: marks this much of each path's end, for fibre. A spiral is one curve, as
-    ``brindle.stripes(..., winding=1)`` makes it. Lengths are in the units of the vertices."""
+    ``brindle.stripes(..., layout=Layout(winding=1))`` makes it. Lengths are in the units of the vertices."""
     options = _core.PathOptions()
     stripes = curves.stripes
     options.width = number(1 / stripes.frequency.mean(dtype=float) if width is None else width, "width")

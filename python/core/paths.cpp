@@ -119,11 +119,10 @@ void bind_paths(py::module_& module) {
           })
       .def_readwrite("axes", &Machine::axes)
       .def_readwrite("unit", &Machine::unit)
-      .def_property(
-          "place", [](const Machine&) { return py::none(); },
-          [](Machine& m, const std::array<double, 3>& p) {
-            m.place = Eigen::Vector3d(p[0], p[1], p[2]);
-          })
+      .def("set_place",
+           [](Machine& m, const std::array<double, 3>& p) {
+             m.place = Eigen::Vector3d(p[0], p[1], p[2]);
+           })
       .def_readwrite("thickness", &Machine::thickness)
       .def_readwrite("filament", &Machine::filament)
       .def_readwrite("speed", &Machine::speed)

@@ -283,8 +283,8 @@ def test_angles_of_features(torus):
 
 def test_field_smoothing_keeps_its_last_frame(torus):
     f, vectors = torus.frequency_of(20), np.cross([0, 0, 1], torus.vertices)
-    detail, undisturbed = brindle.advanced.FieldSmoothing(torus, 0.3), brindle.advanced.FieldSmoothing(torus, 0.3)
-    for each in (detail, undisturbed):
+    smoothing, undisturbed = brindle.advanced.FieldSmoothing(torus, 0.3), brindle.advanced.FieldSmoothing(torus, 0.3)
+    for each in (smoothing, undisturbed):
         each.frame(vectors, f)
     metrics, other = smoothing.metrics, vectors[:, ::-1]
     with pytest.raises(brindle.Error, match="there is no datum"):

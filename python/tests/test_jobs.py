@@ -375,11 +375,11 @@ def test_measured_fields_frame_by_frame(torus):
     def angle_between(a, b):
         return np.degrees(np.arccos(np.clip(np.abs((a * b).sum(1)), 0, 1))).mean()
 
-    detail, remembers = brindle.advanced.FieldSmoothing(torus, 0.7), brindle.advanced.FieldSmoothing(torus, 0.7, temporal_smoothing=3)
+    smoothing, remembers = brindle.advanced.FieldSmoothing(torus, 0.7), brindle.advanced.FieldSmoothing(torus, 0.7, temporal_smoothing=3)
     with pytest.raises(brindle.Error):
         smoothing.metrics
     steps = []
-    for animator in (detail, remembers):
+    for animator in (smoothing, remembers):
         fields = [animator.frame(noisy(), frequency)[0] for _ in range(5)]
         steps.append(angle_between(fields[-1], fields[-2]))
         assert angle_between(fields[-1], truth) < 12  # of 23 in the data

@@ -38,7 +38,7 @@ def test_arrays_agree():
 
 def test_a_spiral_is_one_path():
     surface = brindle.shape("tube,bend=0,resolution=48")
-    stripes = brindle.stripes(surface, surface.curvature_field("min"), stripes=30, winding=1)
+    stripes = brindle.stripes(surface, surface.curvature_field("min"), stripes=30, layout=brindle.Layout(winding=1))
     made = brindle.paths(stripes.curves(), order="spiral")
     assert made.report["paths"] == 1 and made.report["travel"] == 0
 

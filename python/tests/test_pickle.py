@@ -133,7 +133,7 @@ def test_what_runs_names_what_to_pickle(torus, make, instead, again):
 
 @pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda thing: pickle.loads(pickle.dumps(thing))],
                          ids=["copy", "deepcopy", "pickle"])
-@pytest.mark.parametrize("options", [{}, {"slack": 0.2}, {"lambda_": 0}], ids=str)
+@pytest.mark.parametrize("options", [{}, {"slack": 0.2}, {"stiffness": 0}], ids=str)
 @pytest.mark.parametrize("make", [brindle.Animator, brindle.TextureAnimator])
 def test_animators_go_on(torus, again, options, make):
     one = make(torus, **options)

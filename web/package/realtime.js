@@ -126,7 +126,7 @@ export class Surface extends Owned {
 export class Pattern extends Owned {
   constructor(module, raw) {
     super('Pattern', module, raw);
-    Object.assign(this, raw.motifs());
+    Object.assign(this, raw.metrics());
     this.warnings = raw.warnings();
   }
 

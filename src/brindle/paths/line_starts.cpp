@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "brindle/base/standard.h"
+
 namespace brindle {
 namespace {
 
@@ -101,7 +103,7 @@ std::vector<Index> LineStarts::nearest_of_others(const Vec3& point, Index line,
     const bool counts = square < kNone && ends_[end].line != line;
     if (counts && (found.size() < count || here < found.back())) {
       if (found.size() == count) found.pop_back();
-      found.insert(std::ranges::upper_bound(found, here), here);
+      found.insert(std::upper_bound(found.begin(), found.end(), here), here);
     }
     return found.size() < count ? kNone : found.back().first;
   });

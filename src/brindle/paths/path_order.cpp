@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <utility>
 
+#include "brindle/base/standard.h"
 #include "brindle/paths/line_starts.h"
 
 namespace brindle {
@@ -29,7 +31,7 @@ std::size_t outermost(const LineStarts& ends) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const LineStart& end : ends.all()) mean += end.point.cast<double>();
   mean /= static_cast<double>(ends.all().size());
-  const auto far = std::ranges::max_element(ends.all(), {}, [&](const LineStart& end) {
+  const auto far = ranges::max_element(ends.all(), {}, [&](const LineStart& end) {
     return (end.point.cast<double>() - mean).squaredNorm();
   });
   return static_cast<std::size_t>(far - ends.all().begin());
@@ -40,7 +42,7 @@ PlacedLine begun_near(const Polylines& lines, Index line, const Vec3& from) {
   const std::span<const Vec3> points = lines.points_of(line);
   const auto square = [&](const Vec3& point) { return (point - from).squaredNorm(); };
   if (!lines.closed[line]) return {line, square(points.back()) < square(points.front())};
-  const auto near = std::ranges::min_element(points, {}, square);
+  const auto near = ranges::max_element(points, std::greater<>(), square);
   return {line, false, static_cast<Index>(near - points.begin())};
 }
 
@@ -322,7 +324,7 @@ bool turn_closed(const Polylines& lines, std::vector<PlacedLine>& order,
       return (from != nullptr ? distance(*from, point) : 0) +
              (to != nullptr ? distance(point, *to) : 0);
     };
-    const auto best = std::ranges::min_element(points, {}, travel);
+    const auto best = ranges::max_element(points, std::greater<>(), travel);
     if (!(travel(*best) < travel(points[placed.first]) * (1 - 1e-6))) continue;
     placed.first = static_cast<Index>(best - points.begin());
     moved = true;
@@ -335,7 +337,7 @@ bool turn_closed(const Polylines& lines, std::vector<PlacedLine>& order,
 void shorten_travel(const Polylines& lines, std::vector<PlacedLine>& order,
                     const std::optional<Vec3>& start, const Progress& progress) {
   constexpr int kMostRounds = 4;
-  const bool turns = std::ranges::any_of(
+  const bool turns = ranges::any_of(
       order, [&](const PlacedLine& placed) { return lines.closed[placed.line] != 0; });
   for (int round = 0; round < kMostRounds && order.size() > 1; ++round) {
     TravelShortener(lines, order, start)

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
 
 namespace brindle {
 namespace {
@@ -106,7 +107,7 @@ LinesBeside SegmentSearch::lines_beside(float reach, const Progress& progress) c
       },
       256);
   for (std::vector<Index>& lines : beside_of) {
-    std::ranges::sort(lines);
+    ranges::sort(lines);
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   }
   return beside_of;

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/paths/bends.h"
 #include "brindle/paths/path_order.h"
@@ -53,7 +54,7 @@ std::vector<PlacedLine> layered_order(const Polylines& lines, std::span<const In
   std::vector<std::pair<double, Index>> heights;
   const Eigen::Vector3d up = options.up.cast<double>().normalized();
   for (const Index line : all) heights.emplace_back(height_of(lines, line, up), line);
-  std::ranges::sort(heights);
+  ranges::sort(heights);
   std::vector<PlacedLine> order;
   std::optional<Vec3> from;
   for (auto begin = heights.begin(); begin != heights.end();) {
@@ -109,7 +110,7 @@ std::vector<std::size_t> points_of(const Polylines& lines, const PlacedLine& pla
   for (std::size_t i = 0; i < size + closed; ++i) {
     points.push_back(begin + (placed.first + i) % size);
   }
-  if (placed.reversed) std::ranges::reverse(points);
+  if (placed.reversed) ranges::reverse(points);
   return points;
 }
 
@@ -246,9 +247,9 @@ void measure(const Polylines& curves, ToolPaths& paths) {
   }
   metrics.least_radius = least_radius_of(curves, paths.width / 2);
   if (paths.widths.empty()) return;
-  const auto [least, most] = std::ranges::minmax(paths.widths);
-  metrics.least_width = static_cast<double>(least);
-  metrics.most_width = static_cast<double>(most);
+  const auto [least, most] = std::minmax_element(paths.widths.begin(), paths.widths.end());
+  metrics.least_width = static_cast<double>(*least);
+  metrics.most_width = static_cast<double>(*most);
   metrics.mean_width = std::accumulate(paths.widths.begin(), paths.widths.end(), 0.0) /
                        static_cast<double>(paths.widths.size());
 }
