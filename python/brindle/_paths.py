@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Error, kept_property, number, path_of, placed
+from ._arguments import Error, kept_property, number, numbers_of, path_of, placed
 from ._outputs import Curves
 
 Order = Literal["nearest", "boustrophedon", "layers", "spiral"]
@@ -90,7 +90,7 @@ class Paths:
         options.axes = axes
         options.unit = number(scale, "scale")
         if place is not None:
-            options.set_place(place)
+            options.set_place(*numbers_of(place, "place", "x, y and z", 3))
         for name, value in machine.items():
             if name not in _NUMBERS:
                 raise TypeError(f"write() has no argument '{name}'; it has {', '.join(_NUMBERS)}")

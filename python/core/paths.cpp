@@ -119,10 +119,10 @@ void bind_paths(py::module_& module) {
           })
       .def_readwrite("axes", &Machine::axes)
       .def_readwrite("unit", &Machine::unit)
-      .def("set_place",
-           [](Machine& m, const std::array<double, 3>& p) {
-             m.place = Eigen::Vector3d(p[0], p[1], p[2]);
-           })
+      .def(
+          "set_place",
+          [](Machine& m, double x, double y, double z) { m.place = Eigen::Vector3d(x, y, z); },
+          py::arg("x"), py::arg("y"), py::arg("z"))
       .def_readwrite("thickness", &Machine::thickness)
       .def_readwrite("filament", &Machine::filament)
       .def_readwrite("speed", &Machine::speed)
