@@ -35,7 +35,7 @@ struct WaveSettings {
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   TensorAxis tensor_axis = TensorAxis::major;
   Vec3 direction = Vec3::UnitZ();  ///< of FieldSource::direction
-  float detail = 0;                ///< smoothing length of an array, in periods; 0: none
+  float smoothing = 0;             ///< smoothing length of an array, in periods; 0: none
   float fill = 2;                  ///< distance over which holes in an array are filled, in periods
   bool arrows = false;             ///< vectors of an array have signs
   int singularities = -1;          ///< largest number to keep; below 0: all
