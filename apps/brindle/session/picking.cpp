@@ -13,6 +13,7 @@ namespace brindle::tool {
 namespace {
 
 using Eigen::Matrix4d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
@@ -21,14 +22,14 @@ struct PixelView {
   Vector3d origin;
   Matrix4d view_from_world;
   Matrix4d clip_from_view;
-  Vector3d pixel;  ///< x and y in clip space, and 1
+  Vector2d pixel;  ///< in clip space
   std::optional<Eigen::Hyperplane<double, 3>> slice;
 
   PixelView(const Camera& camera, int width, int height, double x, double y)
       : origin(camera.origin.cast<double>()),
         view_from_world(camera.view_from_world.cast<double>()),
         clip_from_view(camera.clip_from_view.cast<double>()),
-        pixel(2 * x / width - 1, 1 - 2 * y / height, 1) {
+        pixel(2 * x / width - 1, 1 - 2 * y / height) {
     if (camera.slice) slice = camera.slice->cast<double>();
   }
 
@@ -40,6 +41,11 @@ struct PixelView {
   Vector3d in_clip(const Vector3d& view) const {
     const Vector4d clip = clip_from_view * view.homogeneous();
     return {clip.x(), clip.y(), clip.w()};
+  }
+  /// Clip space's x and y relative to the pixel's ray, times w.
+  Vector2d across_ray(const Vector3d& view) const {
+    const Vector3d clip = in_clip(view);
+    return clip.head<2>() - clip.z() * pixel;
   }
 };
 
@@ -64,17 +70,21 @@ bool is_cut_off(const PixelView& view, const Mesh& mesh, const Hit& hit) {
 }
 
 /// The intersection of the pixel's ray with a triangle. The three deciding numbers belong to edges
-/// and only change sign between the triangles of an edge, so that no ray passes between them.
+/// and only change sign between the triangles of an edge. They are those of corners in the plane
+/// across the ray, which all triangles of a vertex share, so that no ray passes between them
+/// (Woop et al. 2013, Watertight ray/triangle intersection).
 std::optional<Hit> hit_of(const PixelView& view, const Mesh& mesh, std::size_t number) {
   const Triangle& triangle = mesh.triangles[number];
-  std::array<Vector3d, 3> corner, clip;
+  std::array<Vector3d, 3> corner;
+  std::array<Vector2d, 3> across;
   for (int m = 0; m < 3; ++m) {
     corner[m] = view.in_view(mesh.positions[triangle[m]]);
-    clip[m] = view.in_clip(corner[m]);
+    across[m] = view.across_ray(corner[m]);
   }
-  const Vector3d side(clip[1].cross(clip[2]).dot(view.pixel),
-                      clip[2].cross(clip[0]).dot(view.pixel),
-                      clip[0].cross(clip[1]).dot(view.pixel));
+  const auto side_of = [&](int from, int to) {
+    return across[from].x() * across[to].y() - across[from].y() * across[to].x();
+  };
+  const Vector3d side(side_of(1, 2), side_of(2, 0), side_of(0, 1));
   if (!((side.array() >= 0).all() || (side.array() <= 0).all())) return std::nullopt;
   const double sum = side.sum();
   if (sum == 0) return std::nullopt;

@@ -19,8 +19,8 @@ struct PickedPoint {
 };
 
 /// The nearest hit at `x`, `y` in pixels from the upper left corner of a picture of `width` x
-/// `height`; pixel centres are at 0.5. Watertight along shared edges. Ignores what the camera's
-/// slice cuts away. Empty for points without triangles.
+/// `height`; pixel centres are at 0.5. Watertight along edges and at vertices. Ignores what the
+/// camera's slice cuts away. Empty for points without triangles.
 std::optional<PickedPoint> pick(const Surface& surface, const Camera& camera, int width, int height,
                                 double x, double y);
 
