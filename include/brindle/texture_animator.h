@@ -92,7 +92,7 @@ class TextureAnimator {
 
   /// Motifs to keep whole from the next frame on, as in TextureAnimatorOptions. Throws Error for
   /// extents beyond half a tile, and then changes nothing.
-  void set_whole_tiles(const std::optional<TileMotifs>& metrics);
+  void set_whole_tiles(const std::optional<TileMotifs>& motifs);
 
  private:
   struct State;

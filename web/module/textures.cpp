@@ -166,8 +166,8 @@ std::shared_ptr<TextureAnimatorObject> texture_animator(std::shared_ptr<SurfaceO
     options.oriented = given["oriented"].as<bool>();
     const std::string tile = text_of(given, "tile");
     if (!tile.empty()) {
-      const TextureTile metrics = tile_named(tile);
-      if (has_own_shape(metrics)) options.whole_tiles = tile_motifs(metrics);
+      const TextureTile named = tile_named(tile);
+      if (has_own_shape(named)) options.whole_tiles = tile_motifs(named);
     }
     return std::make_shared<TextureAnimatorObject>(
         TextureAnimatorObject{surface, TextureAnimator(surface->surface, options)});

@@ -169,27 +169,27 @@ MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const Fr
   return m;
 }
 
-YieldedFrame::YieldedFrame(const SceneFrame& wanted, const FrameResult& result) : wanted_(wanted) {
+RelaxedFrame::RelaxedFrame(const SceneFrame& wanted, const FrameResult& result) : wanted_(wanted) {
   if (result.frequencies.empty()) return;
-  yielded_ = wanted;
-  yielded_->waves.frequencies.assign(result.frequencies.begin(), result.frequencies.end());
+  relaxed_ = wanted;
+  relaxed_->waves.frequencies.assign(result.frequencies.begin(), result.frequencies.end());
 }
 
-std::span<const float> YieldedFrame::frequencies_wanted() const {
-  return yielded_ ? std::span<const float>(wanted_.waves.frequencies) : std::span<const float>();
+std::span<const float> RelaxedFrame::frequencies_wanted() const {
+  return relaxed_ ? std::span<const float>(wanted_.waves.frequencies) : std::span<const float>();
 }
 
-std::optional<FrequencyReport> YieldedFrame::report(std::span<const CornerPhases> corners,
+std::optional<FrequencyReport> RelaxedFrame::report(std::span<const CornerPhases> corners,
                                                     const FrameResult& result) const {
-  if (!yielded_) return std::nullopt;
+  if (!relaxed_) return std::nullopt;
   const PatternQuality quality = measure_quality(wanted_.mesh, wanted_.waves, corners);
   return FrequencyReport{result.frequency_change, quality.spacing_error_mean, {}};
 }
 
-FrameQuality measure_yielded(const YieldedFrame& yielded,
+FrameQuality measure_relaxed(const RelaxedFrame& relaxed,
                              std::shared_ptr<const Adjacency> neighborhood,
                              const FrameResult& result, PhaseShiftKind kind) {
-  const SceneFrame& frame = yielded.frame();
+  const SceneFrame& frame = relaxed.frame();
   const PhaseGraph graph = build_phase_graph(std::move(neighborhood), frame.waves, kind);
   return measure(frame, graph, result, kind).metrics;
 }
@@ -232,25 +232,25 @@ AnimationReport play(const FrameData& data, const AnimationOptions& options, con
     }
     const FrameResult result = animator->frame(input_of(wanted.waves), of_frame.part(0, 0.5));
     of_frame.report(0.5);
-    const YieldedFrame yielded(wanted, result);
-    const SceneFrame& frame = yielded.frame();
+    const RelaxedFrame relaxed(wanted, result);
+    const SceneFrame& frame = relaxed.frame();
     frame_report.milliseconds = result.milliseconds;
     frame_report.unchanged = result.unchanged;
     const PhaseGraph graph = build_phase_graph(surface.neighborhood, frame.waves, kind);
     const MeasuredFrame measured = measure(frame, graph, result, kind);
     frame_report.metrics = measured.metrics;
-    frame_report.frequency = yielded.report(measured.corners, result);
+    frame_report.frequency = relaxed.report(measured.corners, result);
     of_frame.report(0.7);
     if (options.compare_from_scratch) {
       const FrameResult again = scratch->frame(input_of(wanted.waves), of_frame.part(0.7, 1));
-      const YieldedFrame own(wanted, again);
-      frame_report.from_scratch = measure_yielded(own, surface.neighborhood, again, kind);
+      const RelaxedFrame own(wanted, again);
+      frame_report.from_scratch = measure_relaxed(own, surface.neighborhood, again, kind);
     }
     watch.lap();
     begin_part(0.7, 1).report(0);
     if (show) {
       show({data, frame, result.z, animator->phase_buffer(), measured.corners,
-            yielded.frequencies_wanted()});
+            relaxed.frequencies_wanted()});
     }
     frame_report.render_milliseconds = watch.lap();
   }

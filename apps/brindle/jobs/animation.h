@@ -120,22 +120,22 @@ struct MeasuredFrame {
 MeasuredFrame measure(const SceneFrame& frame, const PhaseGraph& graph, const FrameResult& result,
                       PhaseShiftKind kind);
 
-class YieldedFrame;
+class RelaxedFrame;
 
 /// The metrics alone.
-FrameQuality measure_yielded(const YieldedFrame& yielded,
+FrameQuality measure_relaxed(const RelaxedFrame& relaxed,
                              std::shared_ptr<const Adjacency> neighborhood,
                              const FrameResult& result, PhaseShiftKind kind);
 
 /// A frame with the frequencies that it was solved for, which the spacing tolerance may have
 /// changed.
-class YieldedFrame {
+class RelaxedFrame {
  public:
-  YieldedFrame(const SceneFrame& wanted, const FrameResult& result);
-  YieldedFrame(const YieldedFrame&) = delete;
-  YieldedFrame& operator=(const YieldedFrame&) = delete;
+  RelaxedFrame(const SceneFrame& wanted, const FrameResult& result);
+  RelaxedFrame(const RelaxedFrame&) = delete;
+  RelaxedFrame& operator=(const RelaxedFrame&) = delete;
 
-  const SceneFrame& frame() const { return yielded_ ? *yielded_ : wanted_; }
+  const SceneFrame& frame() const { return relaxed_ ? *relaxed_ : wanted_; }
 
   /// Empty without a spacing tolerance.
   std::span<const float> frequencies_wanted() const;
@@ -144,7 +144,7 @@ class YieldedFrame {
 
  private:
   const SceneFrame& wanted_;
-  std::optional<SceneFrame> yielded_;
+  std::optional<SceneFrame> relaxed_;
 };
 
 nlohmann::ordered_json to_json(const AnimationReport& report);

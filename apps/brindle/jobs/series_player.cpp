@@ -143,18 +143,18 @@ class Player {
     report.unchanged = result.frame.unchanged;
     report.series = {source.file, source.time, result.matched_by, result.unmatched};
     const PhaseShiftKind kind = options_.animator.phase_shift;
-    const YieldedFrame yielded(frame, result.frame);
-    const WaveSet& waves = yielded.frame().waves;
+    const RelaxedFrame relaxed(frame, result.frame);
+    const WaveSet& waves = relaxed.frame().waves;
     const PhaseGraph graph = build_phase_graph(source.neighborhood, waves, kind);
-    const MeasuredFrame measured = measure(yielded.frame(), graph, result.frame, kind);
+    const MeasuredFrame measured = measure(relaxed.frame(), graph, result.frame, kind);
     report.metrics = measured.metrics;
-    report.frequency = yielded.report(measured.corners, result.frame);
+    report.frequency = relaxed.report(measured.corners, result.frame);
     if (scratch_) {
       const SceneFrame& alone = pair.alone();
       const auto again = scratch_->frame(alone, source.neighborhood, source.arrays, source.file,
                                          solving.part(0.7, 1));
       report.from_scratch =
-          measure_yielded(YieldedFrame(alone, again.frame), source.neighborhood, again.frame, kind);
+          measure_relaxed(RelaxedFrame(alone, again.frame), source.neighborhood, again.frame, kind);
     }
     display_.narrow((number + 0.7) / static_cast<double>(frames_),
                     (number + 1) / static_cast<double>(frames_));
@@ -162,8 +162,8 @@ class Player {
     const Preparation& prepared = step.prepared;
     const FrameData data{prepared.surface,       prepared.arrays, step.source.file.string(),
                          prepared.vertex_of_row, steps_,          share};
-    const SolvedFrame solved{data, yielded.frame(),  result.frame.z,
-                             0,    measured.corners, yielded.frequencies_wanted()};
+    const SolvedFrame solved{data, relaxed.frame(),  result.frame.z,
+                             0,    measured.corners, relaxed.frequencies_wanted()};
     if (show_) show_(solved);
     if (show_step_ && share == 1) show_step_(step, solved);
     report.render_milliseconds = watch.lap();
@@ -218,7 +218,7 @@ SeriesAnimator::Result SeriesAnimator::frame(const SceneFrame& input,
   topology_milliseconds_ += same ? 0 : animator_->topology_milliseconds();
   last_ = KeptPattern{name,
                       input.mesh,
-                      YieldedFrame(input, result.frame).frame().waves,
+                      RelaxedFrame(input, result.frame).frame().waves,
                       {result.frame.z.begin(), result.frame.z.end()},
                       {arrays.begin(), arrays.end()}};
   return result;

@@ -117,7 +117,7 @@ Outputs checked_outputs(const RankRun& run, const CLI::App& command,
   return outputs;
 }
 
-/// The waves before their frequencies have yielded.
+/// The waves before their frequencies are relaxed.
 WaveSet requested_waves(const StripePattern& pattern) {
   WaveSet waves = pattern.waves;
   if (pattern.frequency_change) waves.frequencies = pattern.frequencies_wanted;

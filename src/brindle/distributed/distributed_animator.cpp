@@ -76,7 +76,7 @@ struct DistributedStripeAnimator::State {
   FrameInput input_of_nodes() const;
   void check_values(const FrameInput& frame) const;
   bool is_kept() const;
-  FrameInput yielded(const Progress& progress);
+  FrameInput relaxed_input(const Progress& progress);
   void start();
   void keep(std::span<const Complex> z, std::span<const float> frequencies);
   FrameResult kept_frame(const FrameResult& solved) const;
@@ -176,11 +176,11 @@ bool DistributedStripeAnimator::State::is_kept() const {
 }
 
 /// The input of own vertices and ghosts with the frequencies to solve for.
-FrameInput DistributedStripeAnimator::State::yielded(const Progress& progress) {
+FrameInput DistributedStripeAnimator::State::relaxed_input(const Progress& progress) {
   if (!relaxed.relaxes()) return input_of_nodes();
   const std::uint64_t halo_before = rows ? rows->halo_bytes() : 0;
   const Traffic before = ranks().traffic();
-  const FrameInput result = relaxed.yielded(input_of_nodes(), on_all(ranks(), progress));
+  const FrameInput result = relaxed.relaxed_input(input_of_nodes(), on_all(ranks(), progress));
   metrics.frequency_bytes = ranks().traffic().since(before).bytes;
   metrics.frequency_halo_bytes = rows ? rows->halo_bytes() - halo_before : 0;
   return result;
@@ -281,7 +281,7 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
   check_values(frame);
   clock.add(&FrameMilliseconds::couple);
   if (is_kept()) return kept_frame(unchanged);
-  const FrameInput next = yielded(progress);
+  const FrameInput next = relaxed_input(progress);
   clock.add(&FrameMilliseconds::frequency);
   start();
   clock.lap();

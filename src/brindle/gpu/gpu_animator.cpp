@@ -351,18 +351,18 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
     return false;
   }
   if (s.relaxed.relaxes()) check_values(input, *s.neighborhood, s.in_place);
-  const FrameInput yielded = s.relaxed.yielded(input, progress);
-  if (!s.input.compare(yielded) && may_stay) {
+  const FrameInput relaxed = s.relaxed.relaxed_input(input, progress);
+  if (!s.input.compare(relaxed) && may_stay) {
     s.timer.start();
     return false;
   }
   if (!s.relaxed.relaxes()) check_values(input, *s.neighborhood, s.in_place);
   solve(progress, [&] {
-    s.build(yielded, progress);
+    s.build(relaxed, progress);
     s.timer.start();
-    return s.input.upload(yielded);
+    return s.input.upload(relaxed);
   });
-  s.input.keep(yielded);
+  s.input.keep(relaxed);
   s.relaxed.keep(input);
   return true;
 }

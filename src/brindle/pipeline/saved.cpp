@@ -10,6 +10,7 @@
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
 #include "brindle/base/standard.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/measured_pattern.h"
@@ -165,8 +166,7 @@ void archive_change(Archive& archive, std::optional<FrequencyChange>& change) {
   archive(has);
   if (!has) return;
   if (archive.reads()) change.emplace();
-  archive(change->ratio_min, change->ratio_max, change->ratio_mean, change->share_at_bounds,
-          change->sweeps, change->residual);
+  archive_change(archive, *change);
 }
 
 void archive_count(Archive& archive, std::size_t& count) {
@@ -191,9 +191,7 @@ void archive_quality(Archive& archive, PatternQuality& q) {
 void archive_pattern(Archive& archive, const Surface& surface, StripePattern& pattern) {
   const std::size_t vertices = surface.mesh.vertex_count();
   WaveSet& waves = pattern.waves;
-  archive.list_of(vertices, waves.positions);
-  archive.list_of(vertices, waves.directions);
-  archive.list_of(vertices, waves.frequencies);
+  archive_waves(archive, vertices, waves);
   archive.list_of_or_none(vertices, pattern.frequencies_wanted);
   archive_change(archive, pattern.frequency_change);
   archive.choice(pattern.phase_shift, PhaseShiftKind::trapezoid);
@@ -205,7 +203,6 @@ void archive_pattern(Archive& archive, const Surface& surface, StripePattern& pa
   StripeMilliseconds& spent = pattern.milliseconds;
   archive(spent.load, spent.topology, spent.frequency, spent.couple, spent.solve, spent.pattern,
           spent.cancel);
-  check_waves(waves.positions, waves.directions, waves.frequencies);
   if (!pattern.frequencies_wanted.empty()) {
     check_waves(waves.positions, waves.directions, pattern.frequencies_wanted);
   }
@@ -260,7 +257,7 @@ Saved<Result> load_file(const std::filesystem::path& path,
   try {
     return load(bytes);
   } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what());
+    throw Error(shown(path.string()) + ": " + error.what());
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include "brindle/base/archive.h"
 #include "brindle/cross_animator.h"
+#include "brindle/phase_graph.h"
+#include "brindle/spacing_tolerance.h"
 #include "brindle/stripe_animator.h"
 #include "brindle/surface.h"
 #include "brindle/texture_animator.h"
@@ -28,6 +30,11 @@ struct AnimatorArchive {
 };
 
 void archive_options(Archive& archive, AnimatorOptions& options);
+
+/// Waves of this many nodes. Throws Error as `check_waves` does.
+void archive_waves(Archive& archive, std::size_t nodes, WaveSet& waves);
+
+void archive_change(Archive& archive, FrequencyChange& change);
 
 /// Throws Error unless vertices, edges and normals are alike.
 void check_made_of(const Surface& surface, const Adjacency& neighborhood,

@@ -321,12 +321,8 @@ namespace {
 
 /// Waves and phases of the last frame. The cover follows from the waves.
 void archive_last(Archive& archive, std::size_t nodes, CrossFrameState& last) {
-  WaveSet& waves = last.cover.waves;
-  archive.list_of(nodes, waves.positions);
-  archive.list_of(nodes, waves.directions);
-  archive.list_of(nodes, waves.frequencies);
+  archive_waves(archive, nodes, last.cover.waves);
   archive.list_of_or_none(nodes, last.z);
-  check_waves(waves.positions, waves.directions, waves.frequencies);
   if (!last.z.empty()) check_last_phases(last.z, nodes);
 }
 

@@ -6,6 +6,7 @@
 
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/sewn_faces.h"
 #include "brindle/waves/fineness.h"
 #include "brindle/waves/slack_check.h"
@@ -16,6 +17,13 @@ namespace brindle {
 namespace {
 
 bool same_bits(const Vec3& a, const Vec3& b) { return a == b; }
+
+/// Copies without allocating if there is room.
+void assign(const FrameInput& input, WaveSet& waves) {
+  waves.positions.assign(input.positions.begin(), input.positions.end());
+  waves.directions.assign(input.directions.begin(), input.directions.end());
+  waves.frequencies.assign(input.frequencies.begin(), input.frequencies.end());
+}
 
 }  // namespace
 
@@ -115,17 +123,17 @@ void FrameFrequencies::set_setting(std::shared_ptr<const RelaxedFrequencySetting
 }
 
 bool FrameFrequencies::is_kept(const FrameInput& input) const {
-  return relaxed_ && has_kept_ && ranges::equal(input.frequencies, kept_.wanted) &&
+  return relaxed_ && has_kept_ && ranges::equal(input.frequencies, kept_.frequencies) &&
          ranges::equal(input.directions, kept_.directions, same_bits) &&
          ranges::equal(input.positions, kept_.positions, same_bits);
 }
 
-FrameInput FrameFrequencies::yielded(const FrameInput& input, const Progress& progress) {
+FrameInput FrameFrequencies::relaxed_input(const FrameInput& input, const Progress& progress) {
   if (!relaxed_) return input;
-  for (Input* kept : {&kept_, &built_for_}) {
+  for (WaveSet* kept : {&kept_, &built_for_}) {
     kept->positions.reserve(input.positions.size());
     kept->directions.reserve(input.directions.size());
-    kept->wanted.reserve(input.frequencies.size());
+    kept->frequencies.reserve(input.frequencies.size());
   }
   return {input.positions, input.directions,
           relaxed_->solve({input.positions, input.directions, input.frequencies}, progress)};
@@ -133,24 +141,23 @@ FrameInput FrameFrequencies::yielded(const FrameInput& input, const Progress& pr
 
 void FrameFrequencies::keep(const FrameInput& input) {
   if (!relaxed_) return;
-  if (!relaxed_->is_settled()) built_for_.assign(input);
+  if (!relaxed_->is_settled()) assign(input, built_for_);
   relaxed_->keep();
   has_kept_ = true;
   change_ = relaxed_->change();
-  kept_.assign(input);
+  assign(input, kept_);
 }
 
-void FrameFrequencies::Input::assign(const FrameInput& input) {
-  positions.assign(input.positions.begin(), input.positions.end());
-  directions.assign(input.directions.begin(), input.directions.end());
-  wanted.assign(input.frequencies.begin(), input.frequencies.end());
+void archive_waves(Archive& archive, std::size_t nodes, WaveSet& waves) {
+  archive.list_of(nodes, waves.positions);
+  archive.list_of(nodes, waves.directions);
+  archive.list_of(nodes, waves.frequencies);
+  check_waves(waves.positions, waves.directions, waves.frequencies);
 }
 
-void FrameFrequencies::Input::archive(Archive& archive, std::size_t vertices) {
-  archive.list_of(vertices, positions);
-  archive.list_of(vertices, directions);
-  archive.list_of(vertices, wanted);
-  check_waves(positions, directions, wanted);
+void archive_change(Archive& archive, FrequencyChange& change) {
+  archive(change.ratio_min, change.ratio_max, change.ratio_mean, change.share_at_bounds,
+          change.sweeps, change.residual);
 }
 
 void FrameFrequencies::archive(Archive& archive) {
@@ -159,13 +166,13 @@ void FrameFrequencies::archive(Archive& archive) {
   bool settled = relaxed_->is_settled();
   archive(settled, has_kept_);
   if (settled) {
-    built_for_.archive(archive, vertices);
-    relaxed_->archive(archive, {built_for_.positions, built_for_.directions, built_for_.wanted});
+    archive_waves(archive, vertices, built_for_);
+    relaxed_->archive(archive,
+                      {built_for_.positions, built_for_.directions, built_for_.frequencies});
   }
   if (!has_kept_) return;
-  kept_.archive(archive, vertices);
-  archive(change_.ratio_min, change_.ratio_max, change_.ratio_mean, change_.share_at_bounds,
-          change_.sweeps, change_.residual);
+  archive_waves(archive, vertices, kept_);
+  archive_change(archive, change_);
 }
 
 void FrameFrequencies::restart() {

@@ -103,9 +103,9 @@ class FrameFrequencies {
   bool is_kept(const FrameInput& input) const;
 
   /// The input with relaxed frequencies. Throws what `RelaxedFrequency::solve` does.
-  FrameInput yielded(const FrameInput& input, const Progress& progress);
+  FrameInput relaxed_input(const FrameInput& input, const Progress& progress);
 
-  /// Commits the last `yielded` input as the last frame. Does not throw.
+  /// Commits the last `relaxed_input` as the last frame. Does not throw.
   void keep(const FrameInput& input);
   void restart();
 
@@ -118,17 +118,10 @@ class FrameFrequencies {
   void archive(Archive& archive);
 
  private:
-  struct Input {
-    std::vector<Vec3> positions = {}, directions = {};
-    std::vector<float> wanted = {};
-
-    void assign(const FrameInput& input);
-    void archive(Archive& archive, std::size_t vertices);
-  };
   std::optional<RelaxedFrequencySolver> relaxed_;
   bool has_kept_ = false;
-  Input kept_;       ///< of the kept frame
-  Input built_for_;  ///< of the frame whose directions the solver's levels follow
+  WaveSet kept_;       ///< input of the kept frame
+  WaveSet built_for_;  ///< input of the frame whose directions the solver's levels follow
   FrequencyChange change_;
 };
 

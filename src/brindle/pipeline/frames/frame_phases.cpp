@@ -8,6 +8,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/pattern/triangle_kernels.h"
 #include "brindle/phases/sliced_graph.h"
+#include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/solver.h"
 #include "brindle/waves/wave_check.h"
 
@@ -166,25 +167,27 @@ void archive_by_node(Archive& archive, const SlicedLayout& layout, std::vector<C
 
 void archive_waves(Archive& archive, const SlicedLayout& layout, std::vector<SlicedWave>& waves) {
   const std::size_t nodes = layout.slot_of.size();
-  std::vector<Vec3> positions(nodes), directions(nodes);
-  std::vector<float> root_frequencies(nodes);
+  // With the square roots of frequencies, which slots hold.
+  WaveSet by_node;
+  if (!archive.reads()) {
+    by_node.positions.resize(nodes);
+    by_node.directions.resize(nodes);
+    by_node.frequencies.resize(nodes);
+  }
   for (std::size_t node = 0; node < nodes && !archive.reads(); ++node) {
     const SlicedWave& wave = waves[layout.slot_of[node]];
-    std::copy_n(wave.position, 3, positions[node].data());
-    std::copy_n(wave.direction, 3, directions[node].data());
-    root_frequencies[node] = wave.root_frequency;
+    std::copy_n(wave.position, 3, by_node.positions[node].data());
+    std::copy_n(wave.direction, 3, by_node.directions[node].data());
+    by_node.frequencies[node] = wave.root_frequency;
   }
-  archive.list_of(nodes, positions);
-  archive.list_of(nodes, directions);
-  archive.list_of(nodes, root_frequencies);
+  archive_waves(archive, nodes, by_node);
   if (!archive.reads()) return;
-  check_waves(positions, directions, root_frequencies);
   waves.assign(layout.slot_count(), SlicedWave());
   for (std::size_t node = 0; node < nodes; ++node) {
     SlicedWave& wave = waves[layout.slot_of[node]];
-    std::copy_n(positions[node].data(), 3, wave.position);
-    std::copy_n(directions[node].data(), 3, wave.direction);
-    wave.root_frequency = root_frequencies[node];
+    std::copy_n(by_node.positions[node].data(), 3, wave.position);
+    std::copy_n(by_node.directions[node].data(), 3, wave.direction);
+    wave.root_frequency = by_node.frequencies[node];
   }
 }
 

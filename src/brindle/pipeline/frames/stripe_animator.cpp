@@ -24,7 +24,7 @@ struct StripeAnimator::State {
   std::shared_ptr<const std::vector<SlicedWave>> built_from = {};
   bool is_sibling = false;  ///< whether the hierarchy came from another animator
   FramePhases phases = FramePhases(options);
-  bool has_yielded = false;    ///< whether the frame being solved has relaxed frequencies
+  bool has_relaxed = false;    ///< whether the frame being solved has relaxed frequencies
   bool has_coarsened = false;  ///< whether the frame being solved builds coarser levels
   FrameFrequencies relaxed = {};
   RestNormals in_place = {};
@@ -153,24 +153,24 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   State& s = *state_;
   // A listener may cancel the frame.
   if (heard.is_heard()) allow_take_back();
-  s.has_yielded = false;
+  s.has_relaxed = false;
   const bool follows = s.phases.has_last && !s.phases.has_given;
   if (follows && s.relaxed.is_kept(input)) return unchanged_result();
   FrameClock clock;
   const Progress progress = progress_of_frame(heard);
-  const FrameInput yielded = s.relaxed.yielded(input, progress.part(0, 0.3));
-  s.has_yielded = true;
+  const FrameInput relaxed = s.relaxed.relaxed_input(input, progress.part(0, 0.3));
+  s.has_relaxed = true;
   progress.report(0.3);
   clock.add(&FrameMilliseconds::frequency);
   start(progress.part(0.3, 0.4));
   clock.lap();
   s.has_coarsened = s.hierarchy.levels.size() == 1;
-  if (!s.phases.load(s.finest(), yielded)) return unchanged_result();
+  if (!s.phases.load(s.finest(), relaxed)) return unchanged_result();
   try {
     WholeLevels levels{s.hierarchy, s.phases.next_waves(), s.built_from};
     s.phases.solve(levels, s.options, clock, progress.part(0.4, 1));
     if (!s.phases.has_last && s.options.lambda > 0) reserve_anchors(s.hierarchy);
-    if (s.sewing.has_creases() && s.phases.starts_afresh()) sew(yielded);
+    if (s.sewing.has_creases() && s.phases.starts_afresh()) sew(relaxed);
   } catch (...) {
     take_phases_back();
     throw;
@@ -195,7 +195,7 @@ void StripeAnimator::keep(const FrameInput& input, FrameResult& solved) {
   State& s = *state_;
   Stopwatch watch;
   if (!solved.unchanged) s.phases.keep(s.finest());
-  if (s.has_yielded) s.relaxed.keep(input);
+  if (s.has_relaxed) s.relaxed.keep(input);
   solved.z = s.phases.z_by_node;
   solved.frequencies = s.relaxed.frequencies();
   solved.frequency_change = s.relaxed.change();

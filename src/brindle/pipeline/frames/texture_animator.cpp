@@ -201,9 +201,9 @@ void TextureAnimator::set_slack(const Slack& slack) {
   s.options.stripes.slack = slack;
 }
 
-void TextureAnimator::set_whole_tiles(const std::optional<TileMotifs>& metrics) {
-  if (metrics) check_tile_motifs(*metrics);
-  state_->options.whole_tiles = metrics;
+void TextureAnimator::set_whole_tiles(const std::optional<TileMotifs>& motifs) {
+  if (motifs) check_tile_motifs(*motifs);
+  state_->options.whole_tiles = motifs;
 }
 
 void TextureAnimator::restart() {

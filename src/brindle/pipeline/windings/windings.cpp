@@ -10,8 +10,8 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
+#include "brindle/pipeline/relaxed_stripes.h"
 #include "brindle/pipeline/windings/twisted_forms.h"
-#include "brindle/pipeline/yielded_stripes.h"
 
 namespace brindle {
 namespace {
