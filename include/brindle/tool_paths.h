@@ -28,10 +28,12 @@ struct ToolPathOptions {
   PathOrder order = PathOrder::nearest;
   float width = 0;          ///< of the tool's trace where no curve is beside it; above 0
   Vec3 up = Vec3::UnitZ();  ///< for layers and spirals; not zero
-  float connect = 0;        ///< ends up to this far apart are joined along the surface
-  float least_radius = 0;   ///< curves are cut where they bend more tightly
-  float least_length = 0;   ///< curves that are then shorter are left out
-  float cut_length = 0;     ///< from the cutter to the tool; shorter paths are left out
+  /// Ends up to this far apart are joined along the surface. Empty: two widths, but 0 for spirals
+  /// and with `least_radius`, as joins are sharp bends.
+  std::optional<float> connect = {};
+  float least_radius = 0;  ///< curves are cut where they bend more tightly
+  float least_length = 0;  ///< curves that are then shorter are left out
+  float cut_length = 0;    ///< from the cutter to the tool; shorter paths are left out
 };
 
 /// Metrics of paths, in units of length.

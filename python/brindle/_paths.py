@@ -111,11 +111,10 @@ def paths(curves: Curves, *, order: Order = "nearest", width: Optional[float] = 
     options = _core.PathOptions()
     stripes = curves.stripes
     options.width = number(1 / stripes.frequency.mean(dtype=float) if width is None else width, "width")
-    alone = least_radius > 0 or order == "spiral"
-    if connect is not None and alone and connect > 0:
-        raise Error("connect: joins are sharp bends, and a spiral is one path; leave it out")
-    options.connect = number((0 if alone else 2 * options.width) if connect is None else connect,
-                             "connect")
+    if connect is not None:
+        if connect > 0 and (least_radius > 0 or order == "spiral"):
+            raise Error("connect: joins are sharp bends, and a spiral is one path; leave it out")
+        options.connect = number(connect, "connect")
     options.least_radius = number(least_radius, "least_radius")
     options.least_length = number(least_length, "least_length")
     options.cut_length = number(cut_length, "cut_length")

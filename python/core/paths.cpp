@@ -25,7 +25,7 @@ struct PathsData {
 template <class Number>
 using Packed = py::array_t<Number, py::array::c_style | py::array::forcecast>;
 
-/// What the layer above has checked: arrays of its own curves.
+/// Arrays of the package's own curves, which need no checks.
 Polylines lines_of_arrays(const SurfaceData& surface, const Packed<float>& points,
                           const Packed<float>& normals, const Packed<std::int32_t>& offsets,
                           const Packed<bool>& closed) {
@@ -43,14 +43,6 @@ Polylines lines_of_arrays(const SurfaceData& surface, const Packed<float>& point
   return lines;
 }
 
-PathOrder order_named(const std::string& word) {
-  constexpr std::array kWords = {"nearest", "boustrophedon", "layers", "spiral"};
-  for (std::size_t i = 0; i < kWords.size(); ++i) {
-    if (word == kWords[i]) return static_cast<PathOrder>(i);
-  }
-  throw Error("order: '" + word + "'; give nearest, boustrophedon, layers or spiral");
-}
-
 std::shared_ptr<PathsData> make_paths(const SurfacePointer& surface, const Packed<float>& points,
                                       const Packed<float>& normals,
                                       const Packed<std::int32_t>& offsets,
@@ -58,7 +50,7 @@ std::shared_ptr<PathsData> make_paths(const SurfacePointer& surface, const Packe
                                       const ToolPathOptions& given) {
   const Polylines lines = lines_of_arrays(*surface, points, normals, offsets, closed);
   ToolPathOptions options = given;
-  options.order = order_named(order);
+  options.order = static_cast<PathOrder>(choice("--order", order));
   return until_interrupted([&](const Progress& progress) {
     return std::make_shared<PathsData>(
         PathsData{surface, tool_paths(surface->surface.mesh, lines, options, progress)});

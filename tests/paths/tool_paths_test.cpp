@@ -213,7 +213,7 @@ TEST(ToolPaths, ThreadsChangeNoBitAndMotionOnlyPlaces) {
   for (Vec3& point : mesh.positions) point = 2 * (rotation * point) + Vec3(1, 2, 3);
   ToolPathOptions options = made.options;
   options.width *= 2;
-  options.connect *= 2;
+  *options.connect *= 2;
   const ToolPathMetrics moved = tool_paths(mesh, curves, options).metrics;
   EXPECT_NEAR(moved.travel, 2 * paths.metrics.travel, 0.03 * moved.travel);
   EXPECT_NEAR(moved.length, 2 * paths.metrics.length, 0.01 * moved.length);

@@ -42,9 +42,7 @@ StripeCurves traced_curves(const StripeTracer& tracer, const Mesh& mesh,
 bool is_soon_measured(const CurveFamily& family) {
   constexpr double kMost = 100'000;
   const FrequencyField& frequencies = family.pattern.waves.frequencies;
-  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
-  const double mean = sum / static_cast<double>(std::max<std::size_t>(frequencies.size(), 1));
-  return 10 * total_length(family.curves.lines) * mean <= kMost;
+  return 10 * total_length(family.curves.lines) <= kMost * mean_spacing(frequencies);
 }
 
 void measure_spacing(const StripeTracer& tracer, CurveMetrics metrics, CurveFamily& family,
@@ -170,6 +168,11 @@ CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listene
   return job;
 }
 
+double mean_spacing(const FrequencyField& frequencies) {
+  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+  return static_cast<double>(frequencies.size()) / sum;
+}
+
 double total_length(const Polylines& lines) {
   double length = 0;
   for (std::size_t line = 0; line < lines.count(); ++line) length += length_of(lines, line);
@@ -199,8 +202,7 @@ namespace {
 float tube_radius_of(const CurvesArguments& arguments, const Mesh& mesh,
                      const FrequencyField& frequencies) {
   if (arguments.tube_radius) return arguments.tube_radius->on(bounding_box(mesh).diagonal());
-  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
-  return static_cast<float>(static_cast<double>(frequencies.size()) / (12 * sum));
+  return static_cast<float>(mean_spacing(frequencies) / 12);
 }
 
 }  // namespace

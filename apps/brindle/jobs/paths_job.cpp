@@ -1,7 +1,6 @@
 #include "jobs/paths_job.h"
 
 #include <cmath>
-#include <numeric>
 #include <ostream>
 #include <utility>
 
@@ -25,24 +24,19 @@ CurvesArguments curves_of(const PathsArguments& arguments) {
   return curves;
 }
 
-float mean_spacing(const FrequencyField& frequencies) {
-  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
-  return static_cast<float>(static_cast<double>(frequencies.size()) / sum);
-}
-
 ToolPathOptions options_of(const PathsArguments& arguments, const CurvesJob& job) {
   const float diagonal = bounding_box(job.prepared.surface.mesh).diagonal();
   ToolPathOptions options;
   options.order = arguments.order;
   options.up = arguments.machine.up;
-  options.width = arguments.path_width
-                      ? arguments.path_width->on(diagonal)
-                      : mean_spacing(job.families.front().pattern.waves.frequencies);
+  options.width =
+      arguments.path_width
+          ? arguments.path_width->on(diagonal)
+          : static_cast<float>(mean_spacing(job.families.front().pattern.waves.frequencies));
   options.least_radius = arguments.least_radius.on(diagonal);
   options.least_length = arguments.min_length.on(diagonal);
   options.cut_length = arguments.cut_length.on(diagonal);
-  if (options.least_radius > 0 || options.order == PathOrder::spiral) return options;
-  options.connect = arguments.connect ? arguments.connect->on(diagonal) : 2 * options.width;
+  if (arguments.connect) options.connect = arguments.connect->on(diagonal);
   return options;
 }
 

@@ -224,8 +224,8 @@ bool is_tool_path_format(const std::filesystem::path& path) {
 
 void write_tool_paths(const std::filesystem::path& path, const ToolPaths& paths,
                       const Machine& machine, const Progress& progress) {
-  machine_points(paths, machine);  // throws before a file is begun
   if (is_polyline_format(path)) {
+    machine_points(paths, machine);  // checks the machine
     return write_polylines(
         path, std::vector<NamedLines>{{"path", paths.lines, arrays_of(paths, machine)}}, progress);
   }

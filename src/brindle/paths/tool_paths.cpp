@@ -25,8 +25,8 @@ void check_options(const Polylines& curves, const ToolPathOptions& options) {
   if (!(options.width > 0) || !std::isfinite(options.width)) {
     throw Error("tool paths: the width must be a finite number above 0");
   }
-  for (const float length :
-       {options.connect, options.least_radius, options.least_length, options.cut_length}) {
+  for (const float length : {options.connect.value_or(0), options.least_radius,
+                             options.least_length, options.cut_length}) {
     if (length >= 0 && std::isfinite(length)) continue;
     throw Error("tool paths: lengths must be finite numbers of 0 or more");
   }
@@ -40,6 +40,11 @@ void check_options(const Polylines& curves, const ToolPathOptions& options) {
     throw Error("a spiral is one open curve, and there are " + std::to_string(curves.count()) +
                 " curves; wind stripes that close around once, without branches");
   }
+}
+
+float connect_of(const ToolPathOptions& options) {
+  const bool alone = options.least_radius > 0 || options.order == PathOrder::spiral;
+  return options.connect.value_or(alone ? 0 : 2 * options.width);
 }
 
 double height_of(const Polylines& lines, Index line, const Eigen::Vector3d& up) {
@@ -271,7 +276,7 @@ ToolPaths tool_paths(const Mesh& mesh, const Polylines& curves, const ToolPathOp
   if (kept.count() > 0) {
     const std::vector<PlacedLine> order = order_of(kept, options, paths.metrics, ordering);
     const Progress joining = stages.begin("joins");
-    PathBuilder builder(mesh, kept, options.connect, paths);
+    PathBuilder builder(mesh, kept, connect_of(options), paths);
     reported_for(
         order.size(), joining, [&](std::size_t i) { builder.add(order[i]); }, 256);
     builder.end_path();
