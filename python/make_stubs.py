@@ -17,7 +17,7 @@ import numpy
 import numpy.typing
 
 '''
-# What pybind11 calls objects of any type, and types with parameters that it does not know.
+# Types by pybind11's names. Those that it does not know in detail are Any.
 TYPES = {"handle": "Any", "object": "Any", "dict": "dict[Any, Any]", "list": "list[Any]",
          "tuple": "Any", "numpy.ndarray": "numpy.typing.NDArray[Any]", "array": "Any"}
 

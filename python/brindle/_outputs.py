@@ -303,7 +303,7 @@ class Curves(Drawn, Result):
                 "closed": closed, "open": self.count - closed,
                 "short_curves_left_out": metrics.pop("short_curves_left_out"),
                 "points": len(self.points), "length": float(sum(self.lengths)), **metrics,
-                **json.loads(self.stripes._core.making()),
+                **json.loads(self.stripes._core.fabrication()),
                 **{key: quality[key] for key in ("frequency_change",) if key in quality}}
 
     def measures(self, path_width: float = 0) -> dict[str, Any]:

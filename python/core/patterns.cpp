@@ -264,7 +264,7 @@ void bind_stripes(py::module_& module) {
       .def("branch_indices", branch_indices_of)
       .def("angle_errors", angle_errors_of)
       .def("report", report_of, py::arg("invocation"))
-      .def("making", fabrication_of)
+      .def("fabrication", fabrication_of)
       .def("warnings", warnings_of, py::arg("source"));
 }
 

@@ -102,7 +102,8 @@ TEST_F(SurfaceFiles, LinesAreNoSurfaceUnlessTheirPointsAreAskedFor) {
       file.is_point_cloud();
       FAIL() << name;
     } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("read it as points"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("read it as points"), std::string::npos)
+          << error.what();
     }
     EXPECT_EQ(file.points().cloud.positions.size(), 3u) << name;
   }

@@ -1,4 +1,4 @@
-// What the npm package's types and programs say of options, against the table.
+// Options in the npm package's types and programs, compared with the table.
 #include <fstream>
 #include <optional>
 #include <regex>

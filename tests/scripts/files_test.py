@@ -157,14 +157,20 @@ def picture_of(window, renderer, camera, path):
     writer.Write()
 
 
-def rendered(path, picture, camera, out):
-    """The file as VTK draws it, without light."""
+def off_screen():
+    """A window without samples, and its renderer."""
     renderer = vtk.vtkRenderer()
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
     window.SetSize(WIDTH, HEIGHT)
     window.AddRenderer(renderer)
+    return window, renderer
+
+
+def rendered(path, picture, camera, out):
+    """The file as VTK draws it, without light."""
+    window, renderer = off_screen()
     add_file(path, picture, window, renderer)
     picture_of(window, renderer, camera, out)
     return pixels_of(out)
@@ -372,12 +378,7 @@ def test_sine_is_drawn_alike(tool, mesh, tmp_path):
                    cwd=folder, check=True, stderr=subprocess.DEVNULL)
     ours = pixels_of(os.path.join(folder, "sine.png"))
     data = vtp_of(os.path.join(folder, "sine.vtp"))
-    renderer = vtk.vtkRenderer()
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(WIDTH, HEIGHT)
-    window.AddRenderer(renderer)
+    window, renderer = off_screen()
     renderer.AddActor(sine_actor(data))
     camera = camera_over(vtk_to_numpy(data.GetPoints().GetData()).astype(float),
                          "z" if mesh.startswith("shape:") else "y")
