@@ -47,7 +47,7 @@ def fresh(folder):
 def build(folder, *options):
     """Changes how a build links and installs; nothing is compiled again."""
     run("cmake", folder, "--log-level=WARNING", *options, stdout=subprocess.DEVNULL)
-    run("cmake", "--build", folder, "--target", "brindle", "brindle_tool", "brindle_python",
+    run("cmake", "--build", folder, "--target", "brindle", "brindle_c", "brindle_tool", "brindle_python",
         stdout=subprocess.DEVNULL)
 
 
