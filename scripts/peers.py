@@ -223,9 +223,11 @@ class Bench:
         return path
 
     def prepare(self, mesh, stripes):
-        """The mesh as all read it, and one frequency for all."""
+        """The mesh as all read it, and one frequency for all. Without creases: what is split there has
+        copies of vertices, at which the others' surfaces would end."""
         read = self.report([self.tool, "stripe", mesh, "--quiet", "--stripes", f"{stripes:.9g}",
-                            "--output", self.mesh, "--report", REPORT], "brindle")
+                            "--crease-angle", 180, "--output", self.mesh, "--report", REPORT],
+                           "brindle")
         if read.get("kind") != "mesh":
             raise Failed("refused", "it has no triangles")
         self.frequency = read["frequency_max"]
