@@ -10,7 +10,7 @@ const browser = await puppeteer.launch({
          '--enable-unsafe-swiftshader', '--force-prefers-reduced-motion'],
 });
 const page = await browser.newPage();
-await page.setViewport({ width: 840, height: 560 });
+await page.setViewport({ width: 840, height: 600 });
 await page.goto(address + (process.argv[4] ?? ''));
 await page.waitForFunction(() => document.body.dataset.state === 'ready' &&
   document.getElementById('metrics').textContent !== '', { timeout: 60000 });

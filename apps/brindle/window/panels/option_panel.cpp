@@ -20,7 +20,7 @@
 namespace brindle::tool {
 namespace {
 
-constexpr float kLabelShare = 0.44f;
+constexpr float kLabelShare = 0.48f;
 
 /// Two numbers as text: "0.1..0.9", "0.4..2.5,inverse" or "30,20".
 struct TwoNumbers {

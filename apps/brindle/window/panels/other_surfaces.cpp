@@ -261,7 +261,7 @@ void OtherSurfaces::draw_stripes(OtherSurfaceChoice& choice, const Changed& chan
   row("stripes", "along the diagonal of this surface; else as dense as the first's", choice.stripes,
       40, 2, 200);
   if (choice.striped) row("width", "as a share of the period", choice.stripe_width, 0.5f, 0, 1);
-  row("turn", "of the field about the normals, in degrees", choice.rotate_deg, 0, -180, 180);
+  row("rotate", "of the field about the normals, in degrees", choice.rotate_deg, 0, -180, 180);
 }
 
 void OtherSurfaces::draw_place(OtherSurfaceChoice& choice, const Changed& changed,
