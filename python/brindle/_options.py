@@ -10,9 +10,15 @@ from . import _core
 from ._arguments import (Error, Match, Tiles, check_scalar, flag, in_range, number, numbers_of,
                          option_name, whole_number, word)
 
-ROWS: dict[str, dict[str, str]] = {}
+ROWS: dict[str, dict[str, Any]] = {}
 for _row in _core.option_rows():
     ROWS.setdefault(_row["name"].replace("-", "_"), _row)
+
+
+def option_rows() -> dict[str, dict[str, Any]]:
+    """The rows of the table of options by the names of arguments, for panels: words (a label), kind,
+    form, unit, standard (the default), range, slider, excludes, part_of and help."""
+    return {name: {**row, "help": _core.in_pythons_words(row["help"])} for name, row in ROWS.items()}
 
 
 def checked(name: str, value: Any) -> Any:

@@ -23,9 +23,12 @@ py::list option_rows() {
                                            "numbers", "length", "text"};
   py::list rows;
   for (const OptionInfo& row : option_table()) {
-    rows.append(py::dict("name"_a = row.name, "kind"_a = kKinds[static_cast<int>(row.kind)],
-                         "form"_a = row.form, "standard"_a = row.standard, "group"_a = row.group,
-                         "part_of"_a = row.part_of, "help"_a = row.help));
+    rows.append(py::dict(
+        "name"_a = row.name, "words"_a = row.words, "kind"_a = kKinds[static_cast<int>(row.kind)],
+        "form"_a = row.form, "unit"_a = row.unit, "standard"_a = row.standard,
+        "group"_a = row.group, "part_of"_a = row.part_of, "excludes"_a = row.excludes,
+        "range"_a = std::pair(row.range.least, row.range.most),
+        "slider"_a = std::pair(row.slider.lowest, row.slider.highest), "help"_a = row.help));
   }
   return rows;
 }

@@ -49,26 +49,6 @@ class Polyscope(types.ModuleType):
         self.registered.append(name)
 
 
-def blender():
-    """A stand-in for Blender's meshes."""
-
-    class Mesh:
-        def from_pydata(self, vertices, edges, faces):
-            assert len(vertices[0]) == 3 and edges == [] and len(faces[0]) == 3
-            self.corners = 3 * len(faces)
-            self.uv_layers = types.SimpleNamespace(new=lambda name: types.SimpleNamespace(
-                data=types.SimpleNamespace(foreach_set=self.foreach_set)))
-
-        def foreach_set(self, name, values):
-            assert name == "uv" and values.shape == (2 * self.corners,)
-
-    module = types.ModuleType("bpy")
-    new = types.SimpleNamespace
-    module.data = new(meshes=new(new=lambda name: Mesh()), objects=new(new=lambda name, mesh: mesh))
-    module.context = new(collection=new(objects=new(link=lambda thing: None)))
-    return module
-
-
 def run(source, folder, monkeypatch):
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MPLBACKEND", "agg")
@@ -89,7 +69,6 @@ def needs(source):
 def test_page(source, tmp_path, monkeypatch):
     needs(source)
     monkeypatch.setitem(sys.modules, "polyscope", Polyscope())
-    monkeypatch.setitem(sys.modules, "bpy", blender())
     lines = [line for line in source.splitlines() if line and not line.startswith("import ")]
     assert len(lines) <= 12, "ten lines or so"
     run(source, tmp_path, monkeypatch)
