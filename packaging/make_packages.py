@@ -3,8 +3,8 @@
 
 usage: make_packages.py BUILD OUT [KIND...]
 
-KIND: source, deb, tarball, wheel, npm, paraview, recipes; all of them unless given. Build packages
-must be there; `npm` needs build/web, `paraview` needs build/paraview.
+KIND: source, deb, tarball, wheel, blender, npm, paraview, recipes; all of them unless given. Build
+packages must be there; `npm` needs build/web, `paraview` needs build/paraview, `blender` the wheel.
 """
 import hashlib
 import json
@@ -14,6 +14,7 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from email.utils import formatdate
 
 from bundle import bundle, elfs, glibc_of, libraries_of, output
@@ -145,6 +146,19 @@ def make_wheel(build_folder, out):
     run("/usr/bin/python3", "-m", "wheel", "pack", "--dest-dir", out, folder, stdout=subprocess.DEVNULL)
 
 
+def make_blender(_, out):
+    """The add-on, with the wheel unpacked inside: before 4.2, Blender installs no wheels."""
+    folder = fresh(out / "work/blender/brindle_blender")
+    fill_folder(ROOT / "blender/brindle_blender", folder, {"VERSION_TUPLE": VERSION.replace(".", ", ")})
+    with zipfile.ZipFile(next(out.glob("*.whl"))) as wheel:
+        wheel.extractall(folder / "modules")
+    with zipfile.ZipFile(out / f"{NAME}-blender-Linux-x86_64.zip", "w", zipfile.ZIP_DEFLATED) as file:
+        for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+            # Without times, which would change from run to run.
+            entry = zipfile.ZipInfo(str(path.relative_to(folder.parent)))
+            file.writestr(entry, path.read_bytes(), zipfile.ZIP_DEFLATED)
+
+
 def make_npm(_, out):
     # npm names the file after name and version.
     run("npm", "pack", "--silent", "--pack-destination", out, ROOT / "build/web/package")
@@ -180,7 +194,7 @@ def main():
     build_folder, out = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     out.mkdir(parents=True, exist_ok=True)
     kinds = {"source": make_source, "deb": make_deb, "tarball": make_tarball, "wheel": make_wheel,
-             "npm": make_npm, "paraview": make_paraview, "recipes": make_recipes}
+             "blender": make_blender, "npm": make_npm, "paraview": make_paraview, "recipes": make_recipes}
     for kind in sys.argv[3:] or kinds:
         print(f"package: {kind}", flush=True)
         kinds[kind](build_folder, out)

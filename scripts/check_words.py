@@ -28,7 +28,7 @@ BUDGETS = [
     (1000, "samples point_clouds"), (1500, "paraview"), (1400, "window"), (1200, "web"), (1000, "gpu"),
     (1200, "distributed"), (1300, "files"), (1600, "report"), (900, "sessions"), (400, "glossary"),
     (2700, "method"), (800, "comparison"), (980, "benchmarks"), (2020, "architecture fuzzing tried"),
-    (900, "gallery/README"), (400, "c"), (2700, "options"),
+    (900, "gallery/README"), (400, "c"), (700, "blender"), (2700, "options"),
 ]
 
 # Term: the field's name for it. Terms are regular expressions for whole words.

@@ -1,0 +1,103 @@
+"""Renders stones with stripes; docs/blender.md shows the picture.
+
+    blender --background --factory-startup --python stones.py -- FILE.jpg [HEIGHT [SAMPLES]]
+"""
+import math
+import sys
+
+import addon_utils
+import bpy
+
+addon_utils.enable("brindle_blender")
+
+IVORY = (0.87, 0.82, 0.70)
+# Size, height of the middle, turn, stripes, dark colour, field.
+STONES = [((1.25, 1.05, 0.55), 0.52, 10, 46, (0.012, 0.035, 0.09), "SMOOTH"),
+          ((0.92, 0.80, 0.46), 1.45, 75, 38, (0.30, 0.055, 0.022), "SMOOTH"),
+          ((0.62, 0.66, 0.36), 2.20, 140, 30, (0.03, 0.085, 0.06), "SMOOTH"),
+          ((0.36, 0.40, 0.27), 2.78, 200, 22, (0.02, 0.02, 0.022), "SMOOTH")]
+
+
+def stone(number, size, height, turn, stripes, dark, field):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=128, ring_count=64)
+    obj = bpy.context.object
+    bpy.ops.object.shade_smooth()
+    texture = bpy.data.textures.new(f"stone {number}", "CLOUDS")
+    texture.noise_scale, texture.noise_depth = 1.3, 1
+    anchor = bpy.data.objects.new(f"anchor {number}", None)
+    anchor.location = (3.7 * number, 1.9 * number, 5)
+    bpy.context.collection.objects.link(anchor)
+    bend = obj.modifiers.new("Displace", "DISPLACE")
+    bend.texture, bend.texture_coords, bend.texture_coords_object = texture, "OBJECT", anchor
+    bend.strength = 0.45
+    obj.scale, obj.location, obj.rotation_euler.z = size, (0.05 * (-1) ** number, 0, height), math.radians(turn)
+    bpy.context.view_layer.update()
+    obj.brindle.field, obj.brindle.stripes = field, stripes
+    bpy.ops.brindle.make(kind="STRIPES")
+    obj.active_material = obj.active_material.copy()
+    nodes = obj.active_material.node_tree.nodes
+    mix = next(node for node in nodes if node.type == "MIX_RGB")
+    mix.inputs["Color1"].default_value, mix.inputs["Color2"].default_value = (*IVORY, 1), (*dark, 1)
+    nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.42
+
+
+def paper():
+    """A floor that bends up into a wall."""
+    depths = [-14] + [2 + 4 * math.sin(math.radians(angle)) for angle in range(0, 91, 5)] + [6]
+    heights = [0] + [4 - 4 * math.cos(math.radians(angle)) for angle in range(0, 91, 5)] + [30]
+    points = [(x, y, z) for y, z in zip(depths, heights) for x in (-40, 40)]
+    mesh = bpy.data.meshes.new("paper")
+    mesh.from_pydata(points, [], [(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2) for i in range(len(depths) - 1)])
+    mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
+    obj = bpy.data.objects.new("paper", mesh)
+    bpy.context.collection.objects.link(obj)
+    material = bpy.data.materials.new("paper")
+    material.use_nodes = True
+    surface = material.node_tree.nodes["Principled BSDF"]
+    surface.inputs["Base Color"].default_value = (0.72, 0.66, 0.57, 1)
+    surface.inputs["Roughness"].default_value = 0.9
+    obj.active_material = material
+
+
+def light(location, target, size, power, color=(1, 1, 1)):
+    lamp = bpy.data.lights.new("light", "AREA")
+    lamp.size, lamp.energy, lamp.color = size, power, color
+    obj = bpy.data.objects.new("light", lamp)
+    obj.location = location
+    look_at(obj, target)
+    bpy.context.collection.objects.link(obj)
+
+
+def look_at(obj, target):
+    from mathutils import Vector
+
+    obj.rotation_euler = (Vector(target) - obj.location).to_track_quat("-Z", "Y").to_euler()
+
+
+def main(path, height=1100, samples=256):
+    scene = bpy.context.scene
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    for number, parts in enumerate(STONES):
+        stone(number, *parts)
+    paper()
+    light((-5, -4, 7), (0, 0, 1.3), 3.5, 620, (1, 0.95, 0.88))
+    light((6, -5, 3), (0, 0, 1.3), 5, 90, (0.8, 0.88, 1))
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.location, camera.data.lens = (0.3, -11.5, 2.5), 85
+    look_at(camera, (0, 0, 1.62))
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.9, 0.92, 1, 1)
+    scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.25
+    scene.render.engine, scene.cycles.use_denoising, scene.cycles.samples = "CYCLES", False, samples
+    scene.render.resolution_x, scene.render.resolution_y = round(0.8 * height), height
+    scene.render.resolution_percentage = 100
+    scene.view_settings.view_transform, scene.view_settings.look = "Filmic", "Medium High Contrast"
+    scene.render.image_settings.file_format, scene.render.image_settings.quality = "JPEG", 88
+    scene.render.filepath = path
+    bpy.ops.render.render(write_still=True)
+
+
+words = sys.argv[sys.argv.index("--") + 1:]
+main(words[0], *map(int, words[1:]))
