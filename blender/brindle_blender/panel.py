@@ -59,7 +59,7 @@ class BRINDLE_PT_make(_InSidebar, bpy.types.Panel):
 
     def draw(self, context):
         settings, layout = context.object.brindle, self.layout
-        grid = layout.grid_flow(columns=2, even_columns=True, align=True)
+        grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
         for kind, name, _ in rows.KINDS:
             grid.operator("brindle.make", text=name, depress=kind in settings.made).kind = kind
         row = layout.row()

@@ -7,38 +7,56 @@ import sys
 
 import addon_utils
 import bpy
+from mathutils import Vector
 
 addon_utils.enable("brindle_blender")
 
+DOWN = Vector((0, 0, -1))
 IVORY = (0.87, 0.82, 0.70)
-# Size, height of the middle, turn, stripes, dark colour, field.
-STONES = [((1.25, 1.05, 0.55), 0.52, 10, 46, (0.012, 0.035, 0.09), "SMOOTH"),
-          ((0.92, 0.80, 0.46), 1.45, 75, 38, (0.30, 0.055, 0.022), "SMOOTH"),
-          ((0.62, 0.66, 0.36), 2.20, 140, 30, (0.03, 0.085, 0.06), "SMOOTH"),
-          ((0.36, 0.40, 0.27), 2.78, 200, 22, (0.02, 0.02, 0.022), "SMOOTH")]
+# Size, turn, stripes and dark colour, from below.
+STONES = [((1.25, 1.05, 0.55), 10, 46, (0.012, 0.035, 0.09)),
+          ((0.92, 0.80, 0.46), 75, 38, (0.30, 0.055, 0.022)),
+          ((0.62, 0.66, 0.36), 140, 30, (0.03, 0.085, 0.06)),
+          ((0.36, 0.40, 0.27), 200, 22, (0.02, 0.02, 0.022))]
 
 
-def stone(number, size, height, turn, stripes, dark, field):
+def put_down(obj, below):
+    """Moves the object down until it touches the stone below, or the ground."""
+    obj.location.z += 9
+    bpy.context.view_layer.update()
+    graph = bpy.context.evaluated_depsgraph_get()
+    points = [obj.matrix_world @ vertex.co for vertex in obj.evaluated_get(graph).data.vertices]
+    gap = min(point.z for point in points)
+    if below is not None:
+        lower, inverse = below.evaluated_get(graph), below.matrix_world.inverted()
+        hits = [(point, lower.ray_cast(inverse @ point, inverse.to_3x3() @ DOWN)) for point in points]
+        gap = min(point.z - (below.matrix_world @ place).z for point, (hit, place, *_) in hits if hit)
+    obj.location.z -= gap + 0.02
+    bpy.context.view_layer.update()
+
+
+def stone(number, size, turn, stripes, dark, below):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=128, ring_count=64)
     obj = bpy.context.object
     bpy.ops.object.shade_smooth()
     texture = bpy.data.textures.new(f"stone {number}", "CLOUDS")
     texture.noise_scale, texture.noise_depth = 1.3, 1
     anchor = bpy.data.objects.new(f"anchor {number}", None)
-    anchor.location = (3.7 * number, 1.9 * number, 5)
+    anchor.parent, anchor.location = obj, (3.7 * number, 1.9 * number, 5)
     bpy.context.collection.objects.link(anchor)
     bend = obj.modifiers.new("Displace", "DISPLACE")
     bend.texture, bend.texture_coords, bend.texture_coords_object = texture, "OBJECT", anchor
     bend.strength = 0.45
-    obj.scale, obj.location, obj.rotation_euler.z = size, (0.05 * (-1) ** number, 0, height), math.radians(turn)
-    bpy.context.view_layer.update()
-    obj.brindle.field, obj.brindle.stripes = field, stripes
+    obj.scale, obj.location.x, obj.rotation_euler.z = size, 0.05 * (-1) ** number, math.radians(turn)
+    put_down(obj, below)
+    obj.brindle.stripes = stripes
     bpy.ops.brindle.make(kind="STRIPES")
     obj.active_material = obj.active_material.copy()
     nodes = obj.active_material.node_tree.nodes
     mix = next(node for node in nodes if node.type == "MIX_RGB")
     mix.inputs["Color1"].default_value, mix.inputs["Color2"].default_value = (*IVORY, 1), (*dark, 1)
     nodes["Principled BSDF"].inputs["Roughness"].default_value = 0.42
+    return obj
 
 
 def paper():
@@ -69,8 +87,6 @@ def light(location, target, size, power, color=(1, 1, 1)):
 
 
 def look_at(obj, target):
-    from mathutils import Vector
-
     obj.rotation_euler = (Vector(target) - obj.location).to_track_quat("-Z", "Y").to_euler()
 
 
@@ -78,14 +94,15 @@ def main(path, height=1100, samples=256):
     scene = bpy.context.scene
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
+    below = None
     for number, parts in enumerate(STONES):
-        stone(number, *parts)
+        below = stone(number, *parts, below)
     paper()
-    light((-5, -4, 7), (0, 0, 1.3), 3.5, 620, (1, 0.95, 0.88))
+    light((-5, -4, 7), (0, 0, 1.3), 2.5, 900, (1, 0.95, 0.88))
     light((6, -5, 3), (0, 0, 1.3), 5, 90, (0.8, 0.88, 1))
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.location, camera.data.lens = (0.3, -11.5, 2.5), 85
-    look_at(camera, (0, 0, 1.62))
+    camera.location, camera.data.lens = (0.3, -11.5, 2.6), 98
+    look_at(camera, (0, 0, 1.5))
     scene.collection.objects.link(camera)
     scene.camera = camera
     scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.9, 0.92, 1, 1)

@@ -8,7 +8,10 @@ import bpy
 import numpy as np
 
 addon_utils.enable("brindle_blender")
+bpy.context.preferences.view.show_splash = False
+sys.path.append(os.path.dirname(__file__))
 
+import checks  # noqa: E402
 from brindle_blender import evaluated, nodes  # noqa: E402
 
 
@@ -41,8 +44,10 @@ def steps():
     with in_view():
         space = bpy.context.space_data
         space.show_region_ui, space.shading.type = True, "MATERIAL"
-        bpy.context.preferences.view.show_splash = False
-        bpy.ops.mesh.primitive_torus_add(major_segments=96, minor_segments=32)
+        bpy.data.objects.remove(bpy.data.objects["Cube"])
+        bpy.ops.mesh.primitive_torus_add(major_segments=96, minor_segments=32, minor_radius=0.5)
+        bpy.ops.object.shade_smooth()
+        bpy.ops.view3d.view_selected()
         bpy.ops.ed.undo_push(message="torus")
     yield
     # No call opens a tab of the sidebar, so the panels move to the tab that is open.
@@ -58,7 +63,6 @@ def steps():
     first = phases()
     assert first is not None
     yield
-    shot("window.png")
     with in_view():
         settings().stripes = 20
         bpy.ops.ed.undo_push(message="stripes")
@@ -78,7 +82,9 @@ def steps():
         bpy.ops.ed.redo()
     assert settings().stripes == 20 and np.array_equal(phases(), second)
     yield
-    shot("window_20.png")
+    shot("window.png")
+    with in_view():
+        checks.check_nodes_draw_what_corners_hold("BLENDER_EEVEE")
 
 
 def run(todo=steps()):
