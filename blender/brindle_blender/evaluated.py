@@ -11,6 +11,13 @@ def column(items, name, kind, width=1):
     return values.reshape(-1, width) if width > 1 else values
 
 
+def remembered(memory, key, make):
+    """The value of the same key as last time, or a new one: sliders leave most steps as they were."""
+    if memory.get("key") != key:
+        memory.update(key=key, value=make())
+    return memory["value"]
+
+
 def stretch_of(obj):
     """The scale of an object without its rotation, (3, 3): a symmetric matrix, which keeps the axes."""
     _, scales, axes = np.linalg.svd(np.array(obj.matrix_world.to_3x3(), np.float64))
@@ -21,6 +28,8 @@ def stretch_of(obj):
 class EvaluatedMesh:
     """What modifiers, shape keys and drivers leave of an object's mesh. `surface` has its lengths in units
     of the scene, also if the object is scaled."""
+
+    _surface = {}
 
     def __init__(self, obj, depsgraph, crease_angle, last=None):
         """With the faces of `last`, a mesh before it moved, it keeps that one's creases."""
@@ -36,11 +45,12 @@ class EvaluatedMesh:
         self.is_moved = (last is not None and np.array_equal(self.loops, last.loops)
                          and np.array_equal(self.corners, last.corners))
         if self.is_moved:
-            copied = last.surface.crease_vertices
-            self.surface = last.surface.with_vertices(np.concatenate([self.points, self.points[copied]]))
-            self._copied = copied
+            self._copied = last._copied
+            self.surface = last.surface.with_vertices(np.concatenate([self.points, self.points[self._copied]]))
         else:
-            self.surface = brindle.Surface(self.points, self.corners[self.loops], crease_angle=crease_angle)
+            faces = self.corners[self.loops]
+            self.surface = remembered(self._surface, (self.points.tobytes(), faces.tobytes(), crease_angle),
+                                      lambda: brindle.Surface(self.points, faces, crease_angle=crease_angle))
             self._copied = self.surface.crease_vertices
 
     def _read(self, obj, mesh):
@@ -51,7 +61,7 @@ class EvaluatedMesh:
         self.polygons = column(mesh.loop_triangles, "polygon_index", np.int32)
         # Modifiers that only deform leave corners as they are: results then belong on the mesh itself.
         self.is_own = np.array_equal(self.corners, column(obj.data.loops, "vertex_index", np.int32))
-        self.marked_edges = _marked_edges(mesh)
+        self.marked_edges = _marked_edges(mesh) if obj.brindle.use_marked_edges else ()
         self._vectors = {attribute.name: (attribute.domain, column(attribute.data, "vector", np.float32, 3))
                          for attribute in mesh.attributes
                          if attribute.data_type == "FLOAT_VECTOR" and attribute.domain in ("POINT", "FACE")}

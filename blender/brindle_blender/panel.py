@@ -62,9 +62,8 @@ class BRINDLE_PT_make(_InSidebar, bpy.types.Panel):
         grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
         for kind, name, _ in rows.KINDS:
             grid.operator("brindle.make", text=name, depress=kind in settings.made).kind = kind
-        row = layout.row()
-        row.prop(settings, "live")
-        row.prop(settings, "follow")
+        layout.prop(settings, "live")
+        layout.prop(settings, "follow")
         if settings.message:
             layout.label(text=settings.message, icon="ERROR")
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import settings as rows
 from .corners import stripe_corners, uv_corners, whole_triangles
-from .evaluated import EvaluatedMesh, column
+from .evaluated import EvaluatedMesh, column, remembered
 from .nodes import BRANCH, PHASE, UV
 
 _CURVATURE_ANCHOR = brindle.Surface.curvature_field.__kwdefaults__["anchor"]
@@ -15,6 +15,8 @@ _CURVATURE_ANCHOR = brindle.Surface.curvature_field.__kwdefaults__["anchor"]
 class Pattern:
     """What an object's settings make of its evaluated mesh. It stays near to `last`, the pattern of the
     frame before."""
+
+    _smooth = {}
 
     def __init__(self, obj, depsgraph, last=None):
         self.settings = obj.brindle
@@ -45,7 +47,11 @@ class Pattern:
         previous = self.last and (self.last.mesh.surface, self.last.directions)
         if settings.field == "CURVATURE":
             given = {"curvature_anchor": _CURVATURE_ANCHOR, "curvature": settings.curvature_direction, **given}
-        return surface.smooth_field(symmetry=symmetry, strokes=self._strokes(), previous=previous, **given)
+        strokes = self._strokes()
+        if strokes or previous:
+            return surface.smooth_field(symmetry=symmetry, strokes=strokes, previous=previous, **given)
+        return remembered(self._smooth, (surface, symmetry, given),
+                          lambda: surface.smooth_field(symmetry=symmetry, **given))
 
     def _strokes(self):
         settings = self.settings
@@ -83,7 +89,7 @@ class Pattern:
             return self.last.frequency
         spacing = self.given(rows.SPACING)
         return (1 / spacing["spacing"] if "spacing" in spacing
-                else self.mesh.surface.frequency_of(spacing.get("stripes", 40)))
+                else self.mesh.surface.frequency_of(rows.value_of(self.settings, "stripes")))
 
     @property
     def layout(self):

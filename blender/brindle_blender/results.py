@@ -71,8 +71,9 @@ def _put_material(obj, name):
 def _child(obj, pointer, name, data, is_linked=True):
     """The object of a result, whose coordinates are those of the surface."""
     child = getattr(obj.brindle, pointer)
-    if child is None:
+    if child is None or child.parent != obj:  # copies of an object get results of their own
         child = bpy.data.objects.new(name, data)
+        child.parent = obj
         setattr(obj.brindle, pointer, child)
     old, child.data = child.data, data
     if old != data and old.users == 0:
@@ -81,11 +82,6 @@ def _child(obj, pointer, name, data, is_linked=True):
         for collection in obj.users_collection:
             collection.objects.link(child)
     return child
-
-
-def _place(child, obj, pattern):
-    child.parent = obj
-    child.matrix_parent_inverse = pattern.mesh.from_surface
 
 
 def _put_curves(obj, pattern, curves):
@@ -103,7 +99,8 @@ def _put_curves(obj, pattern, curves):
     old = obj.brindle.curves_object
     for slot in old.data.materials if old else ():
         data.materials.append(slot)
-    _place(_child(obj, "curves_object", data.name, data), obj, pattern)
+    child = _child(obj, "curves_object", data.name, data)
+    child.matrix_parent_inverse = pattern.mesh.from_surface
 
 
 def _put_samples(obj, pattern, samples):
@@ -117,7 +114,7 @@ def _put_samples(obj, pattern, samples):
         attribute = data.attributes.new(name, "FLOAT_VECTOR" if is_vector else "FLOAT", "POINT")
         attribute.data.foreach_set("vector" if is_vector else "value", np.ascontiguousarray(values, np.float32).ravel())
     child = _child(obj, "samples_object", data.name, data)
-    _place(child, obj, pattern)
+    child.matrix_parent_inverse = pattern.mesh.from_surface
     if obj.brindle.instance is not None:
         place_instances(child, obj.brindle.instance)
 

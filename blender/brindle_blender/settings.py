@@ -64,7 +64,9 @@ def _property_of(name, update):
     if row["kind"] == "whole":
         return IntProperty(**_numbers(row, int), **common)
     subtype = "DISTANCE" if row["kind"] == "length" else "NONE"
-    return FloatProperty(subtype=subtype, precision=3, **_numbers(row, float), **common)
+    lowest, highest = row["slider"]
+    step = min(max(round(highest - lowest), 1), 100)  # hundredths per pixel of a drag
+    return FloatProperty(subtype=subtype, precision=3, step=step, **_numbers(row, float), **common)
 
 
 def _of_rows(update):

@@ -285,6 +285,24 @@ def check_phases_follow_in_renders():
     assert len(seen) == 3 and not np.array_equal(seen[0], seen[1]) and not np.array_equal(seen[1], seen[2])
 
 
+def check_faces_may_change_between_frames():
+    obj, scene = torus(), bpy.context.scene
+    modifier = obj.modifiers.new("Decimate", "DECIMATE")
+    for frame, ratio in ((1, 1.0), (3, 0.6)):
+        modifier.ratio = ratio
+        modifier.keyframe_insert("ratio", frame=frame)
+    scene.frame_set(1)
+    obj.brindle.follow = True
+    make("STRIPES")
+    counts = set()
+    for frame in (2, 3):
+        scene.frame_set(frame)
+        mesh = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+        assert not obj.brindle.message and attribute(mesh, nodes.PHASE).any()
+        counts.add(len(mesh.loops))
+    assert len(counts) == 2
+
+
 def check_modifiers_that_add_faces():
     obj = fresh(bpy.ops.mesh.primitive_cube_add)
     obj.modifiers.new("Subdivision", "SUBSURF").levels = 4
@@ -456,6 +474,20 @@ def check_changed_settings_repeat_what_was_made():
     assert not obj.brindle.message
     obj.brindle.stripes = 40
     assert np.array_equal(first, attribute(obj.data, nodes.PHASE))
+
+
+def check_copies_have_results_of_their_own():
+    obj = ball(3)
+    make("CURVES")
+    first = obj.brindle.curves_object
+    count = len(first.data.splines)
+    copy = obj.copy()
+    copy.data = obj.data.copy()
+    bpy.context.collection.objects.link(copy)
+    make("CURVES", copy)
+    copy.brindle.stripes = 10
+    assert copy.brindle.curves_object != first and len(first.data.splines) == count
+    assert len(copy.brindle.curves_object.data.splines) < count
 
 
 def check_page():

@@ -1,5 +1,6 @@
 """Runs in a window of Blender: panels are drawn, settings change results, undo takes them back."""
 import os
+import subprocess
 import sys
 import traceback
 
@@ -9,6 +10,7 @@ import numpy as np
 
 addon_utils.enable("brindle_blender")
 bpy.context.preferences.view.show_splash = False
+bpy.context.preferences.system.use_region_overlap = False
 sys.path.append(os.path.dirname(__file__))
 
 import checks  # noqa: E402
@@ -34,6 +36,23 @@ def settings():
     return bpy.context.window_manager.windows[0].view_layer.objects.active.brindle
 
 
+def mouse(*words):
+    subprocess.run(["xdotool", *map(str, words)], check=True)
+
+
+def drag(start, end):
+    """Drags in steps, between which Blender runs."""
+    mouse("mousemove", *start)
+    yield
+    mouse("mousedown", 1)
+    for share in (0.1, 0.3, 0.5, 0.7, 0.9, 1):
+        yield
+        mouse("mousemove", *(round(a + share * (b - a)) for a, b in zip(start, end)))
+    yield
+    mouse("mouseup", 1)
+    yield
+
+
 def shot(name):
     with in_view():
         bpy.ops.screen.screenshot(filepath=os.path.join(os.environ["BRINDLE_PICTURES"], name))
@@ -47,27 +66,25 @@ def steps():
         bpy.data.objects.remove(bpy.data.objects["Cube"])
         bpy.ops.mesh.primitive_torus_add(major_segments=96, minor_segments=32, minor_radius=0.5)
         bpy.ops.object.shade_smooth()
-        bpy.ops.view3d.view_selected()
         bpy.ops.ed.undo_push(message="torus")
     yield
-    # No call opens a tab of the sidebar, so the panels move to the tab that is open.
-    from brindle_blender import panel
-    for cls in panel.CLASSES[1:]:
-        bpy.utils.unregister_class(cls)
-    for cls in panel.CLASSES[1:]:
-        cls.bl_category = "Item"
-        cls.bl_options = set()
-        bpy.utils.register_class(cls)
+    # No call opens a tab of the sidebar or widens it.
+    mouse("mousemove", 1044, 248, "click", 1)
+    yield
+    yield from drag((829, 760), (690, 760))
     with in_view():
+        bpy.ops.view3d.view_selected()
         assert bpy.ops.brindle.make("EXEC_DEFAULT", True, kind="STRIPES") == {"FINISHED"}
     first = phases()
     assert first is not None
     yield
-    with in_view():
-        settings().stripes = 20
-        bpy.ops.ed.undo_push(message="stripes")
-    second = phases()
-    assert not np.array_equal(first, second)
+    steps = []
+    for _ in drag((960, 585), (936, 585)):
+        steps.append(settings().stripes)
+        yield
+    print("stripes while the slider was dragged:", steps)
+    assert len({*steps}) > 2 and not np.array_equal(first, phases())
+    second, stripes = phases(), settings().stripes
     yield
     with in_view():
         bpy.ops.ed.undo()
@@ -80,7 +97,7 @@ def steps():
     with in_view():
         bpy.ops.ed.redo()
         bpy.ops.ed.redo()
-    assert settings().stripes == 20 and np.array_equal(phases(), second)
+    assert settings().stripes == stripes and np.array_equal(phases(), second)
     yield
     shot("window.png")
     with in_view():

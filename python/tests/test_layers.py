@@ -127,3 +127,5 @@ def test_options_without_effect_are_rejected(torus):
 def test_rows_are_those_of_the_tool():
     names = {row["name"] for row in _core.option_rows()}
     assert {"solver", "epsilon", "winding", "fill", "stripes"} <= names
+    row = brindle.advanced.option_rows()["cancel_distance"]
+    assert row["words"] and row["range"][0] == 0 and row["slider"][1] > 1 and row["part_of"] == "cancel-branches"
