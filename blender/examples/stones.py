@@ -41,9 +41,8 @@ def stone(number, size, turn, stripes, dark, below):
     bpy.ops.object.shade_smooth()
     texture = bpy.data.textures.new(f"stone {number}", "CLOUDS")
     texture.noise_scale, texture.noise_depth = 1.3, 1
-    anchor = bpy.data.objects.new(f"anchor {number}", None)
-    anchor.parent, anchor.location = obj, (3.7 * number, 1.9 * number, 5)
-    bpy.context.collection.objects.link(anchor)
+    anchor = add("anchor", None, (3.7 * number, 1.9 * number, 5))
+    anchor.parent = obj
     bend = obj.modifiers.new("Displace", "DISPLACE")
     bend.texture, bend.texture_coords, bend.texture_coords_object = texture, "OBJECT", anchor
     bend.strength = 0.45
@@ -59,38 +58,39 @@ def stone(number, size, turn, stripes, dark, below):
     return obj
 
 
+def add(name, data, location=(0, 0, 0), target=None):
+    """A new object that looks at the target."""
+    obj = bpy.data.objects.new(name, data)
+    obj.location = location
+    if target is not None:
+        obj.rotation_euler = (Vector(target) - obj.location).to_track_quat("-Z", "Y").to_euler()
+    bpy.context.scene.collection.objects.link(obj)
+    return obj
+
+
 def paper():
     """A floor that bends up into a wall."""
-    depths = [-14] + [2 + 4 * math.sin(math.radians(angle)) for angle in range(0, 91, 5)] + [6]
-    heights = [0] + [4 - 4 * math.cos(math.radians(angle)) for angle in range(0, 91, 5)] + [30]
-    points = [(x, y, z) for y, z in zip(depths, heights) for x in (-40, 40)]
+    arc = [math.radians(angle) for angle in range(0, 91, 5)]
+    profile = [(-14, 0), *((2 + 4 * math.sin(a), 4 - 4 * math.cos(a)) for a in arc), (6, 30)]
     mesh = bpy.data.meshes.new("paper")
-    mesh.from_pydata(points, [], [(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2) for i in range(len(depths) - 1)])
+    mesh.from_pydata([(x, y, z) for y, z in profile for x in (-40, 40)], [],
+                     [(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2) for i in range(len(profile) - 1)])
     mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
-    obj = bpy.data.objects.new("paper", mesh)
-    bpy.context.collection.objects.link(obj)
     material = bpy.data.materials.new("paper")
     material.use_nodes = True
-    surface = material.node_tree.nodes["Principled BSDF"]
-    surface.inputs["Base Color"].default_value = (0.72, 0.66, 0.57, 1)
-    surface.inputs["Roughness"].default_value = 0.9
-    obj.active_material = material
+    surface = material.node_tree.nodes["Principled BSDF"].inputs
+    surface["Base Color"].default_value, surface["Roughness"].default_value = (0.72, 0.66, 0.57, 1), 0.9
+    mesh.materials.append(material)
+    add("paper", mesh)
 
 
-def light(location, target, size, power, color=(1, 1, 1)):
+def light(location, size, power, color):
     lamp = bpy.data.lights.new("light", "AREA")
     lamp.size, lamp.energy, lamp.color = size, power, color
-    obj = bpy.data.objects.new("light", lamp)
-    obj.location = location
-    look_at(obj, target)
-    bpy.context.collection.objects.link(obj)
+    add("light", lamp, location, (0, 0, 1.3))
 
 
-def look_at(obj, target):
-    obj.rotation_euler = (Vector(target) - obj.location).to_track_quat("-Z", "Y").to_euler()
-
-
-def main(path, height=1100, samples=256):
+def main(path, height=900, samples=160):
     scene = bpy.context.scene
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
@@ -98,21 +98,18 @@ def main(path, height=1100, samples=256):
     for number, parts in enumerate(STONES):
         below = stone(number, *parts, below)
     paper()
-    light((-5, -4, 7), (0, 0, 1.3), 2.5, 900, (1, 0.95, 0.88))
-    light((6, -5, 3), (0, 0, 1.3), 5, 90, (0.8, 0.88, 1))
-    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.location, camera.data.lens = (0.3, -11.5, 2.6), 98
-    look_at(camera, (0, 0, 1.5))
-    scene.collection.objects.link(camera)
-    scene.camera = camera
-    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.9, 0.92, 1, 1)
-    scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.25
-    scene.render.engine, scene.cycles.use_denoising, scene.cycles.samples = "CYCLES", False, samples
-    scene.render.resolution_x, scene.render.resolution_y = round(0.8 * height), height
-    scene.render.resolution_percentage = 100
+    light((-5, -4, 7), 2.5, 900, (1, 0.95, 0.88))
+    light((6, -5, 3), 5, 90, (0.8, 0.88, 1))
+    scene.camera = add("camera", bpy.data.cameras.new("camera"), (0.3, -11.5, 2.6), (0, 0, 1.5))
+    scene.camera.data.lens = 98
+    sky = scene.world.node_tree.nodes["Background"]
+    sky.inputs["Color"].default_value, sky.inputs["Strength"].default_value = (0.9, 0.92, 1, 1), 0.25
+    render, cycles = scene.render, scene.cycles
+    render.engine, cycles.use_denoising, cycles.samples = "CYCLES", False, samples
+    render.resolution_x, render.resolution_y, render.resolution_percentage = round(0.8 * height), height, 100
+    render.image_settings.file_format, render.image_settings.quality = "JPEG", 88
+    render.filepath = path
     scene.view_settings.view_transform, scene.view_settings.look = "Filmic", "Medium High Contrast"
-    scene.render.image_settings.file_format, scene.render.image_settings.quality = "JPEG", 88
-    scene.render.filepath = path
     bpy.ops.render.render(write_still=True)
 
 
