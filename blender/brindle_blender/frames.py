@@ -1,4 +1,5 @@
 """Results that follow their objects: when a setting changes, and frame by frame."""
+import sys
 import warnings
 
 import bpy
@@ -17,7 +18,7 @@ def make(obj, depsgraph, kinds, last=None):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", brindle.PatternWarning)
         pattern = Pattern(obj, depsgraph, last)
-        notes = lay(obj, depsgraph, kinds, pattern)
+        notes = lay(obj, pattern, kinds)
     pattern.forget()
     _last[obj.name] = depsgraph.scene.frame_current, pattern
     return notes + [str(warning.message) for warning in caught]
@@ -31,9 +32,11 @@ def on_change(settings, context):
 
 
 def _errors_of(job):
+    """The message of an error, for the panel; renders without a window have the console alone."""
     try:
         job()
     except (brindle.Error, TypeError) as error:
+        print("Brindle:", error, file=sys.stderr)
         return str(error)
     return ""
 

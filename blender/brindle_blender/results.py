@@ -4,20 +4,18 @@ import numpy as np
 
 from . import settings as rows
 from .nodes import CORNERS, STRIPES, TILES, UV, material, place_instances, take_attributes
-from .patterns import Pattern
 
 _TUBE = 1 / 12  # of the spacing, as in Brindle's pictures
 
 
-def lay(obj, depsgraph, kinds, pattern=None):
+def lay(obj, pattern, kinds):
     """Makes these kinds of results. All is computed before anything changes."""
-    pattern = pattern or Pattern(obj, depsgraph)
     attributes = pattern.attributes(kinds)
     curves = pattern.curves if "CURVES" in kinds else None
     samples = pattern.samples if "SAMPLES" in kinds else None
     notes = []
     if attributes:
-        _put_attributes(obj, depsgraph, pattern.mesh, attributes)
+        _put_attributes(obj, pattern, attributes)
         notes += _put_material(obj, STRIPES if "STRIPES" in kinds else TILES)
     if curves is not None:
         _put_curves(obj, pattern, curves)
@@ -26,9 +24,10 @@ def lay(obj, depsgraph, kinds, pattern=None):
     return notes
 
 
-def _put_attributes(obj, depsgraph, mesh, attributes):
+def _put_attributes(obj, pattern, attributes):
     """On the mesh itself, or by a modifier where other modifiers have changed its corners."""
-    target = obj.data if mesh.is_own else bpy.data.meshes.new_from_object(obj.evaluated_get(depsgraph))
+    mesh = pattern.mesh
+    target = obj.data if mesh.is_own else bpy.data.meshes.new_from_object(obj.evaluated_get(pattern.depsgraph))
     for name, values in attributes.items():
         _put_attribute(target, name, values, is_uv=mesh.is_own and name == UV)
     target.update()

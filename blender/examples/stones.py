@@ -1,8 +1,10 @@
 """Renders stones with stripes; docs/blender.md shows the picture.
 
-    blender --background --factory-startup --python stones.py -- FILE.jpg [HEIGHT [SAMPLES]]
+    blender --background --factory-startup --python stones.py -- --output FILE.jpg [--height H] [--samples N]
 """
+import argparse
 import math
+import os
 import sys
 
 import addon_utils
@@ -36,7 +38,7 @@ def put_down(obj, below):
 
 
 def stone(number, size, turn, stripes, dark, below):
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=128, ring_count=64)
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=7)  # UV spheres differ from run to run
     obj = bpy.context.object
     bpy.ops.object.shade_smooth()
     texture = bpy.data.textures.new(f"stone {number}", "CLOUDS")
@@ -90,7 +92,7 @@ def light(location, size, power, color):
     add("light", lamp, location, (0, 0, 1.3))
 
 
-def main(path, height=900, samples=160):
+def main(path, height, samples):
     scene = bpy.context.scene
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
@@ -113,5 +115,9 @@ def main(path, height=900, samples=160):
     bpy.ops.render.render(write_still=True)
 
 
-words = sys.argv[sys.argv.index("--") + 1:]
-main(words[0], *map(int, words[1:]))
+parser = argparse.ArgumentParser()
+parser.add_argument("--output", required=True)
+parser.add_argument("--height", type=int, default=900)
+parser.add_argument("--samples", type=int, default=160)
+given = parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
+main(os.path.abspath(given.output), given.height, given.samples)

@@ -49,5 +49,6 @@ def test_headless(home, name):
 def test_window(home):
     """Panels, undo and sliders, in a window."""
     printed = run(home, "--window-geometry", "0", "0", "1280", "900", "--python", HERE / "window.py",
+                  "--", "--output", PICTURES / "window.jpg",
                   under=["xvfb-run", "-a", "-s", "-screen 0 1280x900x24 -noreset"])
     assert "window: all done" in printed

@@ -1,4 +1,7 @@
-"""Runs in a window of Blender: panels are drawn, settings change results, undo takes them back."""
+"""Runs in a window of Blender: panels are drawn, settings change results, undo takes them back.
+
+    blender --factory-startup --window-geometry 0 0 1280 900 --python window.py -- --output FILE.jpg
+"""
 import os
 import subprocess
 import sys
@@ -53,9 +56,15 @@ def drag(start, end):
     yield
 
 
-def shot(name):
+def shot(path):
+    """A picture of the 3D view."""
     with in_view():
-        bpy.ops.screen.screenshot(filepath=os.path.join(os.environ["BRINDLE_PICTURES"], name))
+        bpy.ops.screen.screenshot_area(filepath=path)
+    scene = bpy.context.scene  # whose settings the file has
+    scene.view_settings.view_transform = "Standard"
+    scene.render.image_settings.file_format, scene.render.image_settings.quality = "JPEG", 88
+    bpy.data.images.load(path).save_render(path, scene=scene)
+    scene.render.image_settings.file_format = "PNG"
 
 
 def steps():
@@ -99,7 +108,7 @@ def steps():
         bpy.ops.ed.redo()
     assert settings().stripes == stripes and np.array_equal(phases(), second)
     yield
-    shot("window.png")
+    shot(os.path.abspath(sys.argv[-1]))
     with in_view():
         checks.check_nodes_draw_what_corners_hold("BLENDER_EEVEE")
 
