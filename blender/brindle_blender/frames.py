@@ -14,14 +14,14 @@ _last = {}  # by names of objects: the frame, and its pattern
 
 
 def make(obj, depsgraph, kinds, last=None):
-    """Makes these kinds of results; returns notes to the user. Errors change nothing."""
+    """Makes these kinds of results; returns warnings. Errors change nothing."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", brindle.PatternWarning)
         pattern = Pattern(obj, depsgraph, last)
-        notes = lay(obj, pattern, kinds)
+        lay(obj, pattern, kinds)
     pattern.forget()
     _last[obj.name] = depsgraph.scene.frame_current, pattern
-    return notes + [str(warning.message) for warning in caught]
+    return [str(warning.message) for warning in caught]
 
 
 def on_change(settings, context):

@@ -145,6 +145,12 @@ def material(name):
     return made
 
 
+def shows(shown, name):
+    """Whether a material has this node group."""
+    return shown is not None and shown.use_nodes and any(
+        node.type == "GROUP" and node.node_tree and node.node_tree.name == name for node in shown.node_tree.nodes)
+
+
 def _socket(sockets, name, kind):
     """A node has a socket of one name per type of its values."""
     return next(socket for socket in sockets if socket.name == name and socket.type == kind)

@@ -5,6 +5,7 @@ from bpy.props import EnumProperty
 
 from . import frames
 from . import settings as rows
+from .results import put_material
 
 
 class BRINDLE_OT_make(bpy.types.Operator):
@@ -34,6 +35,7 @@ class BRINDLE_OT_make(bpy.types.Operator):
         except (brindle.Error, TypeError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        notes += put_material(obj, self.kind)
         rivals = {"TEXTURE", "CROSSES"} if self.kind in ("TEXTURE", "CROSSES") else set()
         obj.brindle.made = (obj.brindle.made - rivals) | {self.kind}
         obj.brindle.message = ""

@@ -1,9 +1,10 @@
 """Puts patterns into Blender's data: attributes, materials, curves and points."""
 import bpy
+import brindle
 import numpy as np
 
 from . import settings as rows
-from .nodes import CORNERS, STRIPES, TILES, UV, material, place_instances, take_attributes
+from .nodes import CORNERS, STRIPES, TILES, UV, material, place_instances, shows, take_attributes
 
 _TUBE = 1 / 12  # of the spacing, as in Brindle's pictures
 
@@ -13,15 +14,12 @@ def lay(obj, pattern, kinds):
     attributes = pattern.attributes(kinds)
     curves = pattern.curves if "CURVES" in kinds else None
     samples = pattern.samples if "SAMPLES" in kinds else None
-    notes = []
     if attributes:
         _put_attributes(obj, pattern, attributes)
-        notes += _put_material(obj, STRIPES if "STRIPES" in kinds else TILES)
     if curves is not None:
         _put_curves(obj, pattern, curves)
     if samples is not None:
         _put_samples(obj, pattern, samples)
-    return notes
 
 
 def _put_attributes(obj, pattern, attributes):
@@ -41,6 +39,8 @@ def _put_attributes(obj, pattern, attributes):
 def _put_attribute(mesh, name, values, is_uv):
     if is_uv:
         layer = mesh.uv_layers.get(name) or mesh.uv_layers.new(name=name, do_init=False)
+        if layer is None:
+            raise brindle.Error("the mesh has as many UV maps as it can have; remove one")
         layer.data.foreach_set("uv", values.ravel())
         return
     if values.shape[1] == 2:
@@ -53,17 +53,16 @@ def _put_attribute(mesh, name, values, is_uv):
     attribute.data.foreach_set("vector", np.ascontiguousarray(values, np.float32).ravel())
 
 
-def _put_material(obj, name):
-    made = material(name)
-    if made.name in obj.data.materials:
-        obj.active_material_index = obj.data.materials.find(made.name)
+def put_material(obj, kind):
+    """Shows the result, unless one of the object's materials does; returns notes to the user."""
+    name = STRIPES if kind == "STRIPES" else TILES
+    if kind not in ("STRIPES", "TEXTURE", "CROSSES") or any(shows(slot.material, name) for slot in obj.material_slots):
         return []
     old = obj.active_material
+    obj.active_material = material(name)
     if old is None or old.name in (STRIPES, TILES):
-        obj.active_material = made
         return []
     old.use_fake_user = True
-    obj.active_material = made
     return [f"'{name}' replaces the material '{old.name}', which stays in the file"]
 
 

@@ -502,11 +502,21 @@ def check_page():
     assert bpy.context.object.active_material.name == nodes.STRIPES
 
 
-def check_old_material_is_kept():
+def check_materials_are_kept():
     obj = ball(2)
-    obj.data.materials.append(bpy.data.materials.new("mine"))
+    mine = bpy.data.materials.new("mine")
+    obj.data.materials.append(mine)
     make("STRIPES")
-    assert obj.active_material.name == nodes.STRIPES and bpy.data.materials["mine"].use_fake_user
+    assert obj.active_material.name == nodes.STRIPES and mine.use_fake_user
+    obj.active_material = mine
+    obj.brindle.stripes = 20
+    assert obj.active_material == mine, "a slider changes materials"
+    obj.active_material = other = bpy.data.materials[nodes.STRIPES].copy()
+    make("STRIPES")
+    assert obj.active_material == other
+    for _ in range(8):
+        obj.data.uv_layers.new()
+    assert "UV maps" in error_of("TEXTURE")
 
 
 def check_every_option_has_its_rows_words():
