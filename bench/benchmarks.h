@@ -62,9 +62,6 @@ void add_pictures(const Subject& subject, int threads);
 struct Gpu {
   HeadlessContext context;
   GpuSolver solver;
-  double copied_bytes_per_second = 0;  ///< read and written
-
-  Gpu();
 };
 
 /// Solvers, and frames of GpuAnimator by stage.

@@ -1,61 +1,14 @@
-#include <algorithm>
 #include <array>
 #include <numeric>
-#include <string_view>
 
 #include <epoxy/gl.h>
 
 #include "benchmarks.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/gl/gl_buffer.h"
-#include "brindle/gl/shader_program.h"
 
 namespace brindle::bench {
 namespace {
-
-// More than any device's cache, and within the buffer size of software Mesa.
-constexpr std::size_t kCopiedBytes = std::size_t{128} << 20;
-constexpr int kCopies = 8;
-// Groups of 64 vectors of 16 bytes.
-constexpr GLuint kCopyRows = 4, kCopyColumns = kCopiedBytes / (64 * 16 * kCopyRows);
-
-// Copies by a shader: glCopyNamedBufferSubData may use the copy engine for host transfers, which is
-// ten times as slow on some devices.
-constexpr std::string_view kCopy = R"glsl(
-layout(local_size_x = 64) in;
-layout(std430, binding = 0) restrict readonly buffer From { uvec4 from[]; };
-layout(std430, binding = 1) restrict writeonly buffer To { uvec4 to[]; };
-
-void main() {
-  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-  const uint n = group * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-  to[n] = from[n];
-}
-)glsl";
-
-double copy_bandwidth() {
-  const ShaderProgram copy = ShaderProgram::compute({{"copy", kCopy}});
-  const GlBuffer from = make_buffer(kCopiedBytes, nullptr, "copied bytes");
-  const GlBuffer to = make_buffer(kCopiedBytes, nullptr, "copied bytes");
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, from);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, to);
-  glUseProgram(copy.name());
-  std::array<GLuint, 2> marks{};  // software Mesa has timestamps, but no elapsed-time queries
-  glCreateQueries(GL_TIMESTAMP, 2, marks.data());
-  std::vector<GLuint64> nanoseconds(kCopies);
-  for (GLuint64& time : nanoseconds) {
-    GLuint64 begin = 0, end = 0;
-    glQueryCounter(marks[0], GL_TIMESTAMP);
-    glDispatchCompute(kCopyColumns, kCopyRows, 1);
-    glQueryCounter(marks[1], GL_TIMESTAMP);
-    glGetQueryObjectui64v(marks[0], GL_QUERY_RESULT, &begin);
-    glGetQueryObjectui64v(marks[1], GL_QUERY_RESULT, &end);
-    time = end - begin;
-  }
-  glDeleteQueries(2, marks.data());
-  return 2e9 * static_cast<double>(kCopiedBytes) /
-         static_cast<double>(*std::ranges::min_element(nanoseconds));
-}
 
 /// The two alternating inputs of a field, in device memory.
 class ResidentInput {
@@ -97,21 +50,6 @@ void warm_up(const std::function<Sample()>& frame) {
   for (double passed = 0; passed < kMilliseconds; passed += watch.lap()) frame();
 }
 
-void show_traffic(benchmark::State& state, const Gpu& gpu,
-                  const std::vector<GpuAnimator>& animators) {
-  double bytes = 0, dispatches = 0;
-  for (const GpuAnimator& animator : animators) {
-    dispatches += static_cast<double>(animator.dispatches());
-    for (const auto& [stage, moved] : animator.stage_bytes()) {
-      state.counters[std::string(stage) + "_bytes"].value += static_cast<double>(moved);
-      bytes += static_cast<double>(moved);
-    }
-  }
-  state.counters["dispatches"] = dispatches;
-  state.counters["bytes"] = bytes;
-  state.counters["floor_ms"] = 1000 * bytes / gpu.copied_bytes_per_second;
-}
-
 /// Frames until the device has finished, with their input on the host or, by ResidentInput, on the
 /// device. Stages are times on the device, sums over fields.
 template <class Input>
@@ -147,7 +85,10 @@ void run_frames(benchmark::State& state, const Gpu& gpu, const Subject& subject)
   show(state, quality_of(subject, number, z));
   warm_up(frame);
   repeat(state, frame);
-  show_traffic(state, gpu, animators);
+  state.counters["dispatches"] = std::accumulate(
+      animators.begin(), animators.end(), 0.0, [](double sum, const GpuAnimator& animator) {
+        return sum + static_cast<double>(animator.dispatches());
+      });
   state.counters["topology_ms"] = animators[0].topology_milliseconds();
   gpu.context.check_errors("measuring frames on the GPU");
 }
@@ -168,8 +109,6 @@ void run_pictures(benchmark::State& state, const Gpu& gpu, const Subject& subjec
 }
 
 }  // namespace
-
-Gpu::Gpu() : copied_bytes_per_second(copy_bandwidth()) {}
 
 void add_gpu(const Gpu& gpu, const Subject& subject, const std::vector<SolverCase>& solvers,
              int threads) {

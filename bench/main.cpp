@@ -181,8 +181,6 @@ int run(const Arguments& arguments) {
   const std::unique_ptr<Gpu> gpu = arguments.gpu ? std::make_unique<Gpu>() : nullptr;
   if (gpu) {
     benchmark::AddCustomContext("gpu", describe(gl_device()));
-    benchmark::AddCustomContext("gpu_copied_bytes_per_second",
-                                formatted("%.9g", gpu->copied_bytes_per_second));
   }
   for (const Subject& subject : subjects) {
     if (gpu) {

@@ -18,9 +18,6 @@ namespace BRINDLE_EXPORT brindle {
 /// A stage of the work on the device and its milliseconds there.
 using StageTime = std::pair<std::string_view, double>;
 
-/// A stage of GpuAnimator and the least number of bytes that it moves.
-using StageBytes = std::pair<std::string_view, std::size_t>;
-
 /// Names of OpenGL buffers with one frame's input, one entry per vertex each. They are read only.
 struct WaveBuffers {
   unsigned positions;    ///< 3 floats a vertex
@@ -92,9 +89,6 @@ class GpuAnimator {
   /// and descent), "sweeps" (descent through large levels) or "relaxation", "nodes" (phases into
   /// vertex order), "measure". Waits for the device.
   std::vector<StageTime> stage_milliseconds() const;
-
-  /// The least number of bytes that these stages move, by `frame_traffic`.
-  std::vector<StageBytes> stage_bytes() const;
 
   /// The number of dispatches of the last frame.
   std::size_t dispatches() const;

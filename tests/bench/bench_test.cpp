@@ -211,22 +211,13 @@ TEST_F(BenchTest, MeasuresTheStagesOfFramesOnTheGpu) {
   EXPECT_EQ(kinds_of(runs),
             (std::set<std::string>{"frame", "frame_of_resident_input", "picture", "multilevel",
                                    "relaxation_0.05", "relaxation_0.02"}));
-  const auto context = report()["context"];
-  const double speed = std::stod(context["gpu_copied_bytes_per_second"].get<std::string>());
-  EXPECT_GT(speed, 0);
   for (const auto& [name, run] : runs) {
     if (!name.starts_with("frame")) continue;
     EXPECT_GT(run["dispatches"], 10);
     EXPECT_GT(run["device_ms"], 0);
-    double bytes = 0;
     for (const std::string stage : {"load", "couple", "sums", "small levels", "sweeps", "nodes"}) {
       EXPECT_GT(run[stage + "_ms"], 0) << stage;
-      EXPECT_GT(run[stage + "_bytes"], 0) << stage;
-      bytes += run[stage + "_bytes"].get<double>();
     }
-    EXPECT_EQ(run["bytes"], bytes);
-    EXPECT_NEAR(run["floor_ms"].get<double>(), 1000 * bytes / speed,
-                1e-5 * run["floor_ms"].get<double>());
   }
 }
 

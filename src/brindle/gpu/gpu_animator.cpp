@@ -442,10 +442,6 @@ std::vector<StageTime> GpuAnimator::stage_milliseconds() const {
   return state_->timer.milliseconds();
 }
 
-std::vector<StageBytes> GpuAnimator::stage_bytes() const {
-  return state_->topology ? frame_traffic(*state_->topology) : std::vector<StageBytes>();
-}
-
 std::size_t GpuAnimator::dispatches() const { return state_->dispatches; }
 
 GpuAnimator GpuAnimator::sibling() const {

@@ -95,7 +95,6 @@ void append_members(Words& words, const LevelTopology& topology, FlatLevel& leve
   }
   const std::uint32_t end = members + 2 * static_cast<std::uint32_t>(aggregation.member.size());
   words.set(end + 1, words.next());
-  level.gauge_entry_count = (words.next() - (end + 2)) / 2;
 }
 
 /// Here, rounds refer to fine entries: all couplings are gauged before sums begin.
@@ -111,7 +110,6 @@ void append_sources(Words& words, const LevelTopology& topology, const SlicedLay
     words.append(std::span(sources.entry).subspan(first * kLanes, (end - first) * kLanes),
                  [&](Index place) { return entry_at[place]; });
   }
-  level.source_count = words.next() - rounds;
   level.source_begin =
       words.append(sources.round_begin, [&](Index round) { return rounds + round * kLanes; });
 }
@@ -148,7 +146,6 @@ FlatHierarchy flatten(std::span<const LevelTopology> levels, SweepPlan plan) {
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const SlicedLayout& layout = *levels[l].layout;
     level.slot_count = layout.slot_count();
-    level.gauge_entry_count = level.source_count = 0;
     const LevelSweeps planned = plan.on_level(layout.slot_count());
     level.sweeps = static_cast<std::uint32_t>(planned.count);
     level.over_relaxation = planned.over_relaxation;

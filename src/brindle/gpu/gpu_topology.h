@@ -2,7 +2,6 @@
 /// (shaders/levels.glsl), and on the device.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -26,10 +25,8 @@ struct FlatLevel {
   std::uint32_t color_begin = 0;
   std::uint32_t color_count = 0;
   std::uint32_t sweeps = 0;
-  float over_relaxation = 1;               ///< of all sweeps except the last
-  std::uint32_t gauge_entry_count = 0;     ///< in the lists of gauges
-  std::uint32_t source_count = 0;          ///< over all rounds
-  std::array<std::uint32_t, 3> filling{};  ///< padding to the shaders' alignment
+  float over_relaxation = 1;  ///< of all sweeps except the last
+  std::uint32_t filling = 0;  ///< padding to the shaders' alignment
 
   LevelSweeps planned_sweeps() const { return {static_cast<int>(sweeps), over_relaxation}; }
 };

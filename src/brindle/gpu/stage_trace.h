@@ -1,4 +1,4 @@
-/// Device time and memory traffic of the stages of a frame.
+/// Device time of the stages of a frame.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,6 @@
 #include "brindle/gpu_animator.h"
 
 namespace brindle {
-
-class GpuTopology;
 
 /// Timestamps between stages by OpenGL's timer queries.
 class StageTimer {
@@ -33,10 +31,5 @@ class StageTimer {
   std::vector<unsigned> queries_;
   std::vector<std::string_view> names_;
 };
-
-/// Bytes read and written by the stages of a multilevel frame with anchors, if every pass over a
-/// level, such as a sweep, reads and writes each item once. Cache misses of gathers add to this;
-/// levels that fit into caches stay below.
-std::vector<StageBytes> frame_traffic(const GpuTopology& topology);
 
 }  // namespace brindle

@@ -19,8 +19,7 @@ struct Level {
   uint color_count;
   uint sweeps;
   float over_relaxation;  // of all sweeps except the last
-  uint gauge_entry_count, source_count;  // for measurements only
-  uint filling_0, filling_1, filling_2;
+  uint filling;
 };
 
 layout(std140, binding = 0) uniform Levels {
