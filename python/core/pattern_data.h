@@ -12,7 +12,6 @@
 
 #include "brindle/branch_pairs.h"
 #include "brindle/cross_texture.h"
-#include "brindle/recipe/fabrication_report.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/recipe/report.h"
 #include "brindle/recipe/wave_report.h"

@@ -19,7 +19,7 @@
 #include "brindle/mesh_data.h"
 #include "brindle/nearest.h"
 #include "brindle/normals.h"
-#include "brindle/recipe/array_choice.h"
+#include "brindle/recipe/field_data.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/render/parsed_words.h"
 #include "brindle/shapes.h"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "brindle/distributed/levels/rank_rows.h"
-#include "brindle/distributed/rank_relaxed_frequency.h"
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_stripes.h"
 #include "brindle/error.h"

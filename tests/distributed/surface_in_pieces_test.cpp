@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/array_numbers.h"
+#include "brindle/distributed/surface/partition.h"
 #include "brindle/distributed/surface/shared_vertices.h"
-#include "brindle/distributed/surface/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/mesh_data.h"
 #include "ranks.h"

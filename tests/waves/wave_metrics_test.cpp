@@ -9,7 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/frequency_field.h"
 #include "brindle/shapes.h"
-#include "brindle/waves/fineness.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
-#include "brindle/recipe/array_choice.h"
+#include "brindle/recipe/field_data.h"
 #include "brindle/surface.h"
 #include "input/array_options.h"
 

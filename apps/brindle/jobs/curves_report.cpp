@@ -9,7 +9,6 @@
 #include "brindle/base/parallel.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
-#include "brindle/recipe/fabrication_report.h"
 #include "brindle/recipe/report.h"
 
 namespace brindle::tool {

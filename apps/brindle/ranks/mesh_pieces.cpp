@@ -9,7 +9,6 @@
 
 #include "brindle/base/array_numbers.h"
 #include "brindle/distributed/surface/partition.h"
-#include "brindle/distributed/surface/subdivided_piece.h"
 #include "brindle/error.h"
 #include "brindle/shapes.h"
 #include "input/array_source.h"

@@ -13,7 +13,7 @@
 #include "brindle/base/stopwatch.h"
 #include "brindle/corner_phases.h"
 #include "brindle/distributed/gathered_pattern.h"
-#include "brindle/files/vtk/vtp_rows.h"
+#include "brindle/files/vtk/vtp_file.h"
 #include "brindle/pattern_warnings.h"
 #include "brindle/stripe_tracer.h"
 #include "cli/command_line.h"

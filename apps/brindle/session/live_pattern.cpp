@@ -15,7 +15,7 @@
 #include "brindle/error.h"
 #include "brindle/pattern_of.h"
 #include "brindle/phase_graph.h"
-#include "brindle/recipe/fabrication_report.h"
+#include "brindle/recipe/report.h"
 #include "brindle/stripe_animator.h"
 #include "input/vertex_values.h"
 #include "jobs/curves_report.h"

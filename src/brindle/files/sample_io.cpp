@@ -10,7 +10,6 @@
 #include "brindle/files.h"
 #include "brindle/files/point_output.h"
 #include "brindle/files/vtk/vtp_file.h"
-#include "brindle/files/vtk/vtp_rows.h"
 #include "brindle/files/written_arrays.h"
 
 namespace brindle {

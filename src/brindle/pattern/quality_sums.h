@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <span>
 
+#include "brindle/corner_phases.h"
+#include "brindle/progress.h"
 #include "brindle/quality.h"
+#include "brindle/texture_waves.h"
 #include "brindle/types.h"
 
 namespace brindle {
@@ -46,5 +49,18 @@ PatternQuality quality_of(const QualitySums& sums);
 PatternQuality measure_point_quality(const Adjacency& neighborhood, std::span<const Vec3> normals,
                                      const WaveSet& waves, std::span<const Complex> z,
                                      PhaseShiftKind kind, const Progress& progress = {});
+
+// Distortion of textures whose corner phases are known.
+
+/// One pattern of a texture: corner phases by triangle, frequencies by vertex.
+struct LinearPattern {
+  std::span<const CornerPhases> corners;
+  std::span<const float> frequencies;
+};
+
+/// As `measure_texture` for texture waves, from their corner phases. The orientation of U and V in
+/// a triangle has no effect.
+TextureQuality measure_texture(const Mesh& mesh, const LinearPattern& u, const LinearPattern& v,
+                               const Progress& progress = {});
 
 }  // namespace brindle

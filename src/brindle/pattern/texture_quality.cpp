@@ -1,5 +1,3 @@
-#include "brindle/pattern/texture_quality.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +5,7 @@
 
 #include "brindle/base/parallel.h"
 #include "brindle/corner_phases.h"
+#include "brindle/pattern/quality_sums.h"
 #include "brindle/pattern/triangle_kernels.h"
 
 namespace brindle {

@@ -4,9 +4,9 @@
 
 #include "brindle/base/stopwatch.h"
 #include "brindle/error.h"
-#include "brindle/pattern/texture_quality.h"
+#include "brindle/pattern/quality_sums.h"
 #include "brindle/pipeline/cross_parts.h"
-#include "brindle/waves/slack_check.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 

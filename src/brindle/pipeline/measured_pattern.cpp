@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "brindle/pattern/quality_sums.h"
-#include "brindle/pattern/texture_quality.h"
 
 namespace brindle {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "brindle/pipeline/texture_orientation.h"
 #include "brindle/stripe_animator.h"
+#include "brindle/stripe_pattern.h"
 #include "brindle/texture_pattern.h"
 
 namespace brindle {
@@ -39,5 +40,13 @@ TextureQuality texture_quality(const Mesh& mesh, const TexturePattern& pattern,
 /// from both patterns.
 void orient_texture(const Mesh& mesh, bool as_given, const Progress& progress,
                     TexturePattern& pattern);
+
+// Solves again for waves that changed after the frequency relaxation.
+
+/// As `stripe_pattern`, but with fixed frequencies. Those of `waves` come from the pattern
+/// `before`, which has the requested frequencies and the relaxation's change.
+StripePattern resolve_with_frequencies(const Surface& surface, WaveSet waves,
+                                       const StripePattern& before, const StripeOptions& options,
+                                       const Progress& progress = {});
 
 }  // namespace brindle

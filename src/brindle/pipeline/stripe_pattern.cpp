@@ -13,11 +13,8 @@
 #include "brindle/phases/multilevel.h"
 #include "brindle/phases/sliced_waves.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/pipeline/relaxed_stripes.h"
 #include "brindle/pipeline/sewn_faces.h"
 #include "brindle/waves/averaged_levels.h"
-#include "brindle/waves/fineness.h"
-#include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {

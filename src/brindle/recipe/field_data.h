@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "brindle/data_arrays.h"
@@ -33,5 +35,26 @@ DataArray globe_vectors(const Mesh& part, const DataArray& east_north, const Glo
 /// Copies the gaps of `of_file` into `frequencies`: a field without a frequency in its file has no
 /// wave there, whichever frequencies are used elsewhere. `of_file` may be empty.
 void keep_gaps(const FrequencyField& of_file, FrequencyField& frequencies);
+
+// Selects arrays by the names that users give.
+
+/// "velocity (3), speed".
+std::string list_of(std::span<const DataArray> arrays);
+
+struct ArrayChoice {
+  const DataArray* array = nullptr;  ///< one of the given arrays
+  bool of_cells = false;
+};
+
+/// The array NAME, points/NAME or cells/NAME. Throws Error for another name, with `file` and all
+/// available arrays.
+ArrayChoice choice_of(const DataArrays& arrays, const std::string& name, const std::string& file);
+
+/// The same, copied.
+DataArray array_named(const DataArrays& arrays, const std::string& name, const std::string& file);
+
+/// The arrays of several names, each once.
+DataArrays named_arrays(const DataArrays& arrays, std::span<const std::string> names,
+                        const std::string& file);
 
 }  // namespace brindle

@@ -6,7 +6,6 @@
 #include "brindle/boundary_phases.h"
 #include "brindle/error.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/pipeline/relaxed_stripes.h"
 #include "brindle/waves_of.h"
 
 namespace brindle {

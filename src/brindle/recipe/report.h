@@ -1,6 +1,7 @@
 /// Reports of runs, as text and JSON.
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -126,5 +127,18 @@ void print_table(std::ostream& out, const std::vector<Report>& reports);
 
 /// A line on why there are no curves; `short_curves` were left out.
 std::string why_no_curves(const std::string& family, std::size_t short_curves);
+
+// Reports on winding numbers, boundaries and cancelled branches.
+
+/// Most winding numbers in a text report; JSON reports have all.
+inline constexpr std::size_t kMostWindings = 12;
+
+/// JSON keys, and lines of text.
+void add_to_json(const FabricationMetrics& metrics, nlohmann::ordered_json& json);
+std::string lines_of(const FabricationMetrics& metrics);
+
+/// Those lines without the winding numbers: sums that do not add up, rotation of the field and
+/// cancelled branches.
+std::string remarks_of(const FabricationMetrics& metrics);
 
 }  // namespace brindle

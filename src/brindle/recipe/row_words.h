@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "brindle/option_table.h"
-#include "brindle/waves/weight_check.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 

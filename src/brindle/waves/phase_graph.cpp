@@ -9,7 +9,6 @@
 #include "brindle/error.h"
 #include "brindle/waves/energy_sums.h"
 #include "brindle/waves/wave_check.h"
-#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
-#include "brindle/waves/slack_check.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {

@@ -17,7 +17,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/waves/relaxed_frequency_solver.h"
-#include "brindle/waves/slack_check.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "brindle/error.h"
-#include "brindle/waves/fineness.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 namespace {

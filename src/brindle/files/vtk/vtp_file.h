@@ -1,6 +1,7 @@
 /// VTK's XML PolyData (VTP): points and cells.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,5 +34,16 @@ std::string_view vtk_type(NumberType type);
 
 /// Escapes text for XML, also for attribute values in double quotes.
 std::string xml_text(std::string_view text);
+
+// Lines and samples as VTP streams.
+
+/// The .vtp of `write_polylines`. Throws its errors, which name `path`.
+void write_vtp_polylines(OutputStream& out, const std::filesystem::path& path,
+                         std::span<const NamedLines> kinds);
+
+/// The .vtp of `write_samples`. Throws its errors, which name `path`.
+void write_vtp_samples(OutputStream& out, const std::filesystem::path& path,
+                       std::span<const Sample> samples, const Eigen::Vector3d& origin,
+                       std::span<const DataArray> arrays);
 
 }  // namespace brindle

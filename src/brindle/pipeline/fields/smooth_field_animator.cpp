@@ -11,7 +11,7 @@
 #include "brindle/pipeline/fields/field_anchors.h"
 #include "brindle/smooth_field.h"
 #include "brindle/waves/direction_graph.h"
-#include "brindle/waves/weight_check.h"
+#include "brindle/waves/wave_check.h"
 
 namespace brindle {
 

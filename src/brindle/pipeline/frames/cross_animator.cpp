@@ -12,12 +12,11 @@
 #include "brindle/carried_phases.h"
 #include "brindle/cross_texture.h"
 #include "brindle/error.h"
-#include "brindle/pattern/texture_quality.h"
+#include "brindle/pattern/quality_sums.h"
 #include "brindle/pipeline/cross_parts.h"
 #include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/stripe_pattern.h"
-#include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {

@@ -8,10 +8,7 @@
 #include "brindle/error.h"
 #include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/sewn_faces.h"
-#include "brindle/waves/fineness.h"
-#include "brindle/waves/slack_check.h"
 #include "brindle/waves/wave_check.h"
-#include "brindle/waves/weight_check.h"
 
 namespace brindle {
 namespace {

@@ -12,7 +12,6 @@
 #include "brindle/pipeline/frames/animator_archive.h"
 #include "brindle/pipeline/frames/frame_input.h"
 #include "brindle/pipeline/measured_pattern.h"
-#include "brindle/waves/fineness.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {

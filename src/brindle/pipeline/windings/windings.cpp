@@ -10,7 +10,7 @@
 #include "brindle/base/elementary.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
-#include "brindle/pipeline/relaxed_stripes.h"
+#include "brindle/pipeline/measured_pattern.h"
 #include "brindle/pipeline/windings/twisted_forms.h"
 
 namespace brindle {
