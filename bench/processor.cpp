@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "benchmarks.h"
-#include "brindle/base/resident_memory.h"
+#include "brindle/base/memory.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/cross_animator.h"
 #include "brindle/cross_texture.h"

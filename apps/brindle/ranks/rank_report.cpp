@@ -5,7 +5,7 @@
 #include <ostream>
 #include <vector>
 
-#include "brindle/base/resident_memory.h"
+#include "brindle/base/memory.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
 #include "brindle/distributed/surface/rank_surface.h"

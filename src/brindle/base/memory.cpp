@@ -4,7 +4,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <limits>
+#include <sstream>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "brindle/base/system.h"
 
@@ -67,5 +73,29 @@ std::string rounded_down(double number) {
 
 AssumedMemory::AssumedMemory(double bytes) : before_(assumed.exchange(bytes)) {}
 AssumedMemory::~AssumedMemory() { assumed = before_; }
+
+std::optional<ResidentMemory> resident_memory() {
+  constexpr std::size_t kKibibyte = 1024;
+  std::ifstream status("/proc/self/status");
+  std::optional<std::size_t> now, peak;
+  for (std::string line; std::getline(status, line);) {
+    std::istringstream fields(line);
+    std::string name;
+    std::size_t kibibytes = 0;
+    if (!(fields >> name >> kibibytes)) continue;
+    if (name == "VmRSS:") now = kibibytes * kKibibyte;
+    if (name == "VmHWM:") peak = kibibytes * kKibibyte;
+  }
+  if (!now || !peak) return std::nullopt;
+  return ResidentMemory{*now, *peak};
+}
+
+void return_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+void reset_memory_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
 }  // namespace brindle

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "brindle/error.h"
@@ -54,5 +55,22 @@ class AssumedMemory {
  private:
   double before_;
 };
+
+// Resident memory of this process.
+
+/// Bytes of the process's resident pages.
+struct ResidentMemory {
+  std::size_t now = 0;
+  std::size_t peak = 0;  ///< since the start, or since reset_memory_peak
+};
+
+/// Empty on systems without /proc/self/status.
+std::optional<ResidentMemory> resident_memory();
+
+/// Returns freed pages to the system, so that new allocations count.
+void return_free_memory();
+
+/// Resets `peak` if the system can.
+void reset_memory_peak();
 
 }  // namespace brindle

@@ -1,4 +1,4 @@
-/// Rejects invalid waves, phases and weights.
+/// Rejects invalid waves, phases, weights and spacing tolerances.
 #pragma once
 
 #include <cstddef>
@@ -49,15 +49,11 @@ void check_edge_weights(std::span<const float> weights);
 void check_coupled_waves(const Adjacency& adjacency, const WaveSet& waves,
                          std::span<const float> edge_weights);
 
-// The range of anchor weights.
-
 /// The largest anchor weight: beyond it, couplings vanish in rounding and sums of squares overflow.
 inline constexpr float kLargestWeight = 1e6f;
 
 /// False for NaN.
 inline bool is_weight(float weight) { return weight >= 0 && weight <= kLargestWeight; }
-
-// Validates `Slack`.
 
 /// Throws Error for a slack that is negative or not finite and for `branch_penalty` outside 0 to 1,
 /// naming the vertex; and for a nonempty list without one entry per vertex.
