@@ -25,7 +25,6 @@
 #include "brindle/data_arrays.h"
 #include "brindle/direction_field.h"
 #include "brindle/export.h"
-#include "brindle/measured_field.h"
 #include "brindle/mesh.h"
 #include "brindle/progress.h"
 #include "brindle/smooth_field.h"
@@ -141,30 +140,6 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& surface,
 /// Collective. `feature_strokes` of strokes.h for the whole surface, on all ranks.
 std::vector<FieldStroke> feature_strokes(const DistributedSurface& surface, float angle_deg,
                                          double radius, double strength);
-
-/// A field smoothed at the scale of its stripes.
-struct DistributedSmoothedField {
-  SmoothedField field;            ///< at the partition's vertices
-  FieldSmoothingMetrics metrics;  ///< of the whole, on every rank
-};
-
-/// Collective. The result of FieldSmoothing for the whole field. `measured` has one datum per
-/// vertex of the partition, of which the owner's count, or per triangle, of which ghosts do not
-/// count. `frequencies` and `last` have one entry per vertex; `last` is given on all ranks or none.
-/// Throws on all ranks what FieldSmoothing throws, and Error for other numbers of entries;
-/// Cancelled if the `progress` of any rank cancels.
-DistributedSmoothedField smoothed_field(const DistributedSurface& surface,
-                                        const MeasuredField& measured,
-                                        std::span<const float> frequencies,
-                                        const FieldSmoothingOptions& options = {},
-                                        const MeasuredField& last = {},
-                                        const Progress& progress = {});
-
-/// Collective. `smoothed_frequencies` of measured_field.h for those of the whole.
-SmoothedFrequencies smoothed_frequencies(const DistributedSurface& surface,
-                                         std::span<const float> frequencies,
-                                         const FrequencySmoothingOptions& options = {},
-                                         const Progress& progress = {});
 
 /// Collective. The principal curvature directions of the piece's vertices.
 DirectionField curvature_direction_field(const DistributedSurface& surface,

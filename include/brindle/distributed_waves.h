@@ -14,7 +14,9 @@
 namespace BRINDLE_EXPORT brindle {
 
 /// A partition as the surface of waves. Its functions are collective and return the results of a
-/// `WholeSurface` for the whole; the owner's values of a vertex count.
+/// `WholeSurface` for the whole; the owner's values of a vertex count, and those of ghost triangles
+/// do not. Rank 0 smooths the whole, and needs memory for it. Errors are thrown on all ranks, and
+/// Cancelled if the `progress` of any rank cancels.
 class PieceSurface final : public WaveSurface {
  public:
   /// Keeps references to both; `piece` is the mesh that the surface was made from.

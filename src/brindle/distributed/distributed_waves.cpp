@@ -117,18 +117,4 @@ std::size_t PieceSurface::drop_waves(DirectionField& directions,
   return ranks.sum(dropped);
 }
 
-SmoothedFrequencies PieceSurface::smooth_frequencies(std::span<const float> frequencies,
-                                                     const FrequencySmoothingOptions& options,
-                                                     const Progress& progress) const {
-  return smoothed_frequencies(surface_, frequencies, options, progress);
-}
-
-std::pair<SmoothedField, FieldSmoothingMetrics> PieceSurface::smooth_field(
-    const MeasuredField& measured, std::span<const float> places, const DirectionField& last,
-    const FieldSmoothingOptions& options, const Progress& progress) const {
-  DistributedSmoothedField seen =
-      smoothed_field(surface_, measured, places, options, {last, {}}, progress);
-  return {std::move(seen.field), seen.metrics};
-}
-
 }  // namespace brindle

@@ -8,6 +8,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/distributed/surface/gathered_surface.h"
 #include "brindle/distributed_surface.h"
+#include "brindle/distributed_waves.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
 #include "brindle/pipeline/fields/field_anchors.h"
@@ -197,24 +198,23 @@ std::vector<FieldAnchor> stroke_anchors(const DistributedSurface& distributed,
   return anchors;
 }
 
-DistributedSmoothedField smoothed_field(const DistributedSurface& distributed,
-                                        const MeasuredField& measured,
-                                        std::span<const float> frequencies,
-                                        const FieldSmoothingOptions& options,
-                                        const MeasuredField& last, const Progress& progress) {
-  const RankSurface& surface = distributed.rank_surface();
+std::pair<SmoothedField, FieldSmoothingMetrics> PieceSurface::smooth_field(
+    const MeasuredField& measured, std::span<const float> places, const DirectionField& last_field,
+    const FieldSmoothingOptions& options, const Progress& progress) const {
+  const RankSurface& surface = surface_.rank_surface();
+  const MeasuredField last{last_field, {}};
   Communicator& ranks = *surface.ranks;
   const bool has_last = ranks.any(!last.directions.empty());
   ranks.throw_on_all([&] {
     check_piece(surface, measured, "the data");
     if (has_last) check_piece(surface, last, "the last field");
-    if (frequencies.size() != surface.piece_ids.size()) {
+    if (places.size() != surface.piece_ids.size()) {
       throw Error("measured field: there must be a frequency for every vertex of the piece");
     }
   });
   const GatheredSurface whole(surface);
   const MeasuredField data = measured_of_whole(whole, measured);
-  const std::vector<float> all_frequencies = whole.of_vertices(frequencies);
+  const std::vector<float> all_frequencies = whole.of_vertices(places);
   const MeasuredField before = has_last ? measured_of_whole(whole, last) : MeasuredField{};
   SmoothedField found;
   std::vector<FieldSmoothingMetrics> metrics;
@@ -223,19 +223,15 @@ DistributedSmoothedField smoothed_field(const DistributedSurface& distributed,
     found = smoothing.frame(data, all_frequencies, before, heard.part(0.3, 1));
     metrics.push_back(smoothing.metrics());
   });
-  DistributedSmoothedField result;
-  result.field.directions = whole.to_piece(found.directions);
-  result.field.coherence = whole.to_piece(found.coherence);
-  result.field.filled = whole.to_piece(found.filled);
-  result.metrics = ranks.of_first(metrics)[0];
-  return result;
+  return {{whole.to_piece(found.directions), whole.to_piece(found.coherence),
+           whole.to_piece(found.filled)},
+          ranks.of_first(metrics)[0]};
 }
 
-SmoothedFrequencies smoothed_frequencies(const DistributedSurface& distributed,
-                                         std::span<const float> frequencies,
-                                         const FrequencySmoothingOptions& options,
-                                         const Progress& progress) {
-  const RankSurface& surface = distributed.rank_surface();
+SmoothedFrequencies PieceSurface::smooth_frequencies(std::span<const float> frequencies,
+                                                     const FrequencySmoothingOptions& options,
+                                                     const Progress& progress) const {
+  const RankSurface& surface = surface_.rank_surface();
   Communicator& ranks = *surface.ranks;
   ranks.throw_on_all([&] {
     if (frequencies.size() == surface.piece_ids.size()) return;
