@@ -212,13 +212,10 @@ std::vector<Job> field_jobs() {
          static const PointCloud cloud = make_point_cloud(torus().mesh.positions).cloud;
          make_point_surface(cloud, 8, p);
        }},
-      {"RelaxedFrequency()", [] { torus(); },
-       [](const Progress& p) { RelaxedFrequency(torus(), 0.2f, p); }},
-      {"RelaxedFrequency::solve", [] { rough_field(); },
+      {"relaxed_frequencies", [] { rough_field(); },
        [](const Progress& p) {
-         RelaxedFrequency relaxed(torus(), 0.2f);
          const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-         relaxed.solve(torus().mesh.positions, rough_field(), wanted, p);
+         relaxed_frequencies(torus(), {torus().mesh.positions, rough_field(), wanted}, 0.2f, p);
        }},
   };
 }

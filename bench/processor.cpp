@@ -12,8 +12,8 @@
 #include "brindle/measured_field.h"
 #include "brindle/phases/coloring.h"
 #include "brindle/smooth_field.h"
-#include "brindle/spacing_tolerance.h"
 #include "brindle/texture_animator.h"
+#include "brindle/waves/relaxed_frequency_solver.h"
 
 namespace brindle::bench {
 namespace {
@@ -167,8 +167,8 @@ void run_cross_texture(State& state, const Subject& subject) {
 
 constexpr float kSlack = 0.25f;
 
-int solve(RelaxedFrequency& relaxed, const FrameInput& frame) {
-  relaxed.solve(frame.positions, frame.directions, frame.frequencies);
+int solve(RelaxedFrequencySolver& relaxed, const FrameInput& frame) {
+  relaxed.solve({frame.positions, frame.directions, frame.frequencies});
   relaxed.keep();
   return relaxed.change().sweeps;
 }
@@ -178,7 +178,7 @@ void run_slack(State& state, const Subject& subject) {
   int sweeps = 0;
   repeat(state, [&] {
     return Sample{milliseconds_of([&] {
-      RelaxedFrequency relaxed(subject.surface, kSlack);
+      RelaxedFrequencySolver relaxed(relaxed_setting(subject.surface, kSlack));
       sweeps = solve(relaxed, subject.inputs[0].frame(0));
     })};
   });
@@ -187,7 +187,7 @@ void run_slack(State& state, const Subject& subject) {
 
 /// Starts from the last frame's frequencies.
 void run_slack_in_frame(State& state, const Subject& subject) {
-  RelaxedFrequency relaxed(subject.surface, kSlack);
+  RelaxedFrequencySolver relaxed(relaxed_setting(subject.surface, kSlack));
   solve(relaxed, subject.inputs[0].frame(0));
   int number = 0, sweeps = 0;
   repeat(state, [&] {

@@ -7,7 +7,7 @@
 /// `projected_direction_field`, `curvature_direction_field`, `tangent_directions`,
 /// `direction_field_of` arrays, `tensor_field_of`. Patterns: `stripe_pattern`, `texture_pattern`,
 /// `cross_pattern`, `pattern_warnings`. From patterns: `stripe_curves`, `stripe_samples`,
-/// `texture_coordinates`. Spacing tolerance alone: `RelaxedFrequency`. Moving input:
+/// `texture_coordinates`. Spacing tolerance alone: `relaxed_frequencies`. Moving input:
 /// `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`,
 /// `matched_directions`, `carried_directions`.
 ///

@@ -2,8 +2,6 @@
 /// (docs/fewer_branches.md).
 #pragma once
 
-#include <memory>
-#include <span>
 #include <vector>
 
 #include "brindle/export.h"
@@ -41,6 +39,12 @@ struct FrequencyChange {
   double residual = 0;         ///< length of the projected gradient over that after the first sweep
 };
 
+/// Frequencies within the bounds of a Slack, one per vertex.
+struct RelaxedFrequencies {
+  FrequencyField frequencies;
+  FrequencyChange change;
+};
+
 /// Finds the frequency g = f exp(x), within bounds around the wanted frequency f, for which g d is
 /// as close to the gradient of a phase as possible: its curl causes branches. It minimises
 ///
@@ -55,43 +59,12 @@ struct FrequencyChange {
 /// common orientation have no circulation; those with a corner without a wave are ignored, and a
 /// vertex with no other triangles keeps its frequency. Points use the triangles with their
 /// neighbours.
-class RelaxedFrequency {
- public:
-  /// Throws Error for a slack that is negative or not finite and for `branch_penalty` outside 0 to
-  /// 1, naming the vertex, and unless lists are empty or have one entry per vertex; Cancelled if
-  /// `progress` cancels.
-  RelaxedFrequency(const Surface& surface, const Slack& slack, const Progress& progress = {});
-  ~RelaxedFrequency();
-  RelaxedFrequency(RelaxedFrequency&&) noexcept;
-  RelaxedFrequency& operator=(RelaxedFrequency&&) noexcept;
-
-  /// The frequency per vertex; the span is valid until the next call but one. Arguments have one
-  /// entry per vertex and values that `stripe_pattern` accepts; neither is checked. Starts from the
-  /// kept result, relative to the wanted frequencies, and then allocates nothing. `progress` gets
-  /// fractions if nothing is kept. Cancelled or failed calls leave the kept result unchanged.
-  std::span<const float> solve(std::span<const Vec3> positions, std::span<const Vec3> directions,
-                               std::span<const float> wanted, const Progress& progress = {});
-
-  /// Keeps the last result as the next start. Does nothing if there is none to keep: before
-  /// `solve`, after one that failed, or after a change of slack. Does not throw.
-  void keep();
-
-  /// Another one for the same surface and slack, without a kept result.
-  RelaxedFrequency sibling() const;
-
-  /// The kept frequencies.
-  std::span<const float> frequencies() const;
-
-  /// Drops the kept result.
-  void restart();
-
-  /// The change by the last `solve`.
-  const FrequencyChange& change() const;
-
- private:
-  struct State;
-  explicit RelaxedFrequency(std::unique_ptr<State> state);
-  Pimpl<State> state_;
-};
+///
+/// `waves` has one entry per vertex and values that `stripe_pattern` accepts; neither is checked.
+/// Throws Error for a slack that is negative or not finite and for `branch_penalty` outside 0 to 1,
+/// naming the vertex, and unless lists are empty or have one entry per vertex; Cancelled if
+/// `progress` cancels.
+RelaxedFrequencies relaxed_frequencies(const Surface& surface, const WaveSet& waves,
+                                       const Slack& slack, const Progress& progress = {});
 
 }  // namespace brindle

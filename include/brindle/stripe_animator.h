@@ -113,7 +113,7 @@ class StripeAnimator {
 
   /// Sets the spacing tolerance of all following frames. Frequencies continue from the last ones
   /// or, if `branch_penalty` changes, from those of the input. Throws Error for a slack that
-  /// RelaxedFrequency rejects, and for an animator that was made without slack; then nothing
+  /// `relaxed_frequencies` rejects, and for an animator that was made without slack; then nothing
   /// changes.
   void set_slack(const Slack& slack);
 

@@ -51,8 +51,9 @@ Eigen::VectorXd ratios(const Parts& parts, const DistributedSurface& surface,
 
 /// Of one process.
 Eigen::VectorXd ratios_alone(const WavySurface& whole, const WaveSet& waves, const Slack& slack) {
-  RelaxedFrequency relaxed({whole.mesh, whole.neighborhood, whole.normals}, slack);
-  const auto g = relaxed.solve(waves.positions, waves.directions, waves.frequencies);
+  const FrequencyField g =
+      relaxed_frequencies({whole.mesh, whole.neighborhood, whole.normals}, waves, slack)
+          .frequencies;
   Eigen::VectorXd x(static_cast<Eigen::Index>(g.size()));
   for (std::size_t v = 0; v < g.size(); ++v) {
     x[static_cast<Eigen::Index>(v)] =

@@ -132,12 +132,9 @@ std::vector<std::pair<std::string, Job>> jobs() {
     options.slack = 0.2f;
     stripe_pattern(torus(), field(), 8, options, progress);
   });
-  add("RelaxedFrequency", [](const Progress& progress) {
-    JobStages stages(progress, {{"setting", 1}, {"solve", 9}});
-    RelaxedFrequency relaxed(torus(), 0.2f, stages.begin("setting"));
+  add("relaxed_frequencies", [](const Progress& progress) {
     const std::vector<float> wanted(torus().mesh.vertex_count(), 8);
-    relaxed.solve(torus().mesh.positions, field(), wanted, stages.begin("solve"));
-    stages.finish();
+    relaxed_frequencies(torus(), {torus().mesh.positions, field(), wanted}, 0.2f, progress);
   });
   add("texture_pattern",
       [](const Progress& progress) { texture_pattern(torus(), field(), 6, {}, progress); });
@@ -281,7 +278,7 @@ TEST(Cancelling, ReportsAreNeverFarApart) {
       {"make_shape_box", 0.1},
       {"make_shape_with_noise", 0.4},
       {"feature_strokes", 0.1},
-      {"RelaxedFrequency", 0.5},
+      {"relaxed_frequencies", 0.5},
       {"stripe_pattern_averaged", 0.3},
       {"stripe_pattern_with_slack", 0.25},
       {"cancel_branches", 0.25},

@@ -48,9 +48,6 @@ TEST_F(MovedFrom, AnimatorsSaySo) {
   check_animator(TextureAnimator(surface), [&](TextureAnimator& a) { a.frame({input}); });
   check_animator(CrossAnimator(surface), [&](CrossAnimator& a) { a.frame({input}); });
   check_animator(SmoothFieldAnimator(surface), [](SmoothFieldAnimator& a) { a.frame({}); });
-  check_animator(RelaxedFrequency(surface, 0.1f), [&](RelaxedFrequency& y) {
-    y.solve(input.positions, input.directions, input.frequencies);
-  });
 }
 
 TEST_F(MovedFrom, EveryCallOfStripeAnimatorSaysSo) {

@@ -11,6 +11,7 @@
 #include "brindle/error.h"
 #include "brindle/points.h"
 #include "brindle/threads.h"
+#include "brindle/waves/relaxed_frequency_solver.h"
 #include "least_squares_reference.h"
 #include "phase_graphs.h"
 #include "progress_reports.h"
@@ -33,9 +34,8 @@ using testing_support::WavySurface;
 Surface surface_of(const WavySurface& s) { return {s.mesh, s.neighborhood, s.normals}; }
 
 FrequencyField yielded(const WavySurface& s, const Slack& slack) {
-  RelaxedFrequency relaxed(surface_of(s), slack);
-  const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
-  return {g.begin(), g.end()};
+  const WaveSet waves{s.mesh.positions, s.waves.directions, s.waves.frequencies};
+  return relaxed_frequencies(surface_of(s), waves, slack).frequencies;
 }
 
 Eigen::VectorXd relative(std::span<const float> g, const FrequencyField& f) {
@@ -51,7 +51,7 @@ void expect_least(const WavySurface& s, const Slack& slack, std::span<const floa
                                 relative(g, s.waves.frequencies));
 }
 
-TEST(RelaxedFrequency, EnergyIsThatOfTheActiveSet) {
+TEST(RelaxedFrequencies, EnergyIsThatOfTheActiveSet) {
   for (const char* shape : {"torus,resolution=30", "trefoil,resolution=24", "box,resolution=8",
                             "mobius,resolution=16", "plane,resolution=30"}) {
     for (const float slack : {0.05f, 0.25f, 1.0f}) {
@@ -102,7 +102,7 @@ WavySurface odd_surface() {
   return s;
 }
 
-TEST(RelaxedFrequency, TakesAnyTopology) {
+TEST(RelaxedFrequencies, TakesAnyTopology) {
   const WavySurface s = odd_surface();
   const FrequencyField g = yielded(s, 0.25f);
   expect_least(s, 0.25f, g);
@@ -110,7 +110,7 @@ TEST(RelaxedFrequency, TakesAnyTopology) {
   EXPECT_EQ(g[7], s.waves.frequencies[7]);
 }
 
-TEST(RelaxedFrequency, FollowsFrequenciesThatVary) {
+TEST(RelaxedFrequencies, FollowsFrequenciesThatVary) {
   auto s = wavy_surface("torus,resolution=30", kAxis, 20);
   std::mt19937 random(3);
   std::uniform_real_distribution<float> factor(0.7f, 1.5f);
@@ -118,7 +118,7 @@ TEST(RelaxedFrequency, FollowsFrequenciesThatVary) {
   expect_least(s, 0.25f, yielded(s, 0.25f));
 }
 
-TEST(RelaxedFrequency, StaysWhereThereIsNoCurl) {
+TEST(RelaxedFrequencies, StaysWhereThereIsNoCurl) {
   const auto s = wavy_surface("plane,resolution=40", kAxis, 20);
   const Eigen::VectorXd x = relative(yielded(s, 0.5f), s.waves.frequencies);
   // Floats leave a curl of their rounding, which a smooth change answers with as much more as the
@@ -152,7 +152,7 @@ double spread(const WavySurface& s, float distance, std::span<const float> g) {
   return std::sqrt(squares / count - mean * mean) / mean;
 }
 
-TEST(RelaxedFrequency, FallsWithTheDistanceFromACommonCentre) {
+TEST(RelaxedFrequencies, FallsWithTheDistanceFromACommonCentre) {
   const float distance = 8;
   const auto s = fan(distance);
   const double before = spread(s, distance, s.waves.frequencies);
@@ -161,19 +161,19 @@ TEST(RelaxedFrequency, FallsWithTheDistanceFromACommonCentre) {
 }
 
 #ifdef BRINDLE_HAS_NANOFLANN
-TEST(RelaxedFrequency, PointsAreJoinedToTheirNeighbours) {
+TEST(RelaxedFrequencies, PointsAreJoinedToTheirNeighbours) {
   const float distance = 8;
   auto s = fan(distance);
   PointCloud cloud = make_point_cloud(s.mesh.positions, s.normals).cloud;
   const Surface points = make_point_surface(std::move(cloud));
-  RelaxedFrequency relaxed(points, 0.5f);
-  const auto g = relaxed.solve(points.mesh.positions, s.waves.directions, s.waves.frequencies);
+  RelaxedFrequencySolver relaxed(relaxed_setting(points, 0.5f));
+  const auto g = relaxed.solve({points.mesh.positions, s.waves.directions, s.waves.frequencies});
   EXPECT_LT(spread(s, distance, g), 0.5 * spread(s, distance, s.waves.frequencies));
   EXPECT_EQ(relaxed.change().share_at_bounds, 0);
 }
 #endif
 
-TEST(RelaxedFrequency, TurningDirectionsRoundChangesNothing) {
+TEST(RelaxedFrequencies, TurningDirectionsRoundChangesNothing) {
   auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   const FrequencyField before = yielded(s, 0.2f);
   flip_half(s.waves, 5);
@@ -184,7 +184,7 @@ double mean_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).cwiseAbs().mean();
 }
 
-TEST(RelaxedFrequency, MovingTurningAndScalingChangeLittle) {
+TEST(RelaxedFrequencies, MovingTurningAndScalingChangeLittle) {
   const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   const auto x = relative(yielded(s, 0.2f), s.waves.frequencies);
   const Eigen::Matrix3f turn = (Eigen::AngleAxisf(1.1f, Vec3(1, 2, 3).normalized())).matrix();
@@ -199,7 +199,7 @@ TEST(RelaxedFrequency, MovingTurningAndScalingChangeLittle) {
   }
 }
 
-TEST(RelaxedFrequency, OrderOfVerticesChangesLittle) {
+TEST(RelaxedFrequencies, OrderOfVerticesChangesLittle) {
   const auto s = wavy_surface("torus,resolution=60", kAxis, 20);
   std::vector<Index> place(s.mesh.vertex_count());
   std::iota(place.begin(), place.end(), 0u);
@@ -217,7 +217,7 @@ TEST(RelaxedFrequency, OrderOfVerticesChangesLittle) {
 }
 
 #ifdef BRINDLE_HAS_TBB
-TEST(RelaxedFrequency, IsTheSameForEveryNumberOfThreads) {
+TEST(RelaxedFrequencies, IsTheSameForEveryNumberOfThreads) {
   const auto s = wavy_surface("torus,resolution=200", kAxis, 40);
   const auto run = [&](int threads) {
     FrequencyField g;
@@ -231,12 +231,12 @@ TEST(RelaxedFrequency, IsTheSameForEveryNumberOfThreads) {
 }
 #endif  // BRINDLE_HAS_TBB
 
-TEST(RelaxedFrequency, KeepsOnlyWhatWasFound) {
+TEST(RelaxedFrequencies, KeepsOnlyWhatWasFound) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
-  RelaxedFrequency once(surface_of(s), 0.2f), again(surface_of(s), 0.2f);
+  RelaxedFrequencySolver once(relaxed_setting(surface_of(s), 0.2f)), again = once.sibling();
   again.keep();  // nothing
-  const auto next = [&](RelaxedFrequency& relaxed) {
-    relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+  const auto next = [&](RelaxedFrequencySolver& relaxed) {
+    relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
     relaxed.keep();
     return FrequencyField(relaxed.frequencies().begin(), relaxed.frequencies().end());
   };
@@ -247,7 +247,7 @@ TEST(RelaxedFrequency, KeepsOnlyWhatWasFound) {
   s.waves.directions = rotated(s.waves.directions, s.normals, 0.1f);
   const Progress stop([](const ProgressReport&) { return false; });
   again.restart();
-  EXPECT_THROW(again.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies, stop),
+  EXPECT_THROW(again.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies}, stop),
                Cancelled);
   again.keep();
   EXPECT_TRUE(std::ranges::equal(again.frequencies(), first));
@@ -255,12 +255,12 @@ TEST(RelaxedFrequency, KeepsOnlyWhatWasFound) {
   EXPECT_EQ(next(again), next(once));
 }
 
-TEST(RelaxedFrequency, FramesKeepUpWithFieldsThatTurn) {
+TEST(RelaxedFrequencies, FramesKeepUpWithFieldsThatTurn) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
-  RelaxedFrequency relaxed(surface_of(s), 0.2f);
+  RelaxedFrequencySolver relaxed(relaxed_setting(surface_of(s), 0.2f));
   for (int n = 0; n < 12; ++n) {
     s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
-    const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+    const auto g = relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
     relaxed.keep();
     EXPECT_LE(relaxed.change().sweeps, n == 0 ? 80 : 6);
     expect_least(s, 0.2f, g);
@@ -268,21 +268,21 @@ TEST(RelaxedFrequency, FramesKeepUpWithFieldsThatTurn) {
   }
 }
 
-TEST(RelaxedFrequency, WhatIsNotKeptLeavesNoTrace) {
+TEST(RelaxedFrequencies, WhatIsNotKeptLeavesNoTrace) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
   const DirectionField other = rotated(s.waves.directions, s.normals, 0.3f);
   const auto see = [&](bool disturbed) {
-    RelaxedFrequency relaxed(surface_of(s), 0.2f);
+    RelaxedFrequencySolver relaxed(relaxed_setting(surface_of(s), 0.2f));
     FrequencyField seen;
     for (int n = 0; n < 3; ++n) {
-      if (disturbed) relaxed.solve(s.mesh.positions, other, s.waves.frequencies);
+      if (disturbed) relaxed.solve({s.mesh.positions, other, s.waves.frequencies});
       Reports cancelled(3);
       if (disturbed && n == 0) {
         EXPECT_THROW(
-            relaxed.solve(s.mesh.positions, other, s.waves.frequencies, cancelled.progress()),
+            relaxed.solve({s.mesh.positions, other, s.waves.frequencies}, cancelled.progress()),
             Cancelled);
       }
-      relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+      relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
       relaxed.keep();
       const auto g = relaxed.frequencies();
       seen.insert(seen.end(), g.begin(), g.end());
@@ -292,7 +292,7 @@ TEST(RelaxedFrequency, WhatIsNotKeptLeavesNoTrace) {
   EXPECT_EQ(see(true), see(false));
 }
 
-TEST(RelaxedFrequency, SlackOfEachVertexIsKept) {
+TEST(RelaxedFrequencies, SlackOfEachVertexIsKept) {
   const auto s = wavy_surface("torus,resolution=40", kAxis, 20);
   Slack slack;
   for (const Vec3& p : s.mesh.positions) slack.by_vertex.push_back(p.x() > 0 ? 0.3f : 0.0f);
@@ -324,7 +324,7 @@ std::vector<float> left_half(const Mesh& mesh) {
   return branch_penalty;
 }
 
-TEST(RelaxedFrequency, MeanStaysWhatWasAskedFor) {
+TEST(RelaxedFrequencies, MeanStaysWhatWasAskedFor) {
   for (const char* shape : {"torus,resolution=60", "trefoil,resolution=60", "box,resolution=20"}) {
     auto s = wavy_surface(shape, kAxis, 40);
     const std::vector<float> all(s.mesh.vertex_count(), 1), branch_penalty = left_half(s.mesh);
@@ -333,9 +333,9 @@ TEST(RelaxedFrequency, MeanStaysWhatWasAskedFor) {
       EXPECT_NEAR(mean_ratio(s, yielded(s, slack), all), 1, 1e-4);
       Slack with_penalty = slack;
       with_penalty.branch_penalty = branch_penalty;
-      RelaxedFrequency relaxed(surface_of(s), with_penalty);
+      RelaxedFrequencySolver relaxed(relaxed_setting(surface_of(s), with_penalty));
       for (int n = 0; n < 4; ++n) {
-        const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+        const auto g = relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
         relaxed.keep();
         EXPECT_NEAR(mean_ratio(s, g, all), 1, 1e-4);
         EXPECT_NEAR(mean_ratio(s, g, branch_penalty), 1, 0.03);
@@ -345,10 +345,10 @@ TEST(RelaxedFrequency, MeanStaysWhatWasAskedFor) {
   }
 }
 
-TEST(RelaxedFrequency, ChangeSaysWhatHasBecomeOfIt) {
+TEST(RelaxedFrequencies, ChangeSaysWhatHasBecomeOfIt) {
   const auto s = wavy_surface("torus,resolution=40", kAxis, 20);
-  RelaxedFrequency relaxed(surface_of(s), 0.1f);
-  const auto g = relaxed.solve(s.mesh.positions, s.waves.directions, s.waves.frequencies);
+  RelaxedFrequencySolver relaxed(relaxed_setting(surface_of(s), 0.1f));
+  const auto g = relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
   const auto x = relative(g, s.waves.frequencies);
   const FrequencyChange& change = relaxed.change();
   EXPECT_NEAR(change.ratio_min, x.minCoeff(), 1e-6);
@@ -361,17 +361,17 @@ TEST(RelaxedFrequency, ChangeSaysWhatHasBecomeOfIt) {
   EXPECT_LT(change.residual, 0.05);
 }
 
-TEST(RelaxedFrequency, NothingAtAllIsFine) {
-  RelaxedFrequency relaxed(make_surface({}), 0.1f);
-  EXPECT_TRUE(relaxed.solve({}, {}, {}).empty());
+TEST(RelaxedFrequencies, NothingAtAllIsFine) {
+  RelaxedFrequencySolver relaxed(relaxed_setting(make_surface({}), 0.1f));
+  EXPECT_TRUE(relaxed.solve({}).empty());
 }
 
-TEST(RelaxedFrequency, RefusesWhatIsNoSlack) {
+TEST(RelaxedFrequencies, RefusesWhatIsNoSlack) {
   const auto s = wavy_surface("torus,resolution=10", kAxis, 5);
   const std::size_t count = s.mesh.vertex_count();
   const auto refuse = [&](const Slack& slack, const std::string& what) {
     try {
-      RelaxedFrequency(surface_of(s), slack);
+      relaxed_frequencies(surface_of(s), s.waves, slack);
       FAIL() << what;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();

@@ -160,14 +160,9 @@ void check_sizes(const Surface& surface, const WaveSet& waves) {
 void relax_frequencies(const Surface& surface, WaveSet& waves, const StripeOptions& options,
                        const Progress& progress, StripePattern& result) {
   Stopwatch watch;
-  // Point clouds have to be triangulated first.
-  const double begins = surface.mesh.triangles.empty() ? 0.3 : 0.02;
-  RelaxedFrequency relaxed(surface, options.slack, progress.part(0, begins));
-  const std::span<const float> frequencies =
-      relaxed.solve(waves.positions, waves.directions, waves.frequencies, progress.part(begins, 1));
-  result.frequencies_wanted = std::move(waves.frequencies);
-  waves.frequencies.assign(frequencies.begin(), frequencies.end());
-  result.frequency_change = relaxed.change();
+  RelaxedFrequencies relaxed = relaxed_frequencies(surface, waves, options.slack, progress);
+  result.frequencies_wanted = std::exchange(waves.frequencies, std::move(relaxed.frequencies));
+  result.frequency_change = relaxed.change;
   result.milliseconds.frequency = watch.lap();
 }
 

@@ -1,4 +1,4 @@
-/// The least-squares problem of `RelaxedFrequency` as rows of a sparse matrix.
+/// The least-squares problem of `relaxed_frequencies` as rows of a sparse matrix.
 #pragma once
 
 #include <array>

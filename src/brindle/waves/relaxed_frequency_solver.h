@@ -1,4 +1,5 @@
-/// The solver of `RelaxedFrequency`, for a whole surface or for the parts of several processes.
+/// The solver of `relaxed_frequencies`, for a whole surface or for the parts of several processes,
+/// and for frames.
 #pragma once
 
 #include <array>
@@ -53,7 +54,7 @@ struct RatioSums {
   }
 };
 
-/// RelaxedFrequency for one or several processes. With peers, all processes must call all
+/// Relaxes the frequencies of one frame after another. With peers, all processes must call all
 /// functions except `keep`, `frequencies` and `change`, and `progress` must throw on all or none.
 class RelaxedFrequencySolver {
  public:
@@ -73,11 +74,23 @@ class RelaxedFrequencySolver {
   void set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting, bool weighs_as_before);
   const RelaxedFrequencySetting& setting() const { return *setting_; }
 
-  /// As in RelaxedFrequency; frequencies include those of ghosts.
-  std::span<const float> solve(const FrequencyInput& input, const Progress& progress);
+  /// The frequency per vertex, ghosts included; the span is valid until the next call but one.
+  /// Values are not checked. Starts from the kept result, relative to the wanted frequencies, and
+  /// then allocates nothing. `progress` gets fractions if nothing is kept. Cancelled or failed
+  /// calls leave the kept result unchanged.
+  std::span<const float> solve(const FrequencyInput& input, const Progress& progress = {});
+
+  /// Keeps the last result as the next start. Does nothing if there is none to keep: before
+  /// `solve`, after one that failed, or after a change of slack. Does not throw.
   void keep();
+
+  /// Drops the kept result.
   void restart() { starts_ = true; }
+
+  /// The kept frequencies.
   std::span<const float> frequencies() const { return frequencies_; }
+
+  /// The change by the last `solve`.
   const FrequencyChange& change() const { return change_; }
 
   /// Whether a result was kept since the last input that rows were built for.

@@ -132,40 +132,17 @@ std::shared_ptr<const RelaxedFrequencySetting> relaxed_setting(const Surface& su
   return setting;
 }
 
-struct RelaxedFrequency::State {
-  RelaxedFrequencySolver solver;
-};
-
-RelaxedFrequency::RelaxedFrequency(const Surface& surface, const Slack& slack,
-                                   const Progress& progress)
-    : state_(std::make_unique<State>(State{
-          RelaxedFrequencySolver(relaxed_setting(surface, slack, progress.step("frequency")))})) {}
-
-RelaxedFrequency::RelaxedFrequency(std::unique_ptr<State> state) : state_(std::move(state)) {}
-
-RelaxedFrequency RelaxedFrequency::sibling() const {
-  return RelaxedFrequency(std::make_unique<State>(State{state_->solver.sibling()}));
+RelaxedFrequencies relaxed_frequencies(const Surface& surface, const WaveSet& waves,
+                                       const Slack& slack, const Progress& progress) {
+  JobStages stages(progress, {{"frequency", 1}});
+  const Progress relaxing = stages.begin("frequency");
+  // Point clouds have to be triangulated first.
+  const double begins = surface.mesh.triangles.empty() ? 0.3 : 0.02;
+  RelaxedFrequencySolver solver(relaxed_setting(surface, slack, relaxing.part(0, begins)));
+  const std::span<const float> frequencies = solver.solve(
+      {waves.positions, waves.directions, waves.frequencies}, relaxing.part(begins, 1));
+  stages.finish();
+  return {{frequencies.begin(), frequencies.end()}, solver.change()};
 }
-
-RelaxedFrequency::~RelaxedFrequency() = default;
-RelaxedFrequency::RelaxedFrequency(RelaxedFrequency&&) noexcept = default;
-RelaxedFrequency& RelaxedFrequency::operator=(RelaxedFrequency&&) noexcept = default;
-
-std::span<const float> RelaxedFrequency::solve(std::span<const Vec3> positions,
-                                               std::span<const Vec3> directions,
-                                               std::span<const float> wanted,
-                                               const Progress& progress) {
-  return state_->solver.solve({positions, directions, wanted}, progress);
-}
-
-void RelaxedFrequency::keep() { state_->solver.keep(); }
-
-std::span<const float> RelaxedFrequency::frequencies() const {
-  return state_->solver.frequencies();
-}
-
-void RelaxedFrequency::restart() { state_->solver.restart(); }
-
-const FrequencyChange& RelaxedFrequency::change() const { return state_->solver.change(); }
 
 }  // namespace brindle

@@ -102,7 +102,7 @@ class FrameFrequencies {
   /// Whether there is slack and the input equals the one kept last.
   bool is_kept(const FrameInput& input) const;
 
-  /// The input with relaxed frequencies. Throws what `RelaxedFrequency::solve` does.
+  /// The input with relaxed frequencies. Throws Cancelled if `progress` cancels.
   FrameInput relaxed_input(const FrameInput& input, const Progress& progress);
 
   /// Commits the last `relaxed_input` as the last frame. Does not throw.
