@@ -9,8 +9,6 @@ import subprocess
 # runtimes of C and C++, and X11 with what it needs.
 OF_THE_SYSTEM = re.compile(r"(lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+|EGL|GL|GLX|OpenGL|X11|xcb|Xau|Xdmcp|bsd|md)\.so|"
                            r"ld-linux|linux-vdso)")
-# The oldest glibc of a distribution with this libstdc++ (GLIBCXX_3.4.x), as in manylinux' policies.
-GLIBC_OF_LIBSTDCXX = {25: 28, 28: 31, 29: 34, 30: 35, 31: 38, 32: 38, 33: 39}
 
 
 def output(*command):
@@ -18,7 +16,10 @@ def output(*command):
 
 
 def is_elf(path):
-    return path.is_file() and not path.is_symlink() and path.read_bytes()[:4] == b"\x7fELF"
+    if path.is_symlink() or not path.is_file():
+        return False
+    with open(path, "rb") as file:
+        return file.read(4) == b"\x7fELF"
 
 
 def elfs(folder):
@@ -42,30 +43,19 @@ def package_of(path):
     raise SystemExit(f"{path}: no Debian package has it, so that its licence is not known")
 
 
-def bundle(folder, libraries, licenses, given=frozenset()):
-    """Copies to `libraries` what files in `folder` need and neither the system nor `given` has, with
-    its licences, and makes the files find it by relative paths."""
+def bundle(folder, libraries, licenses, linked_in, given=frozenset()):
+    """Copies to `libraries` what files in `folder` need and neither the system nor `given` has, makes
+    the files find it by relative paths, and copies the licences of it and of the packages `linked_in`."""
     programs = elfs(folder)
     needed = {name: path for program in programs for name, path in libraries_of(program).items()
               if not OF_THE_SYSTEM.match(name) and name not in given and not pathlib.Path(path).is_relative_to(folder)}
     libraries.mkdir(parents=True, exist_ok=True)
-    licenses.mkdir(parents=True, exist_ok=True)
     for name, path in needed.items():
         shutil.copy(path, libraries / name)
-        package = package_of(path)
+    licenses.mkdir(parents=True, exist_ok=True)
+    for package in {*linked_in.split(), *map(package_of, needed.values())}:
         shutil.copy(f"/usr/share/doc/{package}/copyright", licenses / f"{package}.txt")
     # The copies keep their names: patchelf 0.14 breaks symbol versions when it renames.
     for program in programs + [libraries / name for name in needed]:
         way = os.path.relpath(libraries, program.parent)
         output("patchelf", "--set-rpath", "$ORIGIN" if way == "." else f"$ORIGIN/{way}", program)
-
-
-def glibc_of(folder):
-    """The minor version of glibc 2 that the symbols in `folder` need."""
-    needed = 0
-    for program in elfs(folder):
-        versions = output("readelf", "--version-info", "--wide", program)
-        for library, minor in re.findall(r"Name: (GLIBC_2|GLIBCXX_3\.4)\.(\d+)", versions):
-            enough = [glibc for cxx, glibc in sorted(GLIBC_OF_LIBSTDCXX.items()) if cxx >= int(minor)]
-            needed = max(needed, int(minor) if library == "GLIBC_2" else enough[0])
-    return needed
