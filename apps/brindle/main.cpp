@@ -40,6 +40,7 @@ constexpr const char* kToolExamples = R"(Examples:
   brindle curves horse.ply --stripes 100 --output horse.svg
   brindle sample horse.ply --output samples.csv
   brindle paths horse.ply --scale 50:1 --output horse.gcode
+  brindle relief part.stl --texture knurl --height 0.4 --spacing 2 --output knurled.stl
   brindle info horse.ply
 
 'brindle COMMAND --help' describes each command, 'brindle help' values, lengths, cameras and files.
@@ -148,15 +149,14 @@ int parse_and_run(int argc, char** argv, RankJobs* ranks) {
   app.require_subcommand(1);
   app.footer(kToolExamples);
   const std::vector<Command> commands = {
-      add_stripe_command(app, ranks), add_compare_command(app),
-      add_curves_command(app, ranks), add_paths_command(app),
-      add_sample_command(app, ranks), add_animate_command(app),
-      add_info_command(app),
+      add_stripe_command(app, ranks), add_compare_command(app), add_curves_command(app, ranks),
+      add_paths_command(app),         add_relief_command(app),  add_sample_command(app, ranks),
+      add_animate_command(app),       add_info_command(app),
 #ifdef BRINDLE_HAS_WINDOW
       add_view_command(app),
 #endif
-      add_render_command(app),        add_gallery_command(app),
-      add_help_command(app),          add_completion_command(app)};
+      add_render_command(app),        add_gallery_command(app), add_help_command(app),
+      add_completion_command(app)};
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const std::string first = words.empty() ? "" : words.front();
 #ifndef BRINDLE_HAS_WINDOW

@@ -7,8 +7,8 @@
 /// `projected_direction_field`, `curvature_direction_field`, `tangent_directions`,
 /// `direction_field_of` arrays, `tensor_field_of`. Patterns: `stripe_pattern`, `texture_pattern`,
 /// `cross_pattern`, `pattern_warnings`. From patterns: `stripe_curves`, `stripe_samples`,
-/// `texture_coordinates`. Spacing tolerance alone: `relaxed_frequencies`. Moving input:
-/// `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`,
+/// `texture_coordinates`, `make_relief`. Spacing tolerance alone: `relaxed_frequencies`. Moving
+/// input: `StripeAnimator`, `SmoothFieldAnimator`; time series: `matched_phases`, `carried_phases`,
 /// `matched_directions`, `carried_directions`.
 ///
 /// Functions throw `Error` for errors that a caller can fix. Failed or cancelled calls change no
@@ -50,6 +50,7 @@
 #include "brindle/polylines.h"
 #include "brindle/progress.h"
 #include "brindle/quality.h"
+#include "brindle/relief.h"
 #include "brindle/samples.h"
 #include "brindle/saved.h"
 #include "brindle/shapes.h"

@@ -45,6 +45,7 @@ struct FittedArrays {
 /// .gltf .glb   arrays of points with 1 to 4 components of finite numbers that 32-bit floats hold
 ///              exactly; names are in capitals after an underscore;
 /// .obj         "normal" and "uv" of points;
+/// .stl .3mf    nothing;
 /// .csv         everything, for lines and samples.
 /// Names that are then equal, or taken, get underscores at their end. Fitted arrays do not change
 /// when fitted again. Numbers of components are 1 or more.
@@ -100,7 +101,8 @@ std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path
 /// no numbers are kept. Throws Error as `read_mesh` does.
 Mesh read_vertices(const std::filesystem::path& path);
 
-/// Writes OBJ, PLY (binary), VTP, glTF or GLB by the path's extension, whole or not at all, with
+/// Writes OBJ, PLY (binary), VTP, glTF, GLB, STL (binary) or 3MF (in millimetres) by the path's
+/// extension, whole or not at all, with
 /// arrays of a row per vertex and per triangle (`fitted_arrays`). Throws Error for an unknown
 /// extension, for arrays that the format cannot hold or that have another number of rows, and what
 /// write_file throws. Throws Cancelled if `progress` cancels, and then keeps an existing file.

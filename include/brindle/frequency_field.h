@@ -22,4 +22,7 @@ float frequency_of_stripes(float stripes, float diagonal);
 /// and finite.
 float frequency_of_spacing(float spacing);
 
+/// 1 over the mean frequency.
+double mean_spacing(const FrequencyField& frequencies);
+
 }  // namespace brindle

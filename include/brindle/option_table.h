@@ -30,7 +30,8 @@ enum class PatternJob : std::uint8_t {
   sample = 4,
   animate = 8,
   compare = 16,
-  paths = 32
+  paths = 32,
+  relief = 64
 };
 
 /// The stages that a change of an option makes stale, as a set of bits; all later stages are stale,

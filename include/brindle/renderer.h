@@ -45,19 +45,22 @@ Overlay branch_overlay(const Mesh& mesh, std::span<const CornerPhases> corners);
 /// value) leave a triangle as it is.
 Overlay error_overlay(std::span<const float> values, float largest);
 
-/// Tiles that need no file: a motif in one colour on the ground of another. All but arrows are
-/// symmetric under 180 degrees about their middle and suit fields without orientation. Checker,
-/// dots and plus are also symmetric under 90 degrees and suit cross fields.
+/// Tiles that need no file: a motif in one colour on the ground of another. All but arrows and
+/// scales are symmetric under 180 degrees about their middle and suit fields without orientation.
+/// Checker, dots, plus and knurl are also symmetric under 90 degrees and suit cross fields.
 enum class BuiltInTile {
-  stripes,    ///< across U, as `Renderer` draws stripes of width 0.5
-  checker,    ///< two by two squares, one in the middle
-  dots,       ///< one in the middle
-  arrows,     ///< one that points along U
-  bricks,     ///< two courses along U, the second shifted by half a brick
-  hatch,      ///< strokes along U, crossed by others along V
-  plus,       ///< a plus sign
-  minus,      ///< a minus sign along U
-  plus_minus  ///< a plus sign in the middle and a minus sign at the corner
+  stripes,     ///< across U, as `Renderer` draws stripes of width 0.5
+  checker,     ///< two by two squares, one in the middle
+  dots,        ///< one in the middle
+  arrows,      ///< one that points along U
+  bricks,      ///< two courses along U, the second shifted by half a brick
+  hatch,       ///< strokes along U, crossed by others along V
+  plus,        ///< a plus sign
+  minus,       ///< a minus sign along U
+  plus_minus,  ///< a plus sign in the middle and a minus sign at the corner
+  knurl,       ///< diamonds, pyramids as a relief
+  weave,       ///< two strands along U over and under two along V
+  scales       ///< two rows of scales that point along U
 };
 
 /// The names above, separated by `|`.
@@ -70,6 +73,14 @@ float tile_distance(BuiltInTile tile, float u, float v);
 /// A built-in tile, or a picture whose transparent parts show the surface.
 using TextureTile = std::variant<BuiltInTile, Image>;
 
+/// The height of a tile as a relief, from 0 to 1. Motifs of built-in tiles are plateaus with steep
+/// flanks, except for pyramids (knurl), strands (weave) and slopes (scales). Pictures have their
+/// grey values, interpolated between pixels: black and transparent pixels are 0, white ones 1.
+float tile_height(const TextureTile& tile, float u, float v);
+
+/// The smallest detail of this height, in sides of the tile.
+float tile_detail(const TextureTile& tile);
+
 /// The motifs of a tile to keep whole: those of a built-in tile, or the part of a picture that is
 /// not transparent.
 TileMotifs tile_motifs(const TextureTile& tile);
@@ -78,8 +89,8 @@ TileMotifs tile_motifs(const TextureTile& tile);
 /// of its cell. A shrunk tile is one motif.
 TileMotifs motifs_within(const TileMotifs& motifs, float size, const Eigen::Vector2f& shift);
 
-/// Whether a tile's motif has room around it: arrows, dots, signs, bricks, and pictures that are
-/// transparent all along their sides. Other tiles continue in the next one.
+/// Whether a tile's motif has room around it: arrows, dots, signs, bricks, knurl, and pictures
+/// that are transparent all along their sides. Other tiles continue in the next one.
 bool has_own_shape(const TextureTile& tile);
 
 /// The tile as an opaque picture: a motif with smooth edges in `side` x `side` pixels, or a picture

@@ -27,6 +27,7 @@ _HOMES = {
     "_paths": ("Paths", "paths"),
     "_patterns": ("crosses", "samples", "stripes", "texture"),
     "_pictures": ("has_opengl", "read_png", "render", "write_png"),
+    "_relief": ("Relief", "relief"),
     "_surface": ("Loop", "Stroke", "Surface", "as_surface", "points", "read", "shape", "shape_help",
                  "shape_names"),
 }

@@ -45,6 +45,8 @@ Image image_of(py::handle array) {
   return image;
 }
 
+}  // namespace
+
 TextureTile tile_of(py::handle tile) {
   if (!py::isinstance<py::str>(tile)) return image_of(tile);
   const auto name = py::cast<std::string>(tile);
@@ -54,6 +56,14 @@ TextureTile tile_of(py::handle tile) {
   }
   return *built_in;
 }
+
+std::optional<BrokenTiles> broken_tiles_of(const TextureData& texture, const TextureTile& tile,
+                                           std::optional<bool> whole) {
+  if (!whole.value_or(has_own_shape(tile))) return std::nullopt;
+  return broken_tiles(texture.surface->surface.mesh.triangles, texture.waves, tile_motifs(tile));
+}
+
+namespace {
 
 Overlay overlay_of(const std::string& view, const StripesData& data) {
   const Mesh& mesh = data.surface->surface.mesh;
@@ -111,13 +121,6 @@ void check_crosses(py::handle tile, const Picture& picture) {
     brindle::check_view_of_crosses(picture.view == "stripes");
     if (py::isinstance<py::str>(tile)) brindle::check_tile_of_crosses(py::cast<std::string>(tile));
   });
-}
-
-// Empty if tiles are cut, by request or as the tile's default.
-std::optional<BrokenTiles> broken_tiles_of(const TextureData& texture, const TextureTile& tile,
-                                           std::optional<bool> whole) {
-  if (!whole.value_or(has_own_shape(tile))) return std::nullopt;
-  return broken_tiles(texture.surface->surface.mesh.triangles, texture.waves, tile_motifs(tile));
 }
 
 // 1 in triangles that a broken motif covers, or None.
@@ -183,6 +186,7 @@ py::array render_ornament(const SurfaceData& data, const SurfaceData& ornament,
 }  // namespace
 
 void bind_renderer(py::module_& module) {
+  bind_relief(module);
   module.def("render", render_stripes, py::arg("surface"), py::arg("stripes").none(true),
              py::arg("picture"));
   module.def("render_texture", render_texture, py::arg("texture"), py::arg("tile"),

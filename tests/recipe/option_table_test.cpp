@@ -15,7 +15,8 @@ namespace brindle {
 namespace {
 
 constexpr PatternJob kJobs[] = {PatternJob::stripe,  PatternJob::curves,  PatternJob::sample,
-                                PatternJob::animate, PatternJob::compare, PatternJob::paths};
+                                PatternJob::animate, PatternJob::compare, PatternJob::paths,
+                                PatternJob::relief};
 
 std::set<std::string> words(std::string_view text, char separator = ' ') {
   std::istringstream stream{std::string(text)};

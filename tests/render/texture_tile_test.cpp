@@ -12,7 +12,8 @@ namespace {
 
 const BuiltInTile kAll[] = {BuiltInTile::stripes, BuiltInTile::checker, BuiltInTile::dots,
                             BuiltInTile::arrows,  BuiltInTile::bricks,  BuiltInTile::hatch,
-                            BuiltInTile::plus,    BuiltInTile::minus,   BuiltInTile::plus_minus};
+                            BuiltInTile::plus,    BuiltInTile::minus,   BuiltInTile::plus_minus,
+                            BuiltInTile::knurl,   BuiltInTile::weave,   BuiltInTile::scales};
 
 /// Calls `body(u, v)` for points all over a tile and beyond.
 template <class Body>
@@ -47,14 +48,14 @@ TEST(TextureTile, DistancesRepeatAndNeverGrowFasterThanTheWay) {
   }
 }
 
-TEST(TextureTile, AllButArrowsLookTheSameTurnedHalfWay) {
+TEST(TextureTile, AllButArrowsAndScalesLookTheSameTurnedHalfWay) {
   for (const BuiltInTile tile : kAll) {
     float largest = 0;
     at_many_points([&](float u, float v) {
       largest = std::max(largest,
                          std::abs(tile_distance(tile, u, v) - tile_distance(tile, 1 - u, 1 - v)));
     });
-    if (tile == BuiltInTile::arrows) {
+    if (tile == BuiltInTile::arrows || tile == BuiltInTile::scales) {
       EXPECT_GT(largest, 0.1f);
     } else {
       EXPECT_LT(largest, 1e-5f) << static_cast<int>(tile);
@@ -63,7 +64,8 @@ TEST(TextureTile, AllButArrowsLookTheSameTurnedHalfWay) {
 }
 
 TEST(TextureTile, SomeLookTheSameTurnedByAQuarter) {
-  for (const BuiltInTile tile : {BuiltInTile::dots, BuiltInTile::plus, BuiltInTile::checker}) {
+  for (const BuiltInTile tile :
+       {BuiltInTile::dots, BuiltInTile::plus, BuiltInTile::checker, BuiltInTile::knurl}) {
     at_many_points([&](float u, float v) {
       ASSERT_NEAR(tile_distance(tile, u, v), tile_distance(tile, 1 - v, u), 1e-5f);
     });

@@ -22,7 +22,8 @@ struct Commands {
       {add_curves_command(app), PatternJob::curves},
       {add_sample_command(app), PatternJob::sample},
       {add_animate_command(app), PatternJob::animate},
-      {add_compare_command(app), PatternJob::compare}};
+      {add_compare_command(app), PatternJob::compare},
+      {add_relief_command(app), PatternJob::relief}};
 };
 
 TEST(DescribedOptions, CommandsHaveTheOptionsOfTheTableAndNoOthers) {
@@ -87,7 +88,7 @@ TEST(DescribedOptions, CommandsTakeTheNumbersThatTheTableSays) {
     if (std::isfinite(most)) values.insert(values.end(), {most - step, most, most + step});
     if (!std::isfinite(most)) values.push_back(1e6);
     for (const PatternJob job : {PatternJob::stripe, PatternJob::curves, PatternJob::sample,
-                                 PatternJob::animate, PatternJob::compare}) {
+                                 PatternJob::animate, PatternJob::compare, PatternJob::relief}) {
       if (!info.is_for(job)) continue;
       for (const double value : values) {
         if (info.kind != OptionKind::whole && std::abs(value) >= 1e6 && value != std::floor(value))

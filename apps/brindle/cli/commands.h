@@ -40,6 +40,7 @@ Command add_compare_command(CLI::App& app);
 Command add_animate_command(CLI::App& app);
 Command add_paths_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
+Command add_relief_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_gallery_command(CLI::App& app);
 Command add_view_command(CLI::App& app);

@@ -52,6 +52,7 @@ PatternJob job_of(const std::string& command) {
   if (command == "animate") return PatternJob::animate;
   if (command == "compare") return PatternJob::compare;
   if (command == "paths") return PatternJob::paths;
+  if (command == "relief") return PatternJob::relief;
   return PatternJob::stripe;
 }
 

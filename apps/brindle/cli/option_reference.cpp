@@ -24,13 +24,14 @@ values, arrays, lengths, cameras, solvers and output files. Parts of values are 
 of surfaces and fields.
 )";
 
-constexpr std::array<std::pair<PatternJob, std::string_view>, 6> kCommandOfJob = {
+constexpr std::array<std::pair<PatternJob, std::string_view>, 7> kCommandOfJob = {
     {{PatternJob::stripe, "stripe"},
      {PatternJob::curves, "curves"},
      {PatternJob::sample, "sample"},
      {PatternJob::animate, "animate"},
      {PatternJob::compare, "compare"},
-     {PatternJob::paths, "paths"}}};
+     {PatternJob::paths, "paths"},
+     {PatternJob::relief, "relief"}}};
 
 std::string commands_of(unsigned jobs) {
   std::string commands;

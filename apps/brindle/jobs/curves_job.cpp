@@ -168,11 +168,6 @@ CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listene
   return job;
 }
 
-double mean_spacing(const FrequencyField& frequencies) {
-  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
-  return static_cast<double>(frequencies.size()) / sum;
-}
-
 double total_length(const Polylines& lines) {
   double length = 0;
   for (std::size_t line = 0; line < lines.count(); ++line) length += length_of(lines, line);

@@ -63,9 +63,6 @@ std::vector<JobStage> curves_stages(const CurvesArguments& arguments);
 
 CurvesJob make_curves_job(const CurvesArguments& arguments, JobListener& listener);
 
-/// 1 over the mean frequency of all vertices.
-double mean_spacing(const FrequencyField& frequencies);
-
 /// Total length of all lines, and the number of closed ones.
 double total_length(const Polylines& lines);
 std::size_t closed_count(const Polylines& lines);

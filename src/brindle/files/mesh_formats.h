@@ -47,6 +47,13 @@ RawMesh read_off(const std::filesystem::path& path, const Progress& progress = {
 /// colours are ignored.
 RawMesh read_stl(const std::filesystem::path& path, const Progress& progress = {});
 
+/// Binary STL, of which each triangle has its own corners.
+void write_stl(OutputStream& out, const Mesh& mesh);
+
+/// 3MF, in millimetres: an uncompressed ZIP archive with one object. Throws Error for meshes beyond
+/// 4 GB of text, the format's limit.
+void write_3mf(OutputStream& out, const Mesh& mesh);
+
 /// Stanford triangle format (PLY), text or binary: positions and faces. Other numeric properties
 /// become arrays with the same name and type; some are joined into one array: nx, ny, nz to
 /// "normal"; red, green, blue and optional alpha to "color"; texture_u, texture_v or s, t to "uv";

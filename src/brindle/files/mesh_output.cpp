@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
+#include "brindle/base/standard.h"
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
@@ -22,10 +24,11 @@ DataArrays checked_arrays(const fs::path& path, const Mesh& mesh,
                           std::span<const DataArray> point_arrays,
                           std::span<const DataArray> cell_arrays) {
   const std::string kind = lower_extension(path);
-  if (kind != ".obj" && kind != ".ply" && kind != ".vtp" && kind != ".gltf" && kind != ".glb") {
+  constexpr std::array kKinds = {".obj", ".ply", ".vtp", ".gltf", ".glb", ".stl", ".3mf"};
+  if (ranges::find(kKinds, kind) == kKinds.end()) {
     throw Error("cannot write '" + shown(path.string()) + "': the extension '" +
                 shown(path.extension().string()) +
-                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf and .glb");
+                "' is unknown; brindle writes .obj, .ply, .vtp, .gltf, .glb, .stl and .3mf");
   }
   check_rows(path, point_arrays, mesh.vertex_count(), "vertex");
   check_rows(path, cell_arrays, mesh.triangle_count(), "triangle");
@@ -68,6 +71,10 @@ void write_as(OutputStream& out, const std::string& kind, const Mesh& mesh,
                     .point_arrays = arrays.points,
                     .cell_arrays = arrays.cells,
                     .origin = mesh.origin});
+  } else if (kind == ".stl") {
+    write_stl(out, mesh);
+  } else if (kind == ".3mf") {
+    write_3mf(out, mesh);
   } else {
     write_gltf(out, mesh, arrays.points, kind == ".glb" ? GltfKind::binary : GltfKind::text,
                texture.png);

@@ -1,10 +1,15 @@
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
+
+#include <Eigen/Geometry>
 
 #include "brindle/base/input_file.h"
 #include "brindle/base/text.h"
+#include "brindle/files/binary_numbers.h"
 #include "brindle/files/mesh_builder.h"
 #include "brindle/files/mesh_formats.h"
 #include "brindle/files/text/text_words.h"
@@ -113,6 +118,27 @@ RawMesh read_stl(const std::filesystem::path& path, const Progress& progress) {
                     "damaged; copy or export it again");
   }
   return read_text(path, progress);
+}
+
+void write_stl(OutputStream& out, const Mesh& mesh) {
+  BinaryOutput binary(out);
+  // Files that start with "solid" are text to many readers.
+  std::array<char, 80> header = {};
+  constexpr std::string_view kHeader = "binary STL by brindle";
+  std::copy(kHeader.begin(), kHeader.end(), header.begin());
+  binary.put(header);
+  binary.put(static_cast<std::uint32_t>(mesh.triangle_count()));
+  for (const Triangle& t : mesh.triangles) {
+    std::array<Vec3, 3> corners;
+    for (int m = 0; m < 3; ++m) {
+      corners[m] = (mesh.positions[t[m]].cast<double>() + mesh.origin).cast<float>();
+    }
+    // Of the numbers in the file, as readers check it.
+    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    binary.put(normal.data(), 3);
+    for (const Vec3& corner : corners) binary.put(corner.data(), 3);
+    binary.put(std::uint16_t{0});
+  }
 }
 
 }  // namespace brindle

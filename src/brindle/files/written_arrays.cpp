@@ -117,6 +117,9 @@ class Fitting {
     } else if (kind_ == ".obj") {
       fit_obj(arrays.points);
       leave_out(arrays.cells);
+    } else if (kind_ == ".stl" || kind_ == ".3mf") {
+      for (const DataArray& array : arrays.points) leave_out(array, "per vertex");
+      leave_out(arrays.cells);
     } else {
       fit_gltf(arrays.points);
       leave_out(arrays.cells);

@@ -15,6 +15,9 @@ namespace brindle {
 /// Half the width of brick joints, in sides of the tile; as in render/shaders/broken_tiles.glsl.
 inline constexpr float kHalfJoint = 0.035f;
 
+/// Width of the flanks of motifs in reliefs, in sides of the tile.
+inline constexpr float kFlank = 0.04f;
+
 /// The centre of a motif as twice its U and twice its V; it identifies the motif.
 struct TileCentre {
   std::int32_t u = 0, v = 0;

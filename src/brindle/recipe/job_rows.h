@@ -57,7 +57,7 @@ constexpr auto kPictureRows =
                .help = "picture: fast or careful (default final)"}});
 
 constexpr auto kOutputRows =
-    in_group({.group = "Output", .jobs = kStripe | kCurves | kSample | kPaths},
+    in_group({.group = "Output", .jobs = kStripe | kCurves | kSample | kPaths | kRelief},
              {{.name = "output",
                .common = true,
                .kind = OptionKind::text,

@@ -9,6 +9,7 @@
 #include "brindle/recipe/mark_rows.h"
 #include "brindle/recipe/path_rows.h"
 #include "brindle/recipe/refusals.h"
+#include "brindle/recipe/relief_rows.h"
 #include "brindle/recipe/solving_rows.h"
 #include "brindle/recipe/style_rows.h"
 #include "brindle/recipe/texture_rows.h"
@@ -17,8 +18,8 @@
 namespace brindle {
 namespace {
 
-constexpr auto kTable =
-    joined(kWaveRows, kSolvingRows, kTextureRows, kStyleRows, kMarkRows, kPathRows, kJobRows);
+constexpr auto kTable = joined(kWaveRows, kSolvingRows, kTextureRows, kReliefRows, kStyleRows,
+                               kMarkRows, kPathRows, kJobRows);
 
 template <class Condition>
 const OptionInfo& first_row(const std::string& option, Condition is_meant) {

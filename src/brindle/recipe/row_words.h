@@ -17,7 +17,8 @@ constexpr unsigned kSample = static_cast<unsigned>(PatternJob::sample);
 constexpr unsigned kAnimate = static_cast<unsigned>(PatternJob::animate);
 constexpr unsigned kCompare = static_cast<unsigned>(PatternJob::compare);
 constexpr unsigned kPaths = static_cast<unsigned>(PatternJob::paths);
-constexpr unsigned kAll = kStripe | kCurves | kSample | kAnimate | kCompare | kPaths;
+constexpr unsigned kRelief = static_cast<unsigned>(PatternJob::relief);
+constexpr unsigned kAll = kStripe | kCurves | kSample | kAnimate | kCompare | kPaths | kRelief;
 
 constexpr NumberRange kAnyNumber = {};
 constexpr NumberRange kNotNegative = {.least = 0};

@@ -20,7 +20,7 @@ constexpr float kDotRadius = 0.29f;
 constexpr float kSignLength = 0.25f, kSignWidth = 0.07f;  // half of each
 constexpr float kSmallSign = 0.75f;                       // in tiles with two
 
-constexpr std::array<std::pair<std::string_view, BuiltInTile>, 9> kTiles{
+constexpr std::array<std::pair<std::string_view, BuiltInTile>, 12> kTiles{
     {{"stripes", BuiltInTile::stripes},
      {"checker", BuiltInTile::checker},
      {"dots", BuiltInTile::dots},
@@ -29,7 +29,10 @@ constexpr std::array<std::pair<std::string_view, BuiltInTile>, 9> kTiles{
      {"hatch", BuiltInTile::hatch},
      {"plus", BuiltInTile::plus},
      {"minus", BuiltInTile::minus},
-     {"plusminus", BuiltInTile::plus_minus}}};
+     {"plusminus", BuiltInTile::plus_minus},
+     {"knurl", BuiltInTile::knurl},
+     {"weave", BuiltInTile::weave},
+     {"scales", BuiltInTile::scales}}};
 
 /// From -1/2 to 1/2.
 float wrapped(float x) { return x - std::round(x); }
@@ -117,6 +120,92 @@ float plus_and_minus(const Point& p) {
                                minus_sign(wrapped(p + Point(0.5f, 0.5f)) / kSmallSign));
 }
 
+/// Diamonds around the middle and the corners.
+float knurl(const Point& p) {
+  const float to_side = std::abs(p.x()) + std::abs(p.y()) - 0.5f;
+  return std::abs(to_side) * -0.70710678f + kHalfJoint;
+}
+
+float knurl_height(const Point& p) {
+  return 2 * std::abs(std::abs(p.x()) + std::abs(p.y()) - 0.5f);
+}
+
+constexpr float kHalfStrand = 0.21f;
+
+/// The parts of strands that lie above others.
+float weave(const Point& p) {
+  const Point half(0.25f - kHalfJoint, kHalfStrand), turned(half.y(), half.x());
+  const auto at = [&](float u, float v) { return wrapped(p - Point(u, v)); };
+  return std::min({box(at(-0.25f, -0.25f), half), box(at(0.25f, 0.25f), half),
+                   box(at(-0.25f, 0.25f), turned), box(at(0.25f, -0.25f), turned)});
+}
+
+float weave_height(const Point& p) {
+  const auto strand = [](float across, float along, float phase) {
+    const float share = across / kHalfStrand;
+    const float above = 0.6f + 0.4f * elementary::cos(kTwoPi * (along - phase));
+    return std::max(0.0f, 1 - share * share) * above;
+  };
+  float height = 0;
+  for (const float row : {-0.25f, 0.25f}) {
+    height = std::max({height, strand(wrapped(p.y() - row), p.x(), row),
+                       strand(wrapped(p.x() - row), p.y(), -row)});
+  }
+  return height;
+}
+
+constexpr float kScaleRadius = 0.45f;
+
+/// The centre of scale `row`: rows are half a tile apart, and odd ones are shifted by half a scale.
+Point scale_centre(int row, float v) {
+  const float shift = row % 2 == 0 ? 0.0f : 0.5f;
+  return {0.5f * static_cast<float>(row) - 0.5f, std::round(v - shift) + shift};
+}
+
+/// A row lies above the next one along U, of whose scales it shows the tips alone.
+float scales(const Point& p) {
+  float distance = 1;
+  for (int row = -3; row <= 3; ++row) {
+    float here = (p - scale_centre(row, p.y())).norm() - kScaleRadius;
+    for (int above = row - 2; above < row; ++above) {
+      here = std::max(here, kScaleRadius - (p - scale_centre(above, p.y())).norm());
+    }
+    distance = std::min(distance, here);
+  }
+  return distance + 0.5f * kHalfJoint;
+}
+
+/// Scales rise towards their tips.
+float scales_height(const Point& p) {
+  float height = 0;
+  for (int row = -3; row <= 3; ++row) {
+    const Point away = p - scale_centre(row, p.y());
+    const float rise = std::clamp(0.5f + away.x(), 0.0f, 1.0f) / (0.5f + kScaleRadius);
+    const float inside = std::clamp((kScaleRadius - away.norm()) / kFlank, 0.0f, 1.0f);
+    height = std::max(height, rise * inside);
+  }
+  return height;
+}
+
+/// The grey value of a picture, interpolated between the middles of pixels.
+float grey_at(const Image& picture, float u, float v) {
+  const auto grey = [&](int x, int y) {
+    const auto wrap = [](int i, int n) { return (i % n + n) % n; };
+    const Pixel& p = picture.at(wrap(x, picture.width), wrap(y, picture.height));
+    const float shade = 0.2126f * static_cast<float>(p.red) +
+                        0.7152f * static_cast<float>(p.green) +
+                        0.0722f * static_cast<float>(p.blue);
+    return shade * static_cast<float>(p.alpha) / (255.0f * 255.0f);
+  };
+  const float x = (u - std::floor(u)) * static_cast<float>(picture.width) - 0.5f;
+  const float y = (1 - v + std::floor(v)) * static_cast<float>(picture.height) - 0.5f;
+  const float left = std::floor(x), top = std::floor(y);
+  const float right = x - left, below = y - top;
+  const int i = static_cast<int>(left), j = static_cast<int>(top);
+  return (1 - below) * ((1 - right) * grey(i, j) + right * grey(i + 1, j)) +
+         below * ((1 - right) * grey(i, j + 1) + right * grey(i + 1, j + 1));
+}
+
 using Covered = Eigen::AlignedBox2f;
 
 // Symmetries of a tile, as in TileMotifs.
@@ -190,7 +279,13 @@ TileMotifs motifs_of(BuiltInTile tile) {
     case BuiltInTile::checker:
       return single_motif(TileMotifs::whole_tile(), kOfSquare);
     case BuiltInTile::hatch:
+    case BuiltInTile::weave:
       return single_motif(TileMotifs::whole_tile(), kAsItIs | kHalfTurn);
+    case BuiltInTile::knurl:
+      return {
+          TileLayout::middle_and_corner, {covering(0.5f, 0.5f), covering(0.5f, 0.5f)}, kOfSquare};
+    case BuiltInTile::scales:
+      return single_motif(TileMotifs::whole_tile(), kAsItIs | kMirroredAlongV);
   }
   return {};
 }
@@ -277,8 +372,36 @@ float tile_distance(BuiltInTile tile, float u, float v) {
       return minus_sign(p);
     case BuiltInTile::plus_minus:
       return plus_and_minus(p);
+    case BuiltInTile::knurl:
+      return knurl(p);
+    case BuiltInTile::weave:
+      return weave(p);
+    case BuiltInTile::scales:
+      return scales(p);
   }
   return 1;
+}
+
+float tile_height(const TextureTile& tile, float u, float v) {
+  if (const auto* picture = std::get_if<Image>(&tile)) return grey_at(*picture, u, v);
+  const Point p = wrapped(Point(u - 0.5f, v - 0.5f));
+  switch (std::get<BuiltInTile>(tile)) {
+    case BuiltInTile::knurl:
+      return knurl_height(p);
+    case BuiltInTile::weave:
+      return weave_height(p);
+    case BuiltInTile::scales:
+      return scales_height(p);
+    default:
+      return std::clamp(-tile_distance(std::get<BuiltInTile>(tile), u, v) / kFlank, 0.0f, 1.0f);
+  }
+}
+
+float tile_detail(const TextureTile& tile) {
+  const auto* picture = std::get_if<Image>(&tile);
+  if (picture == nullptr) return 0.5f * kFlank;
+  return std::clamp(1 / static_cast<float>(std::max(picture->width, picture->height)), 1.0f / 256,
+                    0.25f);
 }
 
 TileMotifs tile_motifs(const TextureTile& tile) {
@@ -309,6 +432,7 @@ bool has_own_shape(const TextureTile& tile) {
     case BuiltInTile::minus:
     case BuiltInTile::plus_minus:
     case BuiltInTile::bricks:
+    case BuiltInTile::knurl:
       return true;
     default:
       return false;

@@ -1,6 +1,7 @@
 #include "brindle/frequency_field.h"
 
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "brindle/error.h"
@@ -31,6 +32,11 @@ float frequency_of_stripes(float stripes, float diagonal) {
 float frequency_of_spacing(float spacing) {
   require_positive(spacing, "spacing");
   return 1 / spacing;
+}
+
+double mean_spacing(const FrequencyField& frequencies) {
+  const double sum = std::accumulate(frequencies.begin(), frequencies.end(), 0.0);
+  return static_cast<double>(frequencies.size()) / sum;
 }
 
 }  // namespace brindle
