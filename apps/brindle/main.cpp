@@ -40,7 +40,7 @@ constexpr const char* kToolExamples = R"(Examples:
   brindle curves horse.ply --stripes 100 --output horse.svg
   brindle sample horse.ply --output samples.csv
   brindle paths horse.ply --scale 50:1 --output horse.gcode
-  brindle relief part.stl --texture knurl --height 0.4 --spacing 2 --output knurled.stl
+  brindle relief shape:bracket --texture knurl --height 1% --spacing 4% --output knurled.stl
   brindle info horse.ply
 
 'brindle COMMAND --help' describes each command, 'brindle help' values, lengths, cameras and files.

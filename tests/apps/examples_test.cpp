@@ -158,8 +158,9 @@ std::vector<Arguments> examples_of(const ToolTest& test, const std::string& comm
   return examples_in(help.out);
 }
 
-const std::vector<std::string> kCommands = {"",        "stripe", "compare", "curves",  "sample",
-                                            "animate", "info",   "render",  "gallery", "paths"};
+const std::vector<std::string> kCommands = {"",        "stripe",  "compare", "curves",
+                                            "sample",  "animate", "info",    "render",
+                                            "gallery", "paths",   "relief"};
 
 // A test for each, so that they can run beside each other.
 struct ExamplesOf : Examples, testing::WithParamInterface<std::string> {};

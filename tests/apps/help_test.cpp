@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "brindle/renderer.h"
 #include "tool.h"
 
 namespace brindle::test {
@@ -117,6 +118,7 @@ TEST_F(HelpTool, OptionsAreExplainedWithTheirParts) {
     EXPECT_TRUE(has(solver, std::string("\n  ") + key)) << key;
   }
   EXPECT_TRUE(has(run({"help", "color-by"}).out, "\n  @A..B "));
+  EXPECT_TRUE(has(run({"help", "texture"}).out, built_in_tile_names()));
   // A part leads to its option.
   const std::string epsilon = run({"help", "epsilon"}).out;
   EXPECT_TRUE(epsilon.starts_with("--solver ...,epsilon=E\n"));

@@ -1,5 +1,6 @@
 #include "cli/described_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "brindle/render/parsed_words.h"
 #include "brindle/renderer.h"
 #include "cli/commands.h"
 
@@ -51,8 +53,12 @@ bool takes(PatternJob job, const OptionInfo& info, const std::string& value) {
   for (const auto& [command, its_job] : commands.jobs) {
     if (its_job != job) continue;
     std::vector<std::string> words = {"--" + std::string(info.name) + "=" + value};
-    for (const std::string& name : words_between_spaces(info.needs))
-      words.push_back("--" + name + "=dots");
+    std::vector<std::string> needed = words_between_spaces(info.needs);
+    if (job == PatternJob::relief) needed = {"texture", "height"};
+    for (const std::string& name : needed) {
+      if (name == info.name) continue;
+      words.push_back("--" + name + (name == "height" ? "=1" : "=dots"));
+    }
     words.push_back("shape:torus");
     words.push_back(command.app->get_name());
     try {
@@ -115,7 +121,16 @@ TEST(DescribedOptions, ChoicesAreAllTaken) {
 TEST(DescribedOptions, TilesAreNamedAsTheyAre) {
   const OptionInfo* texture = find_option("texture", PatternJob::stripe);
   ASSERT_NE(texture, nullptr);
-  EXPECT_NE(texture->help.find(built_in_tile_names()), texture->help.npos);
+  const std::string help(texture->help), from = "such as ", to = ", or ";
+  const std::size_t begin = help.find(from) + from.size(), end = help.find(to);
+  ASSERT_LT(begin, end);
+  std::string names = help.substr(begin, end - begin);
+  std::ranges::replace(names, ',', ' ');
+  std::istringstream words(names);
+  for (std::string name; words >> name;) {
+    if (name == "or") continue;
+    EXPECT_TRUE(parse_built_in_tile(name)) << name;
+  }
 }
 
 }  // namespace

@@ -364,7 +364,7 @@ TEST(Session, StepsAreCalledByWords) {
       {commands::SetOption{"stripes", {"30"}}, "number of stripes"},
       {commands::ClearOption{"stripes"}, "number of stripes left out"},
       {commands::SetOptions{{{"field", {"curvature"}}, {"rotate", {"10"}}}, {}},
-       "direction field, turn"},
+       "direction field, rotate"},
       {commands::Show{Shown::curves}, "showing curves"},
       {commands::SetOption{"join", {}}, "join ends"},
       {commands::Open{"shape:box", true}, "opening shape:box"}};

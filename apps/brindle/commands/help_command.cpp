@@ -6,6 +6,7 @@
 
 #include "brindle/base/text.h"
 #include "brindle/option_table.h"
+#include "brindle/renderer.h"
 #include "cli/commands.h"
 #include "cli/described_options.h"
 #include "cli/option_parts.h"
@@ -49,6 +50,12 @@ std::string line_of(const std::string& form, std::string_view help) {
          std::string(help) + '\n';
 }
 
+/// The names that a value may have, where its form and help do not list them.
+std::string list_of_names(const OptionInfo& option) {
+  if (option.name != "texture") return "";
+  return "  TILE: " + std::string(built_in_tile_names()) + '\n';
+}
+
 /// The parts of an option's value; empty if it has none.
 std::string list_of_parts(const OptionInfo& option, const CLI::App& command) {
   std::string text;
@@ -70,7 +77,8 @@ std::string text_of_option(const std::string& name, const CLI::App& tool) {
              text_of_option(std::string(whole->name), tool);
     }
     return "--" + name + (option->form.empty() ? "" : ' ' + std::string(option->form)) + "\n  " +
-           std::string(option->help) + '\n' + list_of_parts(*option, *command);
+           std::string(option->help) + '\n' + list_of_names(*option) +
+           list_of_parts(*option, *command);
   }
   return "";
 }

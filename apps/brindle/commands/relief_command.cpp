@@ -12,12 +12,12 @@ namespace brindle::tool {
 namespace {
 
 constexpr const char* kReliefExamples = R"(Examples:
-  brindle relief part.stl --texture knurl --height 0.4 --spacing 2 --output knurled.stl
-  brindle relief horse.ply --texture bricks --height 1% --spacing 5% --output walls.3mf
-  brindle relief part.stl --texture weave --height 0.5 --keep-flat --output grip.stl
-  brindle relief part.stl --texture FILE.png --height 0.4 --only z@30 --output top.stl
-  brindle relief vase.obj --texture stripes --height 0.2 --inlay 1 --output second_color.3mf
-  brindle relief vase.obj --texture dots --height 1.2 --cut --output lamp.stl --report lamp.json)";
+  brindle relief shape:bracket --texture knurl --height 1% --spacing 4% --output knurled.stl
+  brindle relief scan.obj --texture bricks --height 0.02 --spacing 10% --output walls.3mf
+  brindle relief scan.obj --texture weave --height 1% --spacing 8% --keep-flat --output grip.stl
+  brindle relief scan.obj --texture cloth.png --height 1% --spacing 30% --only z@30 --output top.stl
+  brindle relief scan.obj --texture stripes --height 0.2% --inlay 1% --output second_color.3mf
+  brindle relief scan.obj --texture dots --height 1% --cut --output lamp.stl --report lamp.json)";
 
 OutputKind planned_relief(const std::filesystem::path& path) {
   check_output_path(path);
