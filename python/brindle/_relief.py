@@ -70,7 +70,8 @@ def relief(texture: Texture, tile: Any, height: float, *, tolerance: Optional[fl
         request.make_inlay(number(inlay, "inlay"))
     if only is not None:
         _choose(request, texture, only)
-    return Relief(*_core.relief(texture._core, tile, Look(tiles=tiles).whole, request, progress), texture)
+    positions, faces, report = _core.relief(texture._core, tile, Look(tiles=tiles).whole, request, progress)
+    return Relief(positions, faces, report, texture)
 
 
 def _choose(request: _core.ReliefRequest, texture: Texture, only: Any) -> None:

@@ -11,8 +11,8 @@ from brindle import _core, _options
 
 FOLDER = pathlib.Path(brindle.__file__).parent
 # Each imports only those before it.
-LAYERS = ["_core", "_arguments", "_options", "_interop", "_look", "_surface", "_inputs", "_outputs", "_paths", "_patterns",
-          "_pictures", "_animate", "advanced"]
+LAYERS = ["_core", "_arguments", "_options", "_interop", "_look", "_surface", "_inputs", "_outputs", "_paths", "_relief",
+          "_patterns", "_pictures", "_animate", "advanced"]
 FEW = 12
 
 

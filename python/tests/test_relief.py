@@ -14,16 +14,16 @@ def texture():
     if not brindle.has_opengl:
         pytest.skip("tiles need a build with OpenGL")
     surface = brindle.shape("bracket")
-    return brindle.texture(surface, surface.smooth_field(), spacing=0.1)
+    return brindle.texture(surface, surface.smooth_field(), spacing=0.4)
 
 
 @pytest.mark.parametrize("words, named", [
     ([], {}), (["--keep-flat"], {"keep_flat": True}), (["--only", "z@30"], {"only": (0, 0, 1, 30)}),
-    (["--inlay", "0.03"], {"inlay": 0.03}), (["--cut", "--tolerance", "0.004"], {"cut": True, "tolerance": 0.004})])
+    (["--inlay", "0.1"], {"inlay": 0.1}), (["--cut", "--tolerance", "0.016"], {"cut": True, "tolerance": 0.016})])
 def test_reliefs_are_those_of_the_tool(texture, tmp_path, words, named):
-    made = brindle.relief(texture, "dots", 0.02, **named)
+    made = brindle.relief(texture, "dots", 0.08, **named)
     made.write(tmp_path / "python.stl")
-    run_tool("relief", "shape:bracket", "--spacing", "0.1", "--texture", "dots", "--height", "0.02", *words,
+    run_tool("relief", "shape:bracket", "--spacing", "0.4", "--texture", "dots", "--height", "0.08", *words,
              "--output", str(tmp_path / "tool.stl"), "--report", str(tmp_path / "tool.json"), "--quiet")
     assert (tmp_path / "python.stl").read_bytes() == (tmp_path / "tool.stl").read_bytes()
     report = json.loads((tmp_path / "tool.json").read_text())
@@ -32,7 +32,7 @@ def test_reliefs_are_those_of_the_tool(texture, tmp_path, words, named):
 
 
 def test_arrays_are_a_closed_mesh(texture):
-    made = brindle.relief(texture, "bricks", 0.01, tiles="whole")
+    made = brindle.relief(texture, "bricks", 0.08, tiles="whole")
     corners = made.vertices[made.faces].astype(float)
     volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
     assert volume == pytest.approx(made.report["volume"], rel=1e-4)
@@ -46,8 +46,8 @@ def test_arrays_are_a_closed_mesh(texture):
 def test_arrays_choose_faces(texture):
     surface = texture.surface
     upper = (surface.vertices[:, 2] > surface.vertices[:, 2].mean()).astype(float)
-    made = brindle.relief(texture, "knurl", 0.01, only=upper)
-    assert 0 < made.report["area"] < 0.9 * brindle.relief(texture, "knurl", 0.01).report["area"]
+    made = brindle.relief(texture, "knurl", 0.04, only=upper)
+    assert 0 < made.report["area"] < 0.9 * brindle.relief(texture, "knurl", 0.04).report["area"]
 
 
 def test_holes_are_filled():

@@ -63,7 +63,7 @@ def test_admesh_repairs_nothing(relief):
 
 def test_prusa_slicer_slices_without_a_repair(relief, tmp_path):
     path, report = relief
-    scale = 40 / max(report["volume"] ** (1 / 3), 1e-9)  # to some centimetres
+    scale = 15 / max(report["volume"] ** (1 / 3), 1e-9)  # to some centimetres
     text = said_by("prusa-slicer", "--info", str(path))
     assert "manifold = yes" in text and "repair" not in text, text
     assert number_after("number_of_facets", text) == report["triangles"]

@@ -16,8 +16,8 @@ constexpr const char* kReliefExamples = R"(Examples:
   brindle relief scan.obj --texture bricks --height 0.02 --spacing 10% --output walls.3mf
   brindle relief scan.obj --texture weave --height 1% --spacing 8% --keep-flat --output grip.stl
   brindle relief scan.obj --texture cloth.png --height 1% --spacing 30% --only z@30 --output top.stl
-  brindle relief scan.obj --texture stripes --height 0.2% --inlay 1% --output second_color.3mf
-  brindle relief scan.obj --texture dots --height 1% --cut --output lamp.stl --report lamp.json)";
+  brindle relief scan.obj --texture stripes --height 0.2% --spacing 10% --inlay 1% --output inlay.3mf
+  brindle relief scan.obj --texture dots --height 1% --spacing 10% --cut --output lamp.stl)";
 
 OutputKind planned_relief(const std::filesystem::path& path) {
   check_output_path(path);
