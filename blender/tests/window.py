@@ -113,9 +113,9 @@ def steps():
         checks.check_nodes_draw_what_corners_hold("BLENDER_EEVEE")
 
 
-def run(todo=steps()):
+def run(waiting=steps()):
     try:
-        next(todo)
+        next(waiting)
         return 0.7
     except StopIteration:
         print("window: all done", flush=True)

@@ -70,6 +70,24 @@ struct Relief {
   ReliefMetrics metrics;
 };
 
+/// Calls `add(name, value)` for all that reports say of a relief, in their order.
+template <class Add>
+void visit_metrics(const Relief& relief, const Add& add) {
+  const ReliefMetrics& metrics = relief.metrics;
+  add("vertices", relief.mesh.vertex_count());
+  add("triangles", relief.mesh.triangle_count());
+  add("refined_triangles", metrics.refined_triangles);
+  add("bodies", metrics.bodies);
+  add("closed", metrics.closed);
+  add("intersecting_triangles", metrics.intersecting_triangles);
+  add("volume_before", metrics.volume_before);
+  add("volume", metrics.volume);
+  add("greatest_height", metrics.greatest_height);
+  add("area", metrics.area);
+  add("limited_area", metrics.limited_area);
+  add("filled_holes", metrics.filled_holes);
+}
+
 /// Raises a texture from a surface. Edges are split where the height is not linear, so that the
 /// error is at most half of the tolerance. Edges shorter than that are not split, which bounds
 /// steps. Vertices move along the normal; on creases they move to where the displaced faces meet,

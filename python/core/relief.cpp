@@ -37,26 +37,13 @@ ReliefOptions options_of(const ReliefRequest& request, const TextureData& textur
     const auto& stripes = texture.is_cross() ? texture.cover : texture.u;
     faces.flat_width = static_cast<float>(mean_spacing(stripes->pattern.waves.frequencies));
   }
-  const bool is_all = faces.weights.empty() && faces.towards.isZero(0) && !request.keep_flat;
-  if (!is_all) options.only = chosen_faces(surface, faces);
+  options.only = chosen_faces(surface, faces);
   return options;
 }
 
 py::dict report_of(const Relief& relief) {
-  const ReliefMetrics& metrics = relief.metrics;
   py::dict report;
-  report["vertices"] = relief.mesh.vertex_count();
-  report["triangles"] = relief.mesh.triangle_count();
-  report["refined_triangles"] = metrics.refined_triangles;
-  report["bodies"] = metrics.bodies;
-  report["closed"] = metrics.closed;
-  report["intersecting_triangles"] = metrics.intersecting_triangles;
-  report["volume_before"] = metrics.volume_before;
-  report["volume"] = metrics.volume;
-  report["greatest_height"] = metrics.greatest_height;
-  report["area"] = metrics.area;
-  report["limited_area"] = metrics.limited_area;
-  report["filled_holes"] = metrics.filled_holes;
+  visit_metrics(relief, [&](const char* name, const auto& value) { report[name] = value; });
   return report;
 }
 

@@ -137,13 +137,11 @@ ReliefJob make_relief_job(const ReliefArguments& arguments, JobListener& listene
   listener.stage(kRelief);
   Stopwatch watch;
   ReliefOptions options = options_of(choice, bounding_box(surface.mesh).diagonal());
-  if (choice.keep_flat || !choice.only.empty()) {
-    if (choice.keep_flat) {
-      faces.flat_width =
-          static_cast<float>(mean_spacing(job.texture.result.stripes().waves.frequencies));
-    }
-    options.only = chosen_faces(surface, faces);
+  if (choice.keep_flat) {
+    faces.flat_width =
+        static_cast<float>(mean_spacing(job.texture.result.stripes().waves.frequencies));
   }
+  options.only = chosen_faces(surface, faces);
   const Progress progress = listener.progress();
   const auto broken = texture.broken(surface.mesh);
   const TexturedMesh coordinates =
@@ -157,23 +155,10 @@ ReliefJob make_relief_job(const ReliefArguments& arguments, JobListener& listene
 }
 
 nlohmann::ordered_json to_json(const ReliefJob& job) {
-  const Mesh& mesh = job.relief.mesh;
-  const ReliefMetrics& metrics = job.relief.metrics;
-  const Report& report = job.texture.report;
-  nlohmann::ordered_json json = {{"vertices", mesh.vertex_count()},
-                                 {"triangles", mesh.triangle_count()},
-                                 {"refined_triangles", metrics.refined_triangles},
-                                 {"bodies", metrics.bodies},
-                                 {"closed", metrics.closed},
-                                 {"intersecting_triangles", metrics.intersecting_triangles},
-                                 {"volume_before", metrics.volume_before},
-                                 {"volume", metrics.volume},
-                                 {"greatest_height", metrics.greatest_height},
-                                 {"area", metrics.area},
-                                 {"limited_area", metrics.limited_area},
-                                 {"filled_holes", metrics.filled_holes},
-                                 {"branches", report.quality.branches},
-                                 {"threads", ThreadLimit::current()}};
+  nlohmann::ordered_json json;
+  visit_metrics(job.relief, [&](const char* name, const auto& value) { json[name] = value; });
+  json["branches"] = job.texture.report.quality.branches;
+  json["threads"] = ThreadLimit::current();
   json["milliseconds"] = {{"relief", job.relief_milliseconds}};
   return json;
 }

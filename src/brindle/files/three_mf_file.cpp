@@ -5,31 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "brindle/base/checksum.h"
 #include "brindle/error.h"
 #include "brindle/files/binary_numbers.h"
 #include "brindle/files/mesh_formats.h"
 
 namespace brindle {
 namespace {
-
-/// The checksum of ZIP archives, CRC-32.
-std::uint32_t checksum(std::string_view text) {
-  static const std::array<std::uint32_t, 256> kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      table[i] = i;
-      for (int bit = 0; bit < 8; ++bit) {
-        table[i] = (table[i] & 1) != 0 ? table[i] >> 1 ^ 0xedb88320u : table[i] >> 1;
-      }
-    }
-    return table;
-  }();
-  std::uint32_t sum = 0xffffffff;
-  for (const char letter : text) {
-    sum = sum >> 8 ^ kTable[(sum ^ static_cast<unsigned char>(letter)) & 0xff];
-  }
-  return ~sum;
-}
 
 /// A ZIP archive of uncompressed files.
 class ZipOutput {
@@ -40,7 +22,7 @@ class ZipOutput {
     if (content.size() > std::numeric_limits<std::uint32_t>::max() - written_ - 1000) {
       throw Error("the mesh is too large for .3mf, which ends at 4 GB; write .stl or .ply");
     }
-    entries_.push_back({std::string(name), checksum(content),
+    entries_.push_back({std::string(name), crc32_of(content),
                         static_cast<std::uint32_t>(content.size()), written_});
     put(std::uint32_t{0x04034b50});
     put_entry(entries_.back());
@@ -111,6 +93,11 @@ constexpr std::string_view kRelations =
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>
 )";
 
+template <class Point>
+void put_vertex(const Point& p, TextOutput& text) {
+  text << "<vertex x=\"" << p.x() << "\" y=\"" << p.y() << "\" z=\"" << p.z() << "\"/>\n";
+}
+
 std::string model_of(const Mesh& mesh) {
   std::string model;
   {
@@ -120,12 +107,10 @@ std::string model_of(const Mesh& mesh) {
 <model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="1" type="model"><mesh><vertices>
 )";
     for (const Vec3& p : mesh.positions) {
-      const Eigen::Vector3d place = p.cast<double>() + mesh.origin;
       if (mesh.origin.isZero(0)) {
-        text << "<vertex x=\"" << p.x() << "\" y=\"" << p.y() << "\" z=\"" << p.z() << "\"/>\n";
+        put_vertex(p, text);
       } else {
-        text << "<vertex x=\"" << place.x() << "\" y=\"" << place.y() << "\" z=\"" << place.z()
-             << "\"/>\n";
+        put_vertex(Eigen::Vector3d(p.cast<double>() + mesh.origin), text);
       }
     }
     text << "</vertices><triangles>\n";

@@ -11,16 +11,25 @@ namespace {
 
 constexpr Index kLeafSize = 4;
 
-BoundingBox around(const BoundingBox& a, const BoundingBox& b) {
-  return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
-}
-
 /// Twice the centre of a box, which has the same order.
 double doubled_center(const BoundingBox& box, Eigen::Index axis) {
   return static_cast<double>(box.lower[axis]) + static_cast<double>(box.upper[axis]);
 }
 
 }  // namespace
+
+BoundingBox triangle_box(std::span<const Vec3> positions, const Triangle& triangle) {
+  const Vec3 &a = positions[triangle[0]], &b = positions[triangle[1]], &c = positions[triangle[2]];
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+BoundingBox around(const BoundingBox& a, const BoundingBox& b) {
+  return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+}
+
+bool overlap(const BoundingBox& a, const BoundingBox& b) {
+  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
+}
 
 double squared_distance(const BoundingBox& box, const Eigen::Vector3d& point) {
   const Eigen::Vector3d nearest =

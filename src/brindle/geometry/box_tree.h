@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,14 @@
 #include "brindle/types.h"
 
 namespace brindle {
+
+BoundingBox triangle_box(std::span<const Vec3> positions, const Triangle& triangle);
+
+/// The smallest box around two.
+BoundingBox around(const BoundingBox& a, const BoundingBox& b);
+
+/// Whether two boxes have a point in common.
+bool overlap(const BoundingBox& a, const BoundingBox& b);
 
 /// The squared distance of a point from a box; 0 inside.
 double squared_distance(const BoundingBox& box, const Eigen::Vector3d& point);

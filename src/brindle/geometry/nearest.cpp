@@ -71,13 +71,6 @@ Candidate nearest_inside(const Corners& corners, const Eigen::Vector3d& point) {
                   corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]), point);
 }
 
-BoundingBox box_of(const Mesh& mesh, const Triangle& triangle) {
-  const Vec3& a = mesh.positions[triangle[0]];
-  const Vec3& b = mesh.positions[triangle[1]];
-  const Vec3& c = mesh.positions[triangle[2]];
-  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-}
-
 /// Edges come first, from the smaller to the larger number: triangles that share an edge then find
 /// the same point, bit for bit.
 Candidate nearest_on_triangle(const Mesh& mesh, const Triangle& triangle,
@@ -117,7 +110,9 @@ struct NearestOnMesh::State {
 
 NearestOnMesh::NearestOnMesh(const Mesh& mesh, const Progress& progress) {
   check_mesh(mesh);
-  const auto box_of_triangle = [&](Index t) { return box_of(mesh, mesh.triangles[t]); };
+  const auto box_of_triangle = [&](Index t) {
+    return triangle_box(mesh.positions, mesh.triangles[t]);
+  };
   state_.reset(new State{mesh, BoxTree(mesh.triangle_count(), box_of_triangle, progress)});
 }
 NearestOnMesh::~NearestOnMesh() = default;

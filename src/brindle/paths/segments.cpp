@@ -12,10 +12,6 @@
 namespace brindle {
 namespace {
 
-bool overlap(const BoundingBox& a, const BoundingBox& b) {
-  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
-}
-
 BoundingBox box_around(const Vec3& a, const Vec3& b, float margin) {
   const Vec3 more = Vec3::Constant(margin);
   return {a.cwiseMin(b) - more, a.cwiseMax(b) + more};

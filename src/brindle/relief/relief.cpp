@@ -12,6 +12,7 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/nearest.h"
+#include "brindle/normals.h"
 #include "brindle/relief/decimation.h"
 #include "brindle/relief/refined_relief.h"
 #include "brindle/relief/relief_bodies.h"
@@ -236,11 +237,6 @@ class ReliefMaker {
   std::vector<std::uint8_t> below_;  // 1 for vertices below a body
 };
 
-Vec3 normal_of(const Mesh& mesh, const Triangle& c) {
-  const std::vector<Vec3>& p = mesh.positions;
-  return (p[c[1]] - p[c[0]]).cross(p[c[2]] - p[c[0]]).normalized();
-}
-
 }  // namespace
 
 Relief make_relief(const Surface& surface, const ReliefTexture& texture,
@@ -269,7 +265,7 @@ std::vector<std::uint8_t> chosen_faces(const Surface& surface, const ReliefFaces
   for (std::size_t t = 0; t < count; ++t) {
     const Triangle& corners = surface.mesh.triangles[t];
     const bool is_turned = !surface.turned.empty() && surface.turned[t] != 0;
-    const Vec3 outwards = (is_turned ? -1.0f : 1.0f) * normal_of(surface.mesh, corners);
+    const Vec3 outwards = (is_turned ? -1.0f : 1.0f) * triangle_normal(surface.mesh, corners);
     const bool is_towards =
         faces.towards.isZero(0) || outwards.dot(faces.towards.normalized()) >= cosine;
     if (!is_towards || !ranges::all_of(corners, is_in)) chosen[t] = 0;
@@ -284,7 +280,7 @@ std::vector<std::uint8_t> flat_faces(const Surface& surface, float width) {
   constexpr float kFlatCosine = 1 - 1.5e-6f;  // of 0.1 degrees
   const Mesh mesh = joined_mesh(surface.mesh, surface.creases);
   const std::vector<Index> twins = twins_of(mesh.triangles);
-  const auto normal = [&](Index t) { return normal_of(mesh, mesh.triangles[t]); };
+  const auto normal = [&](Index t) { return triangle_normal(mesh, mesh.triangles[t]); };
   std::vector<std::uint8_t> flat(mesh.triangle_count()), seen(mesh.triangle_count());
   std::vector<Index> face;
   for (Index start = 0; start < seen.size(); ++start) {

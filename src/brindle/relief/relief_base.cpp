@@ -9,6 +9,7 @@
 #include "brindle/error.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
+#include "brindle/normals.h"
 #include "brindle/relief/refined_relief.h"
 #include "brindle/relief/relief_bodies.h"
 
@@ -195,10 +196,7 @@ void fill_holes(ReliefBase& base, const std::vector<Index>& twins, float largest
   }
   const std::size_t count = mesh.triangle_count();
   for (std::size_t t = base.original.size(); t < count; ++t) {
-    const Triangle& c = mesh.triangles[t];
-    const Vec3 normal = (mesh.positions[c[1]] - mesh.positions[c[0]])
-                            .cross(mesh.positions[c[2]] - mesh.positions[c[0]])
-                            .normalized();
+    const Vec3 normal = triangle_normal(mesh, mesh.triangles[t]);
     base.normals.push_back({normal, normal, normal});
   }
   const Eigen::Vector2f zero = Eigen::Vector2f::Zero();

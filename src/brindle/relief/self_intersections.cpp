@@ -75,15 +75,6 @@ struct Side {
   Point normal() const { return (points[1] - points[0]).cross(points[2] - points[0]); }
 };
 
-BoundingBox box_of_triangle(std::span<const Vec3> positions, const Triangle& t) {
-  const Vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-}
-
-bool overlap(const BoundingBox& a, const BoundingBox& b) {
-  return (a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all();
-}
-
 /// Finds intersections while vertices move.
 class IntersectionFinder {
  public:
@@ -137,7 +128,7 @@ class IntersectionFinder {
     });
     parallel_for(boxes_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
-        boxes_[t] = box_of_triangle(positions, triangles_[t]);
+        boxes_[t] = triangle_box(positions, triangles_[t]);
       }
     });
   }
@@ -196,7 +187,7 @@ std::size_t count_of(const std::vector<std::uint8_t>& found) {
 
 std::vector<std::uint8_t> intersecting_triangles(const Mesh& mesh, const Progress& progress) {
   IntersectionFinder finder(
-      mesh.triangles, [&](Index t) { return box_of_triangle(mesh.positions, mesh.triangles[t]); },
+      mesh.triangles, [&](Index t) { return triangle_box(mesh.positions, mesh.triangles[t]); },
       progress.part(0, 0.3));
   return finder.find(mesh.positions, {}, progress.part(0.3, 1));
 }
@@ -215,9 +206,8 @@ std::size_t lower_intersections(RaisedMesh& mesh, const Progress& progress) {
   IntersectionFinder finder(
       mesh.triangles,
       [&](Index t) {
-        const BoundingBox high = box_of_triangle(positions, mesh.triangles[t]);
-        const BoundingBox low = box_of_triangle(mesh.rest, mesh.triangles[t]);
-        return BoundingBox{high.lower.cwiseMin(low.lower), high.upper.cwiseMax(low.upper)};
+        return around(triangle_box(positions, mesh.triangles[t]),
+                      triangle_box(mesh.rest, mesh.triangles[t]));
       },
       progress.part(0, 0.3));
   std::vector<std::uint8_t> found = finder.find(positions, {}, progress.part(0.3, 0.9));

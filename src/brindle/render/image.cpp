@@ -12,6 +12,7 @@
 
 #include <png.h>
 
+#include "brindle/base/checksum.h"
 #include "brindle/base/file_names.h"
 #include "brindle/base/input_file.h"
 #include "brindle/base/output_file.h"
@@ -119,16 +120,6 @@ void append_number(std::uint32_t number, std::string& bytes) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
 }
 
-/// The CRC-32 of PNG.
-std::uint32_t checksum(std::string_view bytes) {
-  std::uint32_t crc = ~std::uint32_t{0};
-  for (const char byte : bytes) {
-    crc ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
-  }
-  return ~crc;
-}
-
 /// Adds the pHYs chunk (pixels per metre) after the header; libpng's simplified interface cannot
 /// write it.
 void set_density(double pixels_per_inch, std::string& file) {
@@ -142,7 +133,7 @@ void set_density(double pixels_per_inch, std::string& file) {
   std::string chunk;
   append_number(static_cast<std::uint32_t>(content.size() - 4), chunk);
   chunk += content;
-  append_number(checksum(content), chunk);
+  append_number(crc32_of(content), chunk);
   file.insert(kHeaderEnd, chunk);
 }
 
