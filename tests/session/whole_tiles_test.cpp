@@ -1,11 +1,10 @@
-#include "pictures/whole_tiles.h"
-
 #include <gtest/gtest.h>
 
 #include "brindle/direction_field.h"
 #include "brindle/shapes.h"
 #include "brindle/surface.h"
 #include "brindle/texture_pattern.h"
+#include "pictures/stripe_result.h"
 
 namespace brindle::tool {
 namespace {

@@ -14,7 +14,7 @@
 #include "cli/commands.h"
 #include "cli/option_fields.h"
 #include "cli/progress_display.h"
-#include "input/slack_options.h"
+#include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/used_files.h"
 #include "input/wave_options.h"
@@ -22,10 +22,8 @@
 #include "jobs/moving_picture.h"
 #include "jobs/series.h"
 #include "jobs/series_player.h"
-#include "jobs/step_files.h"
 #include "jobs/styled_frames.h"
 #include "outputs/outputs.h"
-#include "outputs/written_files.h"
 #include "pictures/frame_output.h"
 #include "pictures/picture.h"
 #include "pictures/style_options.h"
@@ -64,7 +62,7 @@ struct AnimateArguments {
   DeviceKind device = DeviceKind::cpu;
   int threads = 0;
   int frames_per_second = 30;
-  std::shared_ptr<PictureOptions> picture;
+  PictureOptions picture;
   SeriesOptions series;
   MatchOptions match;
   SlackOptions slack;
@@ -243,7 +241,7 @@ void check_styles(const CLI::App& command, const AnimateArguments& arguments) {
     refuse_given(command, {"--texture", "--tiles"}, why);
   };
   if (!draws(arguments)) refuse("no picture is written; add --output");
-  if (!shows_stripes(*arguments.picture)) refuse("--view has colours of its own");
+  if (!shows_stripes(arguments.picture)) refuse("--view has colours of its own");
   if (texture) {
     refuse_given(command, {"--stripe-width"}, "the texture's tile is drawn as it is");
   }
@@ -319,7 +317,7 @@ std::vector<FrameOutput> of_kind(const std::vector<FrameOutput>& outputs, bool m
 AnimationReport play_series(const AnimateArguments& arguments, Series& series,
                             const ShowFrame& show, ProgressDisplay& display) {
   StepFiles files(of_kind(arguments.outputs, true), arguments.animation.animator.phase_shift,
-                  *arguments.picture, display);
+                  arguments.picture, display);
   AnimatorOptions animator = arguments.animation.animator;
   animator.slack = arguments.slack.slack;
   const SeriesPlay options{arguments.series, animator, arguments.match,
@@ -375,12 +373,12 @@ class FrameWarnings {
 void run_animate(const CLI::App& command, AnimateArguments arguments) {
   if (!is_series(arguments)) refuse_points(arguments.surface, "animate");
   check_options(command, arguments);
-  stand_upright(*arguments.picture,
+  stand_upright(arguments.picture,
                 arguments.surface.mesh.empty() ? arguments.series.name : arguments.surface.mesh);
   std::optional<Series> series;
   if (is_series(arguments)) {
     series.emplace(arguments.series, arguments.surface, arguments.waves, smooth_fields(arguments),
-                   viewpoint_of(*arguments.picture));
+                   viewpoint_of(arguments.picture));
   }
   check_outputs(arguments, series);
   const ThreadLimit threads(arguments.threads);
@@ -393,7 +391,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     FrameWarnings warnings;
     ShowFrame show;
     if (draws(arguments)) {
-      picture.emplace(of_kind(arguments.outputs, false), *arguments.picture,
+      picture.emplace(of_kind(arguments.outputs, false), arguments.picture,
                       arguments.frames_per_second, !device.has_context(),
                       style ? &*style : nullptr);
       show = [&](const SolvedFrame& frame) { warnings.note(picture->add(frame), display); };
@@ -401,7 +399,7 @@ void run_animate(const CLI::App& command, AnimateArguments arguments) {
     report = series ? play_series(arguments, *series, show, display)
                     : play_scene(arguments, device, show, display);
     report.invocation = invocation_of(command);
-    if (picture) report.picture = picture_json(*arguments.picture);
+    if (picture) report.picture = picture_json(arguments.picture);
     // One output stands for itself, as it did before there could be several.
     auto& options = report.invocation["options"];
     if (arguments.outputs.size() == 1) options["output"] = nlohmann::json(options["output"][0]);
@@ -432,7 +430,7 @@ void add_animate_options(CLI::App& command, AnimateArguments& arguments) {
   add_field(command, "--device", arguments.device);
   command.add_option("--threads", arguments.threads);
   add_frame_output_options(command, arguments);
-  arguments.picture = add_picture_options(command);
+  add_picture_options(command, arguments.picture);
   add_style_options(command, arguments.style);
   add_flow_option(command, arguments.style);
   add_texture_options(command, arguments.texture, arguments.waves);

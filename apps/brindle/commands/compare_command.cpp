@@ -12,7 +12,6 @@
 #include "input/solving_options.h"
 #include "input/used_files.h"
 #include "outputs/outputs.h"
-#include "outputs/written_files.h"
 
 namespace brindle::tool {
 namespace {

@@ -28,7 +28,6 @@ void run_curves(const CLI::App& command, const CurvesArguments& arguments) {
                    });
   check_curves_options(command, arguments, outputs);
   check_curves_points(arguments);
-  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const CurvesJob job = make_and_write(
       command, outputs, arguments.quiet, curves_stages(arguments),

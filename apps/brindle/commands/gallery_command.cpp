@@ -23,7 +23,7 @@
 #include "commands/run_words.h"
 #include "gallery/gallery.h"
 #include "input/used_files.h"
-#include "outputs/written_files.h"
+#include "outputs/outputs.h"
 
 namespace brindle::tool {
 namespace {

@@ -3,7 +3,7 @@
 #include "brindle/base/parallel.h"
 #include "cli/command_line.h"
 #include "jobs/rank_jobs.h"
-#include "jobs/sample_output.h"
+#include "jobs/sample_job.h"
 #include "outputs/outputs.h"
 
 namespace brindle::tool {
@@ -23,7 +23,6 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
       plan_outputs(sample_inputs(arguments), arguments.outputs, arguments.report, planned_sample);
   check_sample_options(command, arguments, outputs);
   check_sample_points(command, arguments, outputs);
-  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   const std::optional<Image> picture = read_glyph_picture(arguments.glyphs);
   const SampleJob job = make_and_write(
@@ -32,7 +31,7 @@ void run_sample(const CLI::App& command, const SampleArguments& arguments) {
         SampleJob made = make_sample_job(arguments, display);
         if (is_styled(command)) {
           made.glyphs = read_glyph_input(arguments.glyphs, made.prepared, arguments.surface,
-                                         arguments.waves, *arguments.picture);
+                                         arguments.waves, arguments.picture);
           made.glyphs.picture = picture;
         }
         return made;

@@ -6,7 +6,7 @@
 #include "cli/command_line.h"
 #include "jobs/rank_jobs.h"
 #include "jobs/stripe_job.h"
-#include "outputs/make_and_write.h"
+#include "outputs/outputs.h"
 
 namespace brindle::tool {
 namespace {
@@ -66,11 +66,11 @@ struct DrawnStripes {
 DrawnStripes make_stripes(const CLI::App& command, const StripeArguments& arguments,
                           std::optional<TextureTile> tile, ProgressDisplay& display) {
   Preparation prepared = prepare(arguments.surface, arguments.waves, display,
-                                 viewpoint_of(*arguments.picture), previous_directions(arguments));
+                                 viewpoint_of(arguments.picture), previous_directions(arguments));
   std::optional<StyleInput> style;
   if (is_styled(command)) {
     style = read_style_input(arguments.style, prepared, prepared.waves, arguments.surface,
-                             arguments.waves, *arguments.picture, display);
+                             arguments.waves, arguments.picture, display);
   }
   display.stage(kStripes);
   StripeJob job =
@@ -91,14 +91,13 @@ void run_stripe(const CLI::App& command, const StripeArguments& arguments) {
   check_solver(arguments.device, arguments.solving.stripes.solver);
   std::optional<TextureTile> tile = chosen_tile(arguments.texture, arguments.waves.cross);
   const Outputs outputs = checked_outputs(command, arguments);
-  stand_upright(*arguments.picture, arguments.surface.mesh);
 
   const ThreadLimit threads(arguments.solving.threads);
   const DrawnStripes made = make_and_write(
       command, outputs, arguments.quiet, stages_of(command, arguments),
       [&](ProgressDisplay& display) {
         DrawnStripes stripes = make_stripes(command, arguments, std::move(tile), display);
-        if (draws(outputs)) stripes.job.report.picture = picture_json(*arguments.picture);
+        if (draws(outputs)) stripes.job.report.picture = picture_json(arguments.picture);
         return stripes;
       },
       [&](const Output& output, const DrawnStripes& stripes, ProgressDisplay& display) {

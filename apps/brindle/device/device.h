@@ -37,10 +37,12 @@ class Animator {
 /// The device of a running command.
 class Device {
  public:
-  /// No work for the processor. Throws Error with what was found if there is no OpenGL 4.5 context.
+  /// No work for the processor. Throws Error with what was found if there is no OpenGL 4.5 context,
+  /// or if the build has no OpenGL.
   explicit Device(DeviceKind kind);
   ~Device();
 
+  /// Empty on the processor, which then solves as usual.
   SolvePhases solver() const;
   std::unique_ptr<Animator> animator(const Surface& surface, const AnimatorOptions& options) const;
 
@@ -53,13 +55,9 @@ class Device {
   /// `{"kind": "cpu"}`, or the GPU's kind, renderer, vendor, version and limits.
   nlohmann::ordered_json description() const;
 
-  struct Gpu;
-
-  /// Null on the processor.
-  const Gpu* gpu() const { return gpu_.get(); }
-
  private:
-  std::unique_ptr<Gpu> gpu_;
+  struct Gpu;
+  std::unique_ptr<Gpu> gpu_;  ///< null on the processor
 };
 
 }  // namespace brindle::tool

@@ -10,7 +10,7 @@
 #include "brindle/direction_field.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/surface.h"
-#include "input/array_options.h"
+#include "input/wave_options.h"
 
 namespace brindle::tool {
 

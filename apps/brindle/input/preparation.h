@@ -11,7 +11,7 @@
 #include "cli/job_listener.h"
 #include "input/make_waves.h"
 #include "input/surface_options.h"
-#include "input/viewpoint.h"
+#include "input/vertex_values.h"
 #include "input/wave_options.h"
 
 namespace brindle::tool {

@@ -1,17 +1,37 @@
-/// Values per vertex for styles, from options.
+/// Values per vertex, and the viewpoint that some depend on.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
+#include "brindle/camera.h"
 #include "brindle/data_arrays.h"
 #include "brindle/surface.h"
-#include "input/array_options.h"
-#include "input/viewpoint.h"
+#include "input/wave_options.h"
 
 namespace brindle::tool {
+
+/// The viewpoint of a future picture.
+struct Viewpoint {
+  CameraView view;                            ///< with the slice in file coordinates
+  int width = 0;                              ///< of the picture, pixels
+  int height = 0;                             ///< of the picture, pixels
+  std::optional<Mesh> framed = std::nullopt;  ///< framed by the camera, instead of the surface
+  UpAxis height_axis = UpAxis::z;             ///< the axis of heights
+  std::optional<LightDirection> light_from = std::nullopt;  ///< of the picture
+};
+
+/// The camera of this viewpoint, relative to the origin of `mesh`. It frames all vertices of meshes
+/// without triangles.
+Camera camera_of(const Viewpoint& viewpoint, const Mesh& mesh);
+
+/// Whether the command draws pictures from a viewpoint.
+bool has_camera(const CLI::App& command);
 
 /// Sources of values.
 struct ValueSource {

@@ -3,18 +3,96 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "brindle/array_field.h"
 #include "brindle/direction_field.h"
+#include "brindle/measured_field.h"
 #include "brindle/strokes.h"
 #include "brindle/surface.h"
+#include "brindle/tensor_field.h"
 #include "cli/option_values.h"
-#include "input/array_options.h"
-#include "input/field_smoothing.h"
 
 namespace brindle::tool {
+
+/// Options of waves from arrays of the mesh's file or of another one.
+struct ArrayOptions {
+  std::optional<TensorAxis> tensor;    ///< of a field that is a tensor; major if not given
+  std::optional<TensorOrder> order;    ///< of a tensor's components; VTK's if not given
+  std::string frequency;               ///< array of stripes per unit length
+  std::string frequency_by;            ///< value that --stripes or --frequency are multiplied by
+  FrequencyRange range;                ///< of the factors
+  std::string mesh;                    ///< file of all arrays; empty: the mesh's own
+  std::optional<Length> max_distance;  ///< to `mesh`
+
+  /// Calls `add("--option", field)` for each option that sets a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--tensor", tensor);
+    add("--tensor-order", order);
+    add("--field-mesh", mesh);
+    add("--max-distance", max_distance);
+  }
+};
+
+/// Whether an option's value names an array: "array:NAME", "array:points/NAME".
+bool is_array(std::string_view value);
+
+/// The text after "array:". Throws CLI::ValidationError for other values and for an empty name.
+std::string parse_array(const std::string& option, const std::string& value);
+
+/// --tensor, --tensor-order, --frequency-by, --frequency-range, --field-mesh and --max-distance.
+void add_array_options(CLI::App& app, ArrayOptions& options);
+
+/// An array of a field as directions and tensors are read from it: in VTK's order. Throws
+/// CLI::ValidationError for an order of an array that is no tensor.
+DataArray ordered_array(const DataArray& array, const ArrayOptions& options);
+
+/// Throws CLI::ValidationError for options that leave each other without effect. `field` is what
+/// --field says, which may be a file.
+void check_array_options(const CLI::App& command, const ArrayOptions& options,
+                         const std::string& field, bool is_file);
+
+/// Options for smoothing measured fields.
+struct FieldSmoothingChoice {
+  float periods = 0;          ///< P; 0: as the field is given
+  std::string weight;         ///< what data count by; empty: tensors by anisotropy, others alike
+  std::optional<float> fill;  ///< how far holes are filled, in periods
+  bool arrows = false;        ///< vectors have a sign
+  float hold_out = 0;         ///< share of the data that a check hides; 0: no check
+  std::optional<int> singularities;  ///< at most so many; nothing: all stay
+  float memory = 0;                  ///< of the step before, in a series
+  float frequency_periods = 0;       ///< the same scale for frequencies; 0: as they are
+
+  /// Calls `add("--option", field)` for each option that sets a field.
+  template <class Add>
+  void visit(const Add& add) {
+    add("--field-smoothing", periods);
+    add("--fill", fill);
+    add("--hold-out", hold_out);
+    add("--field-arrows", arrows);
+    add("--field-singularities", singularities);
+    add("--frequency-smoothing", frequency_periods);
+  }
+};
+
+/// --field-smoothing, --field-weight, --fill, --hold-out, --field-arrows, --field-singularities and
+/// --frequency-smoothing.
+void add_field_smoothing_options(CLI::App& app, FieldSmoothingChoice& choice);
+
+/// The option of `FieldSmoothingChoice::weight`.
+inline constexpr const char* kWeightOption = "--field-weight";
+
+/// Whether a weight is computed from the data themselves: "", "length" or "anisotropy".
+bool is_own_weight(const std::string& weight);
+
+/// The library's options for a field of this rotational symmetry.
+FieldSmoothingOptions smoothing_options(const FieldSmoothingChoice& choice, int symmetry);
+
+FrequencySmoothingOptions frequency_smoothing_options(const FieldSmoothingChoice& choice);
 
 struct WaveOptions {
   std::optional<Vec3> direction;  ///< one vector for all vertices, instead of `field`

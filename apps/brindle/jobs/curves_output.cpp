@@ -12,7 +12,6 @@
 #include "brindle/mesh.h"
 #include "brindle/mesh_data.h"
 #include "jobs/curves_report.h"
-#include "outputs/carried_arrays.h"
 #include "outputs/outputs.h"
 #include "pictures/drawing_file.h"
 
@@ -108,10 +107,10 @@ void write_curves(const Output& output, const TracedSurface& traced, JobListener
     case OutputKind::tubes:
       return write_tube_mesh(path, tubes_of(arguments, surface.mesh, families));
     case OutputKind::drawing:
-      return write_line_drawing(path, surface, lines, *arguments.picture, listener.progress());
+      return write_line_drawing(path, surface, lines, arguments.picture, listener.progress());
     case OutputKind::picture:
       return write_ornaments(path, surface, tubes_of(arguments, surface.mesh, families),
-                             *arguments.picture, listener.progress());
+                             arguments.picture, listener.progress());
     default:
       throw Error(shown(path.native()) + ": holds no curves of one process");
   }
@@ -123,7 +122,7 @@ void write_curves_file(const Output& output, const CLI::App& command,
   const Preparation& prepared = job.prepared;
   if (output.kind == OutputKind::report) {
     return write_report(output.path, command, prepared.surface.mesh,
-                        to_json(job, *arguments.picture), listener.progress());
+                        to_json(job, arguments.picture), listener.progress());
   }
   write_curves(output, {arguments, prepared.surface, prepared.arrays, job.families}, listener);
 }

@@ -8,8 +8,8 @@
 
 #include "brindle/headless_context.h"
 #include "brindle/render/slice_refusal.h"
-#include "pictures/frame_writer.h"
-#include "pictures/picture_options.h"
+#include "pictures/frame_output.h"
+#include "pictures/picture.h"
 #include "pictures/video_file.h"
 
 namespace brindle::tool {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "jobs/curves_arguments.h"
-#include "jobs/sample_arguments.h"
-#include "jobs/stripe_arguments.h"
+#include "jobs/curves_job.h"
+#include "jobs/sample_job.h"
+#include "jobs/stripe_job.h"
 
 namespace brindle::tool {
 
@@ -31,9 +31,6 @@ class RankJobs {
   virtual int fail(int code, const std::string& message) = 0;
 };
 
-/// Throws CLI::ValidationError for a .pvtp, which ranks alone write.
-void refuse_pieces(const std::vector<std::string>& outputs);
-
 /// `add_command` for a command that also runs over ranks; null: there are none.
 template <class Arguments, class AddOptions, class Run>
 Command add_rank_command(CLI::App& app, RankJobs* ranks, const std::string& name,
@@ -45,7 +42,8 @@ Command add_rank_command(CLI::App& app, RankJobs* ranks, const std::string& name
         add_options(command, arguments);
         if (ranks != nullptr) ranks->add_options(command);
       },
-      [ranks, run](const CLI::App& command, const Arguments& arguments) {
+      [ranks, run](const CLI::App& command, Arguments& arguments) {
+        stand_upright(arguments.picture, arguments.surface.mesh);
         if (ranks != nullptr && ranks->run(command, arguments)) return;
         refuse_pieces(arguments.outputs);
         run(command, arguments);

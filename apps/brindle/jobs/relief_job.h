@@ -8,7 +8,7 @@
 
 #include "brindle/relief.h"
 #include "jobs/stripe_job.h"
-#include "outputs/make_and_write.h"
+#include "outputs/outputs.h"
 
 namespace brindle::tool {
 

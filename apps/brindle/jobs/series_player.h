@@ -1,14 +1,18 @@
-/// Plays a time series step by step and reports its metrics.
+/// Plays a time series: solves the frames of its steps, and writes the steps as meshes.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/progress_display.h"
 #include "input/carried_pattern.h"
 #include "jobs/animation.h"
 #include "jobs/series.h"
+#include "pictures/frame_output.h"
+#include "pictures/picture.h"
 
 namespace brindle::tool {
 
@@ -54,5 +58,26 @@ using ShowStep = std::function<void(const SeriesStep& step, const SolvedFrame& f
 /// solving throw, and Error with the files for frames between steps of different triangles.
 AnimationReport play(Series& series, const SeriesPlay& options, const ShowFrame& show,
                      const ShowStep& show_step, ProgressDisplay& display);
+
+/// A mesh per step, with the step's arrays and waves, and a .pvd that lists them.
+class StepFiles {
+ public:
+  /// The arguments must outlive this object.
+  StepFiles(std::vector<FrameOutput> outputs, PhaseShiftKind phase_shift,
+            const PictureOptions& picture, ProgressDisplay& display);
+
+  /// Writes the next step. Throws what writing does.
+  void add(const SeriesStep& step, const SolvedFrame& solved);
+
+  /// Writes the list of steps.
+  void finish() const;
+
+ private:
+  std::vector<FrameOutput> outputs_;
+  PhaseShiftKind phase_shift_;
+  const PictureOptions& picture_;
+  ProgressDisplay& display_;
+  std::vector<double> times_;
+};
 
 }  // namespace brindle::tool

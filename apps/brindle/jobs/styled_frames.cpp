@@ -16,7 +16,7 @@
 #include "brindle/texture_animator.h"
 #include "input/vertex_values.h"
 #include "jobs/series_player.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 #include "pictures/style_values.h"
 #include "pictures/styled_scene.h"
 

@@ -10,7 +10,7 @@
 #include "brindle/data_arrays.h"
 #include "cli/job_listener.h"
 #include "input/preparation.h"
-#include "outputs/carried_arrays.h"
+#include "outputs/outputs.h"
 #include "pictures/picture.h"
 #include "pictures/stripe_result.h"
 

@@ -1,6 +1,9 @@
 #include "outputs/outputs.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <ostream>
+#include <string>
 #include <utility>
 
 #include "brindle/base/file_names.h"
@@ -8,12 +11,52 @@
 #include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/files.h"
+#include "brindle/pattern_arrays.h"
 #include "brindle/recipe/json_text.h"
 #include "cli/command_line.h"
 #include "input/vertex_values.h"
 #include "pictures/drawing_file.h"
 
 namespace brindle::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// 0 for a device.
+std::uintmax_t size_of(const fs::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  return error ? 0 : size;
+}
+
+std::string readable(std::uintmax_t size) {
+  const auto bytes = static_cast<double>(size);
+  if (bytes < 1e3) return formatted("%.0f bytes", bytes);
+  if (bytes < 1e6) return formatted("%.1f kB", 1e-3 * bytes);
+  if (bytes < 1e9) return formatted("%.1f MB", 1e-6 * bytes);
+  return formatted("%.1f GB", 1e-9 * bytes);
+}
+
+}  // namespace
+
+void print_written(std::ostream& out, const fs::path& file) {
+  print_written(out, std::span(&file, 1));
+}
+
+void print_written(std::ostream& out, std::span<const fs::path> files) {
+  if (files.empty()) return;
+  std::uintmax_t size = 0;
+  for (const fs::path& file : files) size += size_of(file);
+  out << "wrote " << shown(files.front().native());
+  if (files.size() == 1 && is_device(files.front())) {
+    out << '\n';
+    return;
+  }
+  if (files.size() > 1) out << " to " << shown(files.back().native());
+  out << " (" << (files.size() > 1 ? formatted("%zu files, ", files.size()) : "") << readable(size)
+      << ")\n";
+}
 
 OutputKind planned_stripes(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
@@ -133,6 +176,13 @@ void refuse_output(const std::filesystem::path& path, const std::string& why) {
   throw CLI::ValidationError("--output", "cannot write '" + shown(path.native()) + "': " + why);
 }
 
+void refuse_pieces(const std::vector<std::string>& outputs) {
+  for (const std::string& path : outputs) {
+    if (lower_extension(path) != ".pvtp") continue;
+    refuse_output(path, "it has a piece per MPI rank; start brindle by mpirun, or write .vtp");
+  }
+}
+
 void write_report(const std::filesystem::path& path, const CLI::App& command, const Mesh& mesh,
                   const nlohmann::ordered_json& report, const Progress& progress) {
   nlohmann::ordered_json json = invocation_of(command);
@@ -145,6 +195,42 @@ void write_json(const std::filesystem::path& path, const nlohmann::ordered_json&
                 const Progress& progress) {
   write_file(
       path, [&](OutputStream& out) { out << json_text(json, 2) << '\n'; }, progress);
+}
+
+namespace {
+
+void note(const std::vector<std::string>& sentences, JobListener& listener) {
+  for (const std::string& sentence : sentences) listener.note(sentence + "\n");
+}
+
+}  // namespace
+
+DataArrays fitted(const std::filesystem::path& path, DataArrays own, const DataArrays& input,
+                  JobListener& listener) {
+  std::vector<std::string> notes;
+  FittedArrays result = fitted_arrays(path, join_arrays(std::move(own), input, notes));
+  note(notes, listener);
+  note(result.left_out, listener);
+  return std::move(result.arrays);
+}
+
+DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
+                       const DataArrays& arrays, JobListener& listener) {
+  DataArrays held;
+  const bool replaced = hold_pattern(arrays.points);
+  const auto add = [&](std::vector<DataArray>& to, const std::vector<DataArray>& from) {
+    for (auto& [array, renamed] : arrays_beside(own, from, replaced)) {
+      if (find_array(held.points, array.name) != nullptr) continue;
+      const std::vector<std::string> why = fitted_arrays(path, {{array}, {}}).left_out;
+      note(why, listener);
+      if (!why.empty()) continue;
+      if (!renamed.empty()) note({renamed}, listener);
+      to.push_back(std::move(array));
+    }
+  };
+  add(held.points, arrays.points);
+  add(held.cells, arrays.cells);
+  return held;
 }
 
 }  // namespace brindle::tool

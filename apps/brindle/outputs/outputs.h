@@ -1,23 +1,36 @@
-/// Output files of all commands, planned before a long job.
+/// Output files of all commands: planned before a long job, made, and written.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
+#include "brindle/data_arrays.h"
 #include "brindle/recipe/report.h"
+#include "cli/job_listener.h"
+#include "cli/progress_display.h"
 #include "input/solving_options.h"
 #include "input/surface_options.h"
 #include "input/used_files.h"
 #include "input/wave_options.h"
-#include "outputs/written_files.h"
 #include "pictures/picture.h"
 #include "pictures/style_options.h"
 
 namespace brindle::tool {
+
+/// A line `wrote FILE (size)`.
+void print_written(std::ostream& out, const std::filesystem::path& file);
+
+/// The same for many files of one kind, as one line.
+void print_written(std::ostream& out, std::span<const std::filesystem::path> files);
 
 /// The content of a file. `lines`, `tubes`: of curves; `pieces`: a .pvtp over MPI ranks.
 enum class OutputKind { picture, drawing, mesh, lines, tubes, samples, report, pieces };
@@ -41,7 +54,7 @@ struct JobArguments {
   SurfaceOptions surface;
   WaveOptions waves;
   SolvingOptions solving;
-  std::shared_ptr<PictureOptions> picture;
+  PictureOptions picture;
   std::vector<std::string> outputs;
   std::string report;
   bool quiet = false;
@@ -95,6 +108,9 @@ bool holds_points(const std::filesystem::path& path);
 /// Throws for wrong usage of --output: `path` cannot be written because of `why`.
 [[noreturn]] void refuse_output(const std::filesystem::path& path, const std::string& why);
 
+/// Throws CLI::ValidationError for a .pvtp, which ranks alone write.
+void refuse_pieces(const std::vector<std::string>& outputs);
+
 /// Rejects .pdf in builds without Cairo.
 void check_drawing_file(const std::filesystem::path& path);
 
@@ -105,5 +121,46 @@ void write_report(const std::filesystem::path& path, const CLI::App& command, co
 /// Writes indented JSON. `progress` can cancel a write to a blocked pipe.
 void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json,
                 const Progress& progress = {});
+
+/// The joined own and input arrays (`join_arrays`) that the file can hold. Notes renamed arrays,
+/// then left-out ones.
+DataArrays fitted(const std::filesystem::path& path, DataArrays own, const DataArrays& input,
+                  JobListener& listener);
+
+/// The input arrays that a file of lines or samples can hold besides its `own` columns; of point
+/// and triangle arrays with one name, those of points. Notes left-out arrays, then renamed ones.
+DataArrays held_beside(std::span<const std::string> own, const std::filesystem::path& path,
+                       const DataArrays& arrays, JobListener& listener);
+
+/// The time for pictures, by `drawn`.
+struct DrawingTime {
+  std::optional<double> draw_milliseconds;
+
+  void drawn(OutputKind kind, double milliseconds) {
+    if (kind != OutputKind::picture) return;
+    draw_milliseconds = draw_milliseconds.value_or(0) + milliseconds;
+  }
+};
+
+/// Returns the result of `make(display)`, after `write(output, result, display)` for all files.
+/// `stages` are those of `make`. `drawn(output.kind, milliseconds)` of the result receives the time
+/// that each file took.
+auto make_and_write(const CLI::App& command, const Outputs& outputs, bool quiet,
+                    std::vector<JobStage> stages, const auto& make, const auto& write) {
+  const auto writing = [](const Output& output) {
+    return "writing " + shown(output.path.native());
+  };
+  ProgressDisplay display(quiet, &command);
+  for (const Output& output : outputs) stages.push_back({writing(output), 2});
+  display.plan(std::move(stages));
+  auto result = make(display);
+  for (const Output& output : outputs) {
+    display.stage(writing(output));
+    Stopwatch watch;
+    write(output, result, display);
+    result.drawn(output.kind, watch.lap());
+  }
+  return result;
+}
 
 }  // namespace brindle::tool

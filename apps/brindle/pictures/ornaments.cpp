@@ -7,7 +7,7 @@
 #include "brindle/normals.h"
 #include "brindle/render/slice_refusal.h"
 #include "pictures/drawing_file.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 
 namespace brindle::tool {
 namespace {

@@ -12,7 +12,7 @@
 #include "brindle/image.h"
 #include "cli/command_line.h"
 #include "cli/option_values.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 
 namespace brindle::tool {
 namespace {

@@ -11,7 +11,6 @@
 #include "brindle/render/slice_refusal.h"
 #include "cli/option_fields.h"
 #include "pictures/paper.h"
-#include "pictures/picture_options.h"
 
 namespace brindle::tool {
 
@@ -32,10 +31,10 @@ void set_light(RenderOptions& render, const std::string& option, const std::stri
   }
 }
 
-Slice slice_of(const std::string& text) {
+Slice slice_of(const std::string& option, const std::string& text) {
   const auto slice = parse_slice(text);
   if (!slice) {
-    wrong_usage("--slice", "AXIS=PLACE such as x=0.2, z=50% or -z=50%, or X,Y,Z,NX,NY,NZ", text);
+    wrong_usage(option, "AXIS=PLACE such as x=0.2, z=50% or -z=50%, or X,Y,Z,NX,NY,NZ", text);
   }
   return *slice;
 }
@@ -65,31 +64,25 @@ CLI::Option* add_render_option(CLI::App& app, const std::string& name, RenderOpt
 
 }  // namespace
 
-std::shared_ptr<PictureOptions> add_size_options(CLI::App& app) {
-  auto options = std::make_shared<PictureOptions>();
-  add_render_option(app, "--size", options->render, set_pixel_size)
+void add_size_options(CLI::App& app, PictureOptions& options) {
+  add_render_option(app, "--size", options.render, set_pixel_size)
       ->description("picture: pixels (default: the session's)")
       ->type_name("WIDTHxHEIGHT");
-  add_field(app, "--quality", options->render.quality);
-  return options;
+  add_field(app, "--quality", options.render.quality);
 }
 
-std::shared_ptr<PictureOptions> add_camera_options(CLI::App& app) {
-  auto options = std::make_shared<PictureOptions>();
-  RenderOptions& render = options->render;
+void add_camera_options(CLI::App& app, PictureOptions& options) {
+  RenderOptions& render = options.render;
   add_render_option(app, "--camera", render, set_camera);
-  add_field(app, "--projection", options->projection);
-  add_field(app, "--up", options->up);
+  add_field(app, "--projection", options.projection);
+  add_field(app, "--up", options.up);
   add_render_option(app, "--light-from", render, set_light);
-  app.add_option_function<std::string>(
-      "--slice", [slice = &options->slice](const std::string& text) { *slice = slice_of(text); });
-  app.add_option_function<std::string>("--size",
-                                       [&app, picture = options.get()](const std::string& text) {
-                                         set_size(app, *picture, "--size", text);
-                                       });
+  add_parsed_option(app, "--slice", options.slice, slice_of);
+  app.add_option_function<std::string>("--size", [&app, &options](const std::string& text) {
+    set_size(app, options, "--size", text);
+  });
   add_field(app, "--quality", render.quality);
   add_render_option(app, "--colors", render, set_colors);
-  return options;
 }
 
 void add_paper_options(CLI::App& app, PictureOptions& options) {
@@ -97,10 +90,9 @@ void add_paper_options(CLI::App& app, PictureOptions& options) {
   add_field(app, "--dpi", options.dpi);
 }
 
-std::shared_ptr<PictureOptions> add_picture_options(CLI::App& app) {
-  auto options = add_camera_options(app);
-  options->visit_stripes(AddField(app));
-  return options;
+void add_picture_options(CLI::App& app, PictureOptions& options) {
+  add_camera_options(app, options);
+  options.visit_stripes(AddField(app));
 }
 
 void stand_upright(PictureOptions& options, const std::string& mesh) {

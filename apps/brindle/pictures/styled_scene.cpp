@@ -11,7 +11,7 @@
 #include "brindle/mesh.h"
 #include "brindle/render/drawing/pen_order.h"
 #include "brindle/render/parsed_words.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 #include "pictures/texture_options.h"
 
 namespace brindle::tool {

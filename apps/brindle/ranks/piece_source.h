@@ -9,7 +9,7 @@
 
 #include "brindle/communicator.h"
 #include "brindle/distributed_waves.h"
-#include "input/wave_source.h"
+#include "input/make_waves.h"
 #include "ranks/mesh_pieces.h"
 
 namespace brindle::tool {

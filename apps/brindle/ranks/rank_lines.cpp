@@ -20,8 +20,8 @@
 #include "cli/progress_display.h"
 #include "jobs/curves_output.h"
 #include "jobs/curves_report.h"
-#include "jobs/sample_output.h"
-#include "pictures/glyph_options.h"
+#include "jobs/sample_job.h"
+#include "pictures/glyphs.h"
 #include "ranks/piece_output.h"
 #include "ranks/pvtp_pieces.h"
 #include "ranks/rank_patterns.h"
@@ -222,7 +222,6 @@ void write_sample_pieces(const RankRun& run, const std::filesystem::path& path,
 void run_curves_over(const RankRun& run, const CLI::App& command,
                      const CurvesArguments& arguments) {
   const Outputs outputs = checked_curves(run, command, arguments);
-  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   CurvesJob job;
   {
@@ -257,7 +256,6 @@ void run_curves_over(const RankRun& run, const CLI::App& command,
 void run_sample_over(const RankRun& run, const CLI::App& command,
                      const SampleArguments& arguments) {
   const Outputs outputs = checked_samples(run, command, arguments);
-  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   SampleJob job;
   {

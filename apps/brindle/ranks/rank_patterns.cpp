@@ -100,7 +100,7 @@ RankPreparation prepare_piece(const RankRun& run, const JobArguments& arguments,
                               JobListener& listener) {
   const WaveOptions& waves = arguments.waves;
   const SurfaceOptions& surface = arguments.surface;
-  const std::optional<Viewpoint> viewpoint = viewpoint_of(*arguments.picture);
+  const std::optional<Viewpoint> viewpoint = viewpoint_of(arguments.picture);
   RankPreparation prepared;
   Stopwatch watch;
   WantedArrays wanted = wanted_arrays(waves);

@@ -10,9 +10,7 @@
 #include "brindle/recipe/report.h"
 #include "cli/command_line.h"
 #include "cli/progress_display.h"
-#include "outputs/carried_arrays.h"
 #include "outputs/outputs.h"
-#include "outputs/written_files.h"
 #include "ranks/piece_output.h"
 #include "ranks/piece_rows.h"
 #include "ranks/pvtp_pieces.h"
@@ -147,7 +145,6 @@ void tell(const CLI::App& command, const StripeArguments& arguments, Report& rep
 void run_stripe_over(const RankRun& run, const CLI::App& command,
                      const StripeArguments& arguments) {
   const Outputs outputs = checked_outputs(run, command, arguments);
-  stand_upright(*arguments.picture, arguments.surface.mesh);
   const ThreadLimit threads(arguments.solving.threads);
   Report report;
   nlohmann::ordered_json metrics, frames;

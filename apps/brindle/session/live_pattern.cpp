@@ -19,7 +19,7 @@
 #include "brindle/stripe_animator.h"
 #include "input/vertex_values.h"
 #include "jobs/curves_report.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 #include "session/stage_keys.h"
 #include "session/tile_follower.h"
 
@@ -386,7 +386,7 @@ class StageUpdate {
     listener_.stage("waves");
     auto made = std::make_shared<PreparedWaves>(
         prepare_waves(*stages_.surface.made, arguments().surface, arguments().waves,
-                      *stages_.field.made, listener_, viewpoint_of(*arguments().picture)));
+                      *stages_.field.made, listener_, viewpoint_of(arguments().picture)));
     times_.emplace_back("waves", made->field_milliseconds);
     made->field_milliseconds += field_milliseconds_;
     stage = {key, std::move(made), listener_.take()};
@@ -564,7 +564,7 @@ class StageUpdate {
       style.read = {key,
                     std::make_shared<const std::vector<Preparation>>(read_style_others(
                         arguments().style, prepared.surface.mesh, stages_.waves.made->waves,
-                        arguments().waves, *arguments().picture, listener_)),
+                        arguments().waves, arguments().picture, listener_)),
                     listener_.take()};
     }
     if (style.drawn.holds(solving)) return false;
@@ -587,7 +587,7 @@ class StageUpdate {
         key,
         std::make_shared<const StyleValues>(read_style_values(
             arguments().style, *stages_.surface.made, *style.read.made, arguments().surface,
-            arguments().waves, *arguments().picture, stages_.waves.made->support.coherence)),
+            arguments().waves, arguments().picture, stages_.waves.made->support.coherence)),
         listener_.take()};
     return true;
   }

@@ -14,7 +14,7 @@
 #include "brindle/render/slice_refusal.h"
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 #include "session/draft_size.h"
 
 namespace brindle::tool {
@@ -24,7 +24,7 @@ constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 constexpr float kMostOfLines = 2;  // of drafts: largest reduction of the depths that hide lines
 
 const PictureOptions& picture_of(const LiveState& state) {
-  return *state.parsed->arguments().picture;
+  return state.parsed->arguments().picture;
 }
 
 const Eigen::Vector3d& origin_of(const LiveState& state) { return state.job->surface->mesh.origin; }

@@ -17,9 +17,9 @@
 #include "cli/option_values.h"
 #include "cli/progress_display.h"
 #include "jobs/curves_output.h"
-#include "outputs/written_files.h"
+#include "outputs/outputs.h"
 #include "pictures/drawing_file.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 #include "session/session.h"
 #include "session/session_export.h"
 
@@ -47,8 +47,8 @@ struct RenderArguments {
   std::string session;
   std::vector<std::string> outputs;
   std::string replay;
-  std::shared_ptr<PictureOptions> picture;  ///< --size and --quality alone
-  PictureChanges changes;                   ///< except for the size
+  PictureOptions picture;  ///< --size and --quality alone
+  PictureChanges changes;  ///< except for the size
   int threads = 0;
   bool quiet = false;
 };
@@ -64,7 +64,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       ->group("Output");
   command.add_option("--replay", arguments.replay, "commands to run first, one per line")
       ->type_name("FILE.jsonl");
-  arguments.picture = add_size_options(command);
+  add_size_options(command, arguments.picture);
   command
       .add_flag("--scale-widths", arguments.changes.scaled_widths,
                 "scale widths in pixels with --size")
@@ -139,7 +139,7 @@ void replay(Session& session, const std::string& path) {
 SessionDocument document_of(const CLI::App& command, const RenderArguments& arguments) {
   Session session(read_session(arguments.session));
   if (!arguments.replay.empty()) replay(session, arguments.replay);
-  const RenderOptions& render = arguments.picture->render;
+  const RenderOptions& render = arguments.picture.render;
   PictureChanges changes = arguments.changes;
   if (is_given(command, "--size")) changes.size = {render.width, render.height};
   return with_changes(session.document(), changes);
@@ -147,7 +147,7 @@ SessionDocument document_of(const CLI::App& command, const RenderArguments& argu
 
 void write_outputs(const RenderArguments& arguments, const Outputs& outputs,
                    const std::shared_ptr<const LiveState>& state, ProgressDisplay& display) {
-  PictureWriter pictures(arguments.picture->render.quality, arguments.changes.dpi);
+  PictureWriter pictures(arguments.picture.render.quality, arguments.changes.dpi);
   for (const Output& output : outputs) {
     if (is_picture(output)) {
       pictures.write(state, output.path, display);

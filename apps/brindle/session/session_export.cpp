@@ -170,7 +170,7 @@ void write_curves_report(const LiveState& state, const std::filesystem::path& pa
   const bool yields = !families.front().pattern.frequencies_wanted.empty();
   write_report(path, state.parsed->command(), surface.mesh,
                to_json(ReportedCurves{surface, *state.prepared, families, yields},
-                       *state.parsed->curves()->picture),
+                       state.parsed->curves()->picture),
                listener.progress());
 }
 

@@ -14,7 +14,7 @@
 #include "cli/described_options.h"
 #include "cli/option_values.h"
 #include "pictures/drawing_file.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 
 namespace brindle::tool {
 namespace {
@@ -305,12 +305,14 @@ ParsedSession::ParsedSession(const SessionDocument& document)
   take_shared();
   arguments_->waves.drawn_strokes = all_strokes(document);
   arguments_->waves.frequency_factor = frequency_factor(document);
-  PictureOptions& picture = *arguments_->picture;
+  PictureOptions& picture = arguments_->picture;
   picture.render.camera = document.camera;
   picture.render.camera.up = UpAxis::y;
   stand_upright(picture, document.mesh);
   picture.render.width = document.size.width;
   picture.render.height = document.size.height;
+  if (curves_) curves_->picture = picture;
+  if (samples_) samples_->picture = picture;
 }
 
 void ParsedSession::add_options(Shown shown) {

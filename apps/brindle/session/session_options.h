@@ -10,9 +10,9 @@
 #include <CLI/CLI.hpp>
 
 #include "brindle/option_table.h"
-#include "jobs/curves_arguments.h"
-#include "jobs/sample_arguments.h"
-#include "jobs/stripe_arguments.h"
+#include "jobs/curves_job.h"
+#include "jobs/sample_job.h"
+#include "jobs/stripe_job.h"
 #include "session/session_document.h"
 
 namespace brindle::tool {

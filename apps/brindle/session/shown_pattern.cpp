@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 
 namespace brindle::tool {
 
@@ -23,7 +23,7 @@ ShownCurves shown_curves(const CurvesArguments& arguments,
   if (arguments.traced != TracedWaves::v) add("u", patterns.u, patterns.fabrication_of_u);
   if (arguments.traced != TracedWaves::u) add("v", patterns.v->pattern, patterns.v->fabrication);
   shown.drawn.ornaments = ornamented(*surface, tubes_of(arguments, surface->mesh, shown.families),
-                                     render_options(*arguments.picture, surface->mesh.origin));
+                                     render_options(arguments.picture, surface->mesh.origin));
   return shown;
 }
 
@@ -37,15 +37,15 @@ ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arg
   if (!is_styled(command)) {
     const Ornament discs = discs_of(samples, surface.mesh.origin);
     drawn.ornaments = ornamented(surface, std::span(&discs, 1),
-                                 render_options(*arguments.picture, surface.mesh.origin));
+                                 render_options(arguments.picture, surface.mesh.origin));
     return drawn;
   }
   GlyphInput input = read_glyph_input(arguments.glyphs, *prepared, arguments.surface,
-                                      arguments.waves, *arguments.picture);
+                                      arguments.waves, arguments.picture);
   input.picture = read_glyph_picture(arguments.glyphs);
   drawn.surface = {prepared, &surface};
   drawn.glyphs = std::make_unique<const GlyphPicture>(surface, samples, arguments.glyphs, input,
-                                                      *arguments.picture, listener.progress());
+                                                      arguments.picture, listener.progress());
   return drawn;
 }
 

@@ -7,7 +7,7 @@
 
 #include "jobs/curves_job.h"
 #include "jobs/sample_job.h"
-#include "pictures/glyph_picture.h"
+#include "pictures/glyphs.h"
 #include "pictures/ornaments.h"
 
 namespace brindle::tool {

@@ -2,7 +2,7 @@
 
 #include "brindle/base/text.h"
 #include "pictures/ornaments.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 
 namespace brindle::tool {
 namespace {
@@ -48,7 +48,7 @@ ViewLegend curves_legend(const ShownCurves& curves, const PictureOptions& pictur
 }  // namespace
 
 ViewLegend view_legend(const LiveState& state) {
-  const PictureOptions& picture = *state.parsed->arguments().picture;
+  const PictureOptions& picture = state.parsed->arguments().picture;
   if (state.curves) return curves_legend(*state.curves, picture);
   if (ornaments_of(state) != nullptr) return {};
   switch (picture.view) {

@@ -14,7 +14,7 @@
 #include "brindle/image.h"
 #include "brindle/render/parsed_words.h"
 #include "cli/option_values.h"
-#include "pictures/picture_options.h"
+#include "pictures/picture.h"
 #include "window/base/value_slider.h"
 
 namespace brindle::tool {

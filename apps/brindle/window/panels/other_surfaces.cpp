@@ -238,7 +238,7 @@ void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& chang
     Color stripes = choice.stripe_color.value_or(RenderOptions().stripe_color);
     if (live_.frame()) {
       const auto& first = live_.frame()->state->parsed->arguments().picture;
-      stripes = choice.stripe_color.value_or(first->render.stripe_color);
+      stripes = choice.stripe_color.value_or(first.render.stripe_color);
     }
     if (swatch("stripes", stripes)) {
       choice.stripe_color = stripes;

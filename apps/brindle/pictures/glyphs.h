@@ -1,4 +1,4 @@
-/// Options for glyphs at samples. Builds without OpenGL have none.
+/// Glyphs at samples.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,8 @@
 
 #include "brindle/glyphs.h"
 #include "brindle/image.h"
+#include "brindle/legend.h"
+#include "brindle/styled_picture.h"
 #include "input/preparation.h"
 #include "pictures/picture.h"
 #include "pictures/style_options.h"
@@ -57,5 +59,26 @@ GlyphInput read_glyph_input(const GlyphOptions& options, const Preparation& prep
 void write_glyphs(const std::filesystem::path& path, const Surface& surface,
                   std::span<const Sample> samples, const GlyphOptions& options,
                   const GlyphInput& input, const PictureOptions& picture, const Progress& progress);
+
+/// The renderer's input. It refers to the surface and to its own members, so it must not move.
+class GlyphPicture {
+ public:
+  GlyphPicture(const Surface& surface, std::span<const Sample> samples, const GlyphOptions& options,
+               const GlyphInput& input, const PictureOptions& picture, const Progress& progress);
+  GlyphPicture(const GlyphPicture&) = delete;
+  GlyphPicture& operator=(const GlyphPicture&) = delete;
+
+  std::vector<StyledSurface> surfaces;  ///< the surface with the samples is first
+  StyledOptions styled;
+  std::vector<Legend> legends;  ///< drawn over the picture
+
+ private:
+  void add_colors(std::span<const Sample> samples, const Mesh& mesh, const GlyphOptions& options,
+                  const GlyphInput& input);
+  StyledSurface motifs(const GlyphOptions& options, const GlyphInput& input) const;
+
+  Glyphs glyphs_;
+  std::vector<float> places_;  ///< positions in the colour map
+};
 
 }  // namespace brindle::tool

@@ -1,4 +1,4 @@
-#include "pictures/whole_tiles.h"
+#include "pictures/stripe_result.h"
 
 #include <algorithm>
 #include <mutex>
