@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -19,7 +20,6 @@
 #include "cli/blas_threads.h"
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/launcher.h"
 #include "cli/option_parts.h"
 #include "cli/progress_display.h"
 #include "jobs/rank_jobs.h"
@@ -183,6 +183,18 @@ int parse_and_run(int argc, char** argv, RankJobs* ranks) {
   }
   return run(*std::ranges::find_if(commands, [](const Command& c) { return c.app->parsed(); }),
              ranks);
+}
+
+/// The number of processes that mpirun, mpiexec or srun has started, by the environment; 0 if there
+/// are several and none of it gives their number. Empty without a launcher.
+std::optional<int> launched_processes() {
+  // Open MPI; MPICH, Intel MPI and Slurm's PMI; MVAPICH.
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"}) {
+    if (const char* count = std::getenv(name)) return std::atoi(count);
+  }
+  // Others that use PMIx give each process its rank alone.
+  if (std::getenv("PMIX_RANK") != nullptr) return 0;
+  return std::nullopt;
 }
 
 /// MPI takes time to start and stop, and is left alone without a launcher.

@@ -275,27 +275,18 @@ void check_options(const CLI::App& command, const AnimateArguments& arguments) {
 
 AnimationReport play_scene(const AnimateArguments& arguments, const Device& device,
                            const ShowFrame& show, ProgressDisplay& display) {
-  const std::string loading = "loading " + arguments.surface.mesh;
-  display.plan({{loading, 2}, {"surface", 1}, {"frames", 2 + 0.5 * arguments.animation.frames}});
-  display.stage(loading);
-  LoadedSurface loaded = load_mesh(arguments.surface, display.progress());
-  display.note(describe(loaded));
-  const std::vector<Index> vertex_of_row = std::move(loaded.vertex_of_row);
-  display.stage("surface");
-  Creases creases = split_at_creases(arguments.surface, loaded);
-  const DataArrays arrays = std::move(loaded.arrays);
-  const Surface surface =
-      make_surface(std::move(loaded.mesh), std::move(creases), display.progress());
+  std::vector<JobStage> stages = preparation_stages(arguments.surface);
+  stages.back() = {"frames", 2 + 0.5 * arguments.animation.frames};  // scenes make fields
+  display.plan(std::move(stages));
+  const Preparation prepared = prepare_surface(arguments.surface, display);
+  const Surface& surface = prepared.surface;
   AnimationOptions animation = arguments.animation;
   animation.scene.direction = arguments.waves.direction.value_or(animation.scene.direction);
   animation.scene.frequency = constant_frequency(surface.mesh, arguments.waves);
   animation.along = arguments.waves.along;
   animation.subdivided = arguments.surface.subdivide;
-  animation.animator.slack = make_slack(arguments.slack, surface, vertex_of_row);
-  // Field files have no rows for vertices added by subdivision.
-  const bool rows = arguments.surface.subdivide == 0;
-  const FrameData data{surface, arrays, arguments.surface.mesh,
-                       rows ? std::span(vertex_of_row) : std::span<const Index>()};
+  animation.animator.slack = make_slack(arguments.slack, surface, prepared.vertex_of_row);
+  const FrameData data{surface, prepared.arrays, arguments.surface.mesh, prepared.vertex_of_row};
   display.stage("frames");
   return play(data, animation, device, show, display);
 }

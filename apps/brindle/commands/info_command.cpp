@@ -14,7 +14,7 @@
 #include "cli/commands.h"
 #include "cli/progress_display.h"
 #include "input/mesh_statistics.h"
-#include "input/surface_options.h"
+#include "input/preparation.h"
 
 namespace brindle::tool {
 namespace {

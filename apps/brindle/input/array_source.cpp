@@ -10,7 +10,7 @@
 #include "brindle/error.h"
 #include "brindle/files.h"
 #include "brindle/mesh_data.h"
-#include "input/surface_options.h"
+#include "input/preparation.h"
 
 namespace brindle::tool {
 namespace {

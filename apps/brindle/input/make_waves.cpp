@@ -334,27 +334,9 @@ BaseField make_base_field(const WaveSource& source, const WaveOptions& options,
   return field;
 }
 
-BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
-                          const LastDirections& last, const Progress& progress) {
-  const WholeSource source(surface, data, options.arrays);
-  BaseField field = make_base_field(source, options, last, progress);
-  field.arrays = source.arrays();
-  return field;
-}
-
 WaveRequest wave_request(const WaveOptions& options) {
   return {turn_deg(options), smoothing_options(options.smoothing, symmetry_of(options)),
           frequency_smoothing_options(options.smoothing)};
-}
-
-WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data) {
-  return make_waves(surface, options, data, make_base_field(surface, options, data));
-}
-
-WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,
-                        BaseField field, const Progress& progress) {
-  const WholeSource source(surface, data, options.arrays, std::move(field.arrays));
-  return make_waves(source, options, std::move(field), progress);
 }
 
 WavesOfField make_waves(const WaveSource& source, const WaveOptions& options, BaseField field,

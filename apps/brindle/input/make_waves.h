@@ -174,24 +174,16 @@ struct LastDirections {
   std::string notes = {};     ///< lines about them
 };
 
-/// The first half of `make_waves`; throws the same. A smooth field starts from `last`.
-BaseField make_base_field(const Surface& surface, const WaveOptions& options, const FileData& data,
-                          const LastDirections& last = {}, const Progress& progress = {});
-
+/// The first half of the waves. A smooth field starts from `last`. Throws Error if a field file or
+/// an array does not fit, CLI::ValidationError for --tensor with a field that is no tensor.
 BaseField make_base_field(const WaveSource& source, const WaveOptions& options,
                           const LastDirections& last = {}, const Progress& progress = {});
 
 /// Options of waves that are independent of the field.
 WaveRequest wave_request(const WaveOptions& options);
 
-/// The second half.
-WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data,
-                        BaseField field, const Progress& progress = {});
+/// The second half; throws the same.
 WavesOfField make_waves(const WaveSource& source, const WaveOptions& options, BaseField field,
                         const Progress& progress = {});
-
-/// Throws Error if a field file or an array does not fit, CLI::ValidationError for --tensor with a
-/// field that is no tensor.
-WavesOfField make_waves(const Surface& surface, const WaveOptions& options, const FileData& data);
 
 }  // namespace brindle::tool

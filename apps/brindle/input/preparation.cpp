@@ -1,14 +1,24 @@
 #include "input/preparation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <utility>
 
+#include "brindle/base/array_numbers.h"
+#include "brindle/base/memory.h"
 #include "brindle/base/stopwatch.h"
 #include "brindle/base/text.h"
+#include "brindle/creases.h"
 #include "brindle/error.h"
+#include "brindle/local_positions.h"
+#include "brindle/mesh_data.h"
+#include "brindle/normals.h"
 #include "brindle/points.h"
+#include "brindle/shapes.h"
 
 namespace brindle::tool {
 namespace {
@@ -16,6 +26,135 @@ namespace {
 constexpr const char* kNeighborhood = "neighbourhood and normals";
 constexpr const char* kNeighborhoodOfPoints = "neighbours and normals of points";
 constexpr const char* kField = "direction field";
+constexpr const char* kLids = "--lids";
+
+std::vector<bool> marked(const std::string& file, std::size_t triangles) {
+  const std::vector<DataArray> columns = read_csv_arrays(file);
+  if (columns.size() != 1 || columns[0].components != 1) {
+    throw Error(shown(file) + ": lids are one column of 0 and 1, and it has others");
+  }
+  const std::vector<double> numbers = doubles_of(columns[0].view());
+  if (numbers.size() != triangles) {
+    throw Error(shown(file) + ": it has " + std::to_string(numbers.size()) +
+                " rows for lids, and the mesh has " + std::to_string(triangles) + " triangles");
+  }
+  std::vector<bool> lids;
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    if (numbers[t] != 0 && numbers[t] != 1) {
+      throw Error(shown(file) + ": lids are 1 and others 0; row " + std::to_string(t + 1) +
+                  " is neither");
+    }
+    lids.push_back(numbers[t] == 1);
+  }
+  return lids;
+}
+
+std::vector<bool> level(const Lids& lids, const Mesh& mesh) {
+  const float least = std::cos(*lids.degrees * std::numbers::pi_v<float> / 180);
+  std::vector<bool> result;
+  for (const Triangle& t : mesh.triangles) {
+    result.push_back(std::abs(triangle_normal(mesh, t).stableNormalized().dot(lids.up)) > least);
+  }
+  return result;
+}
+
+/// Removes the triangles of lids. Throws Error if the file does not fit, and unless some triangles
+/// are lids and some are not.
+void leave_out(const Lids& lids, LoadedMesh& loaded) {
+  Mesh& mesh = loaded.mesh;
+  const std::vector<bool> out =
+      lids.degrees ? level(lids, mesh) : marked(lids.file, mesh.triangle_count());
+  std::vector<Index> kept;
+  std::vector<Triangle> triangles;
+  for (std::size_t t = 0; t < out.size(); ++t) {
+    if (out[t]) continue;
+    kept.push_back(static_cast<Index>(t));
+    triangles.push_back(mesh.triangles[t]);
+  }
+  if (kept.size() == out.size()) {
+    throw Error(std::string(kLids) + ": no face is a lid; take a larger angle or leave it out");
+  }
+  if (kept.empty()) throw Error(std::string(kLids) + ": all faces are lids; take a smaller angle");
+  mesh.triangles = std::move(triangles);
+  loaded.arrays.cells = rows_of(loaded.arrays.cells, kept);
+}
+
+Mesh make_named_shape(const SurfaceOptions& options, const Progress& progress) {
+  try {
+    return make_shape(shape_spec(options), progress);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const TooLarge&) {
+    throw;  // correct usage, but too little memory
+  } catch (const Error& error) {
+    throw CLI::ValidationError("MESH", error.what());
+  }
+}
+
+/// A missing file may be the name of a shape.
+void check_exists(const SurfaceOptions& options) {
+  std::error_code ignored;
+  if (is_shape(options) || std::filesystem::exists(options.mesh, ignored)) return;
+  const std::string shape = nearest(options.mesh.substr(0, options.mesh.find(',')), shape_names());
+  if (shape.empty()) return;
+  throw Error(shown(options.mesh) + ": there is no such file; did you mean " +
+              std::string(kShapePrefix) + shape + "?");
+}
+
+}  // namespace
+
+std::string describe(const LoadedPoints& loaded) {
+  return describe_origin(loaded.cloud.origin) + loaded.left_out + describe(loaded.repair);
+}
+
+std::string describe(const LoadedMesh& loaded) {
+  return describe_origin(loaded.mesh.origin) + loaded.left_out + describe(loaded.repair);
+}
+
+LoadedPoints load_points(const SurfaceOptions& options) {
+  check_exists(options);
+  if (options.subdivide > 0) {
+    throw CLI::ValidationError("--subdivide", "points have no triangles to split");
+  }
+  if (options.crease_angle) {
+    throw CLI::ValidationError("--crease-angle", "points have no edges");
+  }
+  return is_shape(options) ? make_point_cloud(make_named_shape(options, {}).positions)
+                           : file_of(options).points();
+}
+
+LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress) {
+  if (options.neighbors) {
+    throw CLI::ValidationError("--neighbors",
+                               "a mesh's vertices are joined by its edges; add --points to take "
+                               "them as points");
+  }
+  if (options.rounded && options.subdivide == 0) {
+    throw CLI::ValidationError("--rounded",
+                               "bends triangles that are split, and none is; try --subdivide 2");
+  }
+  check_exists(options);
+  JobStages stages(progress, {{"reading", 3}, {"subdividing", 2}});
+  const Progress reading = stages.begin("reading");
+  LoadedSurface loaded;
+  if (is_shape(options)) {
+    loaded.mesh = make_named_shape(options, reading);
+  } else {
+    static_cast<LoadedMesh&>(loaded) = file_of(options).mesh(reading);
+  }
+  if (!options.moved.isZero(0)) translate(loaded.mesh, options.moved);
+  if (options.lids) leave_out(*options.lids, loaded);
+  loaded.own_vertices = loaded.mesh.vertex_count();
+  if (options.subdivide > 0) {
+    subdivide(loaded.mesh, loaded.arrays, options.subdivide,
+              options.rounded ? Midpoints::rounded : Midpoints::straight,
+              stages.begin("subdividing"));
+  }
+  stages.finish();
+  return loaded;
+}
+
+namespace {
 
 std::string loading(const SurfaceOptions& options) { return "loading " + shown(options.mesh); }
 
@@ -44,7 +183,8 @@ void prepare_mesh(Preparation& result, const SurfaceOptions& options, JobListene
   result.load_milliseconds = watch.lap();
   listener.stage(kNeighborhood);
   result.surface = of_file(options.mesh, [&] {
-    Creases creases = split_at_creases(options, loaded);
+    Creases creases = split_at_creases(loaded.mesh, options.crease_angle.value_or(kCreaseAngle));
+    add_rows_of_copies(creases, loaded.arrays);
     return make_surface(std::move(loaded.mesh), std::move(creases), listener.progress());
   });
   add_rows_of_copies(result.surface.creases, result.original_ids);
@@ -138,13 +278,17 @@ BaseField prepare_field(const Preparation& prepared, const SurfaceOptions& surfa
                         const WaveOptions& waves, JobListener& listener,
                         const LastDirections& last) {
   listener.stage(kField);
-  return make_base_field(prepared.surface, waves, data_of(prepared, surface, std::nullopt), last,
-                         listener.progress().part(0, kFieldShare));
+  const WholeSource source(prepared.surface, data_of(prepared, surface, std::nullopt),
+                           waves.arrays);
+  BaseField field = make_base_field(source, waves, last, listener.progress().part(0, kFieldShare));
+  field.arrays = source.arrays();
+  return field;
 }
 
 WaveSet waves_afresh(const Preparation& prepared, const SurfaceOptions& surface,
                      const WaveOptions& waves, const std::optional<Viewpoint>& viewpoint) {
-  return make_waves(prepared.surface, waves, data_of(prepared, surface, viewpoint)).waves;
+  const WholeSource source(prepared.surface, data_of(prepared, surface, viewpoint), waves.arrays);
+  return make_waves(source, waves, make_base_field(source, waves)).waves;
 }
 
 PreparedWaves prepare_waves(const Preparation& prepared, const SurfaceOptions& surface,

@@ -16,6 +16,22 @@
 
 namespace brindle::tool {
 
+/// Lines about recentring and repairs; may be empty.
+std::string describe(const LoadedPoints& loaded);
+std::string describe(const LoadedMesh& loaded);
+
+/// Reads the points of a file or takes the vertices of a shape. Throws as `load_mesh` does.
+LoadedPoints load_points(const SurfaceOptions& options);
+
+/// A loaded mesh.
+struct LoadedSurface : LoadedMesh {
+  std::size_t own_vertices = 0;  ///< of the file or shape, before those of --subdivide
+};
+
+/// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a misspelt shape and
+/// for --neighbors, Error if a file cannot be read.
+LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress = {});
+
 struct KeptPattern;
 
 /// A surface with waves, and the time spent.

@@ -8,7 +8,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "brindle/creases.h"
 #include "brindle/files.h"
 
 namespace brindle::tool {
@@ -22,10 +21,6 @@ struct Lids {
 
 /// "30" or "lids.csv". Throws CLI::ValidationError for other text.
 Lids parse_lids(const std::string& option, const std::string& text);
-
-/// Removes the triangles of lids. Throws Error if the file does not fit, and unless some triangles
-/// are lids and some are not.
-void leave_out(const Lids& lids, LoadedMesh& loaded);
 
 constexpr int kDefaultNeighbors = 8;
 
@@ -58,35 +53,22 @@ void add_point_options(CLI::App& app, SurfaceOptions& options);
 /// faces.
 bool is_points(const SurfaceOptions& options);
 
+/// The mesh's file, which is opened when it is first asked for.
+SurfaceFile& file_of(const SurfaceOptions& options);
+
 /// Throws Error for points in a command that needs triangles. `command` is its name.
 void refuse_points(const SurfaceOptions& options, const std::string& command);
 
 /// A line for the user if a file without faces is read as points; else empty.
 std::string describe_kind(const SurfaceOptions& options);
 
-/// Lines about recentring and repairs; may be empty.
-std::string describe(const LoadedPoints& loaded);
-std::string describe(const LoadedMesh& loaded);
-
-/// Reads the points of a file or takes the vertices of a shape. Throws as `load_mesh` does.
-LoadedPoints load_points(const SurfaceOptions& options);
+/// What names of built-in shapes begin with.
+inline constexpr std::string_view kShapePrefix = "shape:";
 
 /// Whether the mesh is a built-in shape.
 bool is_shape(const SurfaceOptions& options);
 
 /// The text after "shape:".
 std::string_view shape_spec(const SurfaceOptions& options);
-
-/// A loaded mesh.
-struct LoadedSurface : LoadedMesh {
-  std::size_t own_vertices = 0;  ///< of the file or shape, before those of --subdivide
-};
-
-/// Reads or makes the mesh and subdivides it. Throws CLI::ValidationError for a misspelt shape and
-/// for --neighbors, Error if a file cannot be read.
-LoadedSurface load_mesh(const SurfaceOptions& options, const Progress& progress = {});
-
-/// Splits the loaded mesh and its arrays at creases.
-Creases split_at_creases(const SurfaceOptions& options, LoadedSurface& loaded);
 
 }  // namespace brindle::tool
