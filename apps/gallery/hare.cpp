@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "gallery/items.h"
+
 namespace brindle {
 namespace {
 
@@ -88,6 +90,68 @@ Mesh fine_hare_mesh(float edge_length, const Progress& progress) {
   mesh = subdivide(std::move(mesh), 2, progress.part(0.5, 0.6));
   settle(mesh, hare(), 0.1 * static_cast<double>(edge_length), progress.part(0.6, 1));
   return mesh;
+}
+
+namespace {
+
+std::vector<GalleryFile> make_figure(double detail, const Progress& progress) {
+  const auto edge = static_cast<float>(0.016 / detail);
+  return {{"hare.vtp", hare_mesh(edge, progress.part(0, 0.9)), {}, {}},
+          {"pupils.vtp", hare_pupils(0.4f * edge, progress.part(0.9, 0.95)), {}, {}},
+          {"glints.vtp", hare_glints(0.2f * edge, progress.part(0.95, 1)), {}, {}}};
+}
+
+}  // namespace
+
+GalleryItem hatching_item() {
+  return {"hatching",
+          "pen drawings of a figure",
+          make_figure,
+          {{"pen",
+            "strokes as thick as it is dark, crossed in the dark, with an outline",
+            "stripe {surface=hare.vtp} --field {field=curvature} --stripes 150 "
+            "--width-by light@0..0.62,tones=0.3..0.95,cross-hatch=0.3 --outline solid,width=2 "
+            "--with {part=pupils.vtp}@#1b1b1f --with {part=glints.vtp}@#f7f3ea "
+            "--colors #1b1b1f,#f7f3ea,#f7f3ea --up z --camera 35,10,0.98",
+            "640x700",
+            {"stripes", "tones", "cross-hatch", "line-width"}},
+           {"dashed",
+            "the outline dashed by the pattern, for what matters less",
+            "stripe {surface=hare.vtp} --direction 0.35,0.6,1 --stripes 96 --stripe-width 0 "
+            "--outline dashed,width=2.4 --flat --colors #1b1b1f,#f7f3ea,#f7f3ea --up z "
+            "--camera 35,10,0.93",
+            "640x700",
+            {"stripes", "direction", "line-width"}},
+           {"strokes",
+            "strokes of a brush that cross the outline",
+            "sample {surface=hare.vtp} --field {field=curvature} --stripes 90 --stripes-v 36 "
+            "--glyph stroke --glyph-size 1.15 --colors #22252b,#f4ecdc,#f4ecdc --up z "
+            "--camera 35,10,0.93",
+            "640x700",
+            {"stripes", "stripes-v", "glyph-size"}}}};
+}
+
+namespace {
+
+/// 0.8 million vertices at full detail.
+constexpr double kEdge = 0.0032;
+
+std::vector<GalleryFile> make_giant(double detail, const Progress& progress) {
+  return {{"giant.vtp", fine_hare_mesh(static_cast<float>(kEdge / detail), progress), {}, {}}};
+}
+
+}  // namespace
+
+GalleryItem giant_item() {
+  return {"giant",
+          "a surface with 800,000 vertices",
+          make_giant,
+          {{"stripes",
+            "fine stripes over all of it",
+            "stripe {surface=giant.vtp} --field {field=curvature} --along --stripes 110 "
+            "--colors #1c325a,#f4efe6,#ffffff --up z --camera 35,10,1.02",
+            "600x690",
+            {"stripes", "rotate", "stripe-width"}}}};
 }
 
 }  // namespace brindle

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "gallery/wall_stress.h"
-
 namespace brindle {
 namespace {
 

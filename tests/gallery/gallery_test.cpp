@@ -19,7 +19,7 @@
 #include "gallery/aneurysm.h"
 #include "gallery/charges.h"
 #include "gallery/flows.h"
-#include "gallery/liver_parts.h"
+#include "gallery/liver.h"
 #include "gallery/rough_meshes.h"
 
 namespace brindle {

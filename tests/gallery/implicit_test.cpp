@@ -8,7 +8,7 @@
 #include "brindle/base/random.h"
 #include "brindle/shapes/parametric_shapes.h"
 #include "gallery/hare.h"
-#include "gallery/liver_parts.h"
+#include "gallery/liver.h"
 #include "parametric_meshes.h"
 
 namespace brindle {

@@ -151,11 +151,10 @@ bool guesses_up(const GalleryArguments& arguments) {
          !arguments.options.contains("up");
 }
 
-bool is_moving(const GalleryPicture& picture) { return picture.line.starts_with("animate "); }
-
 std::string default_output(const GalleryItem& item, const GalleryPicture& picture) {
   const bool first = picture.name == item.pictures.front().name;
-  return item.name + (first ? "" : "_" + picture.name) + (is_moving(picture) ? ".mp4" : ".png");
+  return item.name + (first ? "" : "_" + picture.name) +
+         (is_still_picture(picture) ? ".png" : ".mp4");
 }
 
 /// Rejects outputs other than pictures; meshes are in the item's data.
