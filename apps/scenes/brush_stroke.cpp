@@ -1,54 +1,46 @@
 #include "scenes/brush_stroke.h"
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <limits>
-#include <queue>
 
 #include <Eigen/Geometry>
 
+#include "brindle/base/graph.h"
 #include "brindle/direction_field.h"
 
 namespace brindle {
 namespace {
 
-constexpr float kUnreached = std::numeric_limits<float>::infinity();
-
-/// Shortest paths along edges (Dijkstra 1959).
-struct ShortestWays {
-  std::vector<float> distance;   ///< to the nearest source, or kUnreached
+/// The shortest paths along edges from some vertices.
+struct PathsFrom {
+  std::vector<float> distance;   ///< to the nearest source; infinite beyond the limit
   std::vector<Index> before;     ///< the previous vertex; sources have themselves
   std::vector<Index> source_of;  ///< index of the nearest source
   Index farthest = 0;            ///< the last vertex reached
 };
 
-ShortestWays shortest_ways(const Surface& surface, std::span<const Index> sources, float limit) {
+PathsFrom paths_from(std::span<const Index> sources, const Surface& surface, float limit) {
   const std::size_t count = surface.mesh.vertex_count();
-  ShortestWays ways{std::vector<float>(count, kUnreached), std::vector<Index>(count),
-                    std::vector<Index>(count)};
-  using Entry = std::pair<float, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  PathsFrom paths{{}, std::vector<Index>(count), std::vector<Index>(count)};
+  ShortestWays<float> ways(count);
   for (Index s = 0; s < sources.size(); ++s) {
-    ways.distance[sources[s]] = 0;
-    ways.before[sources[s]] = sources[s];
-    ways.source_of[sources[s]] = s;
-    front.emplace(0.0f, sources[s]);
+    ways.offer(sources[s], 0);
+    paths.before[sources[s]] = sources[s];
+    paths.source_of[sources[s]] = s;
   }
-  while (!front.empty()) {
-    const auto [distance, v] = front.top();
-    front.pop();
-    if (distance > ways.distance[v]) continue;
-    ways.farthest = v;
+  while (const auto nearest = ways.next()) {
+    const auto [distance, v] = *nearest;
+    paths.farthest = v;
     for (const Index w : surface.neighborhood->of(v)) {
       const float there = distance + (surface.mesh.positions[w] - surface.mesh.positions[v]).norm();
-      if (there > limit || !(there < ways.distance[w])) continue;
-      ways.distance[w] = there;
-      ways.before[w] = v;
-      ways.source_of[w] = ways.source_of[v];
-      front.emplace(there, w);
+      if (there > limit || !ways.offer(w, there)) continue;
+      paths.before[w] = v;
+      paths.source_of[w] = paths.source_of[v];
     }
   }
-  return ways;
+  for (Index v = 0; v < count; ++v) paths.distance.push_back(ways.distance(v));
+  return paths;
 }
 
 /// The used vertex with the smallest coordinate along the longest side of the bounding box.
@@ -67,9 +59,9 @@ Index outermost_vertex(const Surface& surface) {
 
 std::vector<Index> longest_path(const Surface& surface) {
   const Index begin = outermost_vertex(surface);
-  const ShortestWays ways = shortest_ways(surface, {&begin, 1}, kUnreached);
-  std::vector<Index> path{ways.farthest};
-  while (path.back() != begin) path.push_back(ways.before[path.back()]);
+  const PathsFrom paths = paths_from({&begin, 1}, surface, std::numeric_limits<float>::infinity());
+  std::vector<Index> path{paths.farthest};
+  while (path.back() != begin) path.push_back(paths.before[path.back()]);
   std::ranges::reverse(path);
   return path;
 }
@@ -100,9 +92,9 @@ std::vector<float> arcs_of(std::span<const Vec3> points) {
 
 void add_anchors(BrushStroke& stroke, const Surface& surface, std::span<const Index> path,
                  float weight) {
-  const ShortestWays ways = shortest_ways(surface, path, stroke.radius);
+  const PathsFrom ways = paths_from(path, surface, stroke.radius);
   for (Index v = 0; v < surface.mesh.vertex_count(); ++v) {
-    if (ways.distance[v] == kUnreached) continue;
+    if (std::isinf(ways.distance[v])) continue;
     const std::size_t k = ways.source_of[v];
     const Vec3 along =
         stroke.path[std::min(k + 1, path.size() - 1)] - stroke.path[k > 0 ? k - 1 : 0];

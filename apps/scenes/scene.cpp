@@ -12,8 +12,6 @@
 #include "brindle/direction_field.h"
 #include "brindle/error.h"
 #include "brindle/normals.h"
-#include "brindle/smooth_field.h"
-#include "scenes/brush_stroke.h"
 
 namespace brindle {
 namespace {
@@ -129,85 +127,61 @@ std::optional<SceneKind> parse_scene_kind(std::string_view name) {
 
 std::string_view name_of(SceneKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
-struct Scene::State {
-  SceneOptions options;
-  BoundingBox box;
-  std::vector<Vec3> at_rest;  // positions
-  SceneFrame frame;
-
-  // brush
-  std::shared_ptr<const Adjacency> neighborhood;
-  BrushStroke stroke;
-  std::vector<FieldAnchor> anchors;
-  std::optional<SmoothFieldAnimator> field;
-  int drawn = -1;  // the last frame for which `field` was solved
-
-  void brush(int number);
-};
-
-void Scene::State::brush(int number) {
-  if (number < drawn || !field) {
-    field.emplace(Surface{frame.mesh, neighborhood, frame.normals});
-    drawn = -1;
+void Scene::brush(int number) {
+  if (number < drawn_ || !field_) {
+    field_.emplace(Surface{frame_.mesh, neighborhood_, frame_.normals});
+    drawn_ = -1;
   }
-  const float step = (stroke.length + stroke.radius) / kBrushFrames;
-  for (; drawn < number; ++drawn) {
-    anchors_up_to(stroke, static_cast<float>(drawn + 1) * step, anchors);
-    const std::span<const Vec3> directions = field->frame(anchors);
-    frame.waves.directions.assign(directions.begin(), directions.end());
+  const float step = (stroke_.length + stroke_.radius) / kBrushFrames;
+  for (; drawn_ < number; ++drawn_) {
+    anchors_up_to(stroke_, static_cast<float>(drawn_ + 1) * step, anchors_);
+    const std::span<const Vec3> directions = field_->frame(anchors_);
+    frame_.waves.directions.assign(directions.begin(), directions.end());
   }
-  if (!stroke.path.empty()) {
-    frame.points = {brush_tip(stroke, static_cast<float>(number) * step)};
+  if (!stroke_.path.empty()) {
+    frame_.points = {brush_tip(stroke_, static_cast<float>(number) * step)};
   }
 }
 
 Scene::Scene(const Surface& surface, const SceneOptions& options)
-    : state_(std::make_unique<State>()) {
+    : options_(options), box_(bounding_box(surface.mesh)) {
   check(options);
-  State& s = *state_;
   const std::size_t count = surface.mesh.vertex_count();
-  s.options = options;
-  s.box = bounding_box(surface.mesh);
-  s.frame.mesh = surface.mesh;
-  s.frame.normals = surface.normals;
-  s.frame.waves = {surface.mesh.positions, DirectionField(count, Vec3::Zero()),
-                   std::vector<float>(count, options.frequency)};
-  if (options.kind == SceneKind::wobble) s.at_rest = surface.mesh.positions;
+  frame_.mesh = surface.mesh;
+  frame_.normals = surface.normals;
+  frame_.waves = {surface.mesh.positions, DirectionField(count, Vec3::Zero()),
+                  std::vector<float>(count, options.frequency)};
+  if (options.kind == SceneKind::wobble) at_rest_ = surface.mesh.positions;
   if (options.kind == SceneKind::zoom) {
-    set_directions(s.frame, [&](std::size_t) { return options.direction; });
+    set_directions(frame_, [&](std::size_t) { return options.direction; });
   }
   if (options.kind == SceneKind::brush) {
-    s.neighborhood = surface.neighborhood;
-    const float radius = std::max(kBrushRadius * s.box.diagonal(), 1e-30f);
-    s.stroke = make_brush_stroke(surface, radius, kBrushWeight);
+    neighborhood_ = surface.neighborhood;
+    const float radius = std::max(kBrushRadius * box_.diagonal(), 1e-30f);
+    stroke_ = make_brush_stroke(surface, radius, kBrushWeight);
   }
 }
 
-Scene::~Scene() = default;
-Scene::Scene(Scene&&) noexcept = default;
-Scene& Scene::operator=(Scene&&) noexcept = default;
-
 const SceneFrame& Scene::frame(int number) {
   if (number < 0) throw Error("scene: frames are numbered from 0");
-  State& s = *state_;
-  switch (s.options.kind) {
+  switch (options_.kind) {
     case SceneKind::zoom:
-      zoom(s.options, number, s.frame);
+      zoom(options_, number, frame_);
       break;
     case SceneKind::vortices:
-      vortices(s.box, number, s.frame);
+      vortices(box_, number, frame_);
       break;
     case SceneKind::rotate:
-      rotate(s.options, number, s.frame);
+      rotate(options_, number, frame_);
       break;
     case SceneKind::wobble:
-      wobble(s.options, s.box, s.at_rest, number, s.frame);
+      wobble(options_, box_, at_rest_, number, frame_);
       break;
     case SceneKind::brush:
-      s.brush(number);
+      brush(number);
       break;
   }
-  return s.frame;
+  return frame_;
 }
 
 }  // namespace brindle

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "brindle/phase_graph.h"
+#include "brindle/smooth_field.h"
 #include "brindle/surface.h"
+#include "scenes/brush_stroke.h"
 
 namespace brindle {
 
@@ -45,17 +47,25 @@ class Scene {
  public:
   /// Copies the surface's data. Throws Error for options out of range.
   Scene(const Surface& surface, const SceneOptions& options);
-  ~Scene();
-  Scene(Scene&&) noexcept;
-  Scene& operator=(Scene&&) noexcept;
 
   /// The frame of a number from 0; valid until the next call. A frame of `brush` depends on the
   /// earlier ones: out of order, it solves for these first.
   const SceneFrame& frame(int number);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  void brush(int number);
+
+  SceneOptions options_;
+  BoundingBox box_;
+  std::vector<Vec3> at_rest_;  // positions
+  SceneFrame frame_;
+
+  // brush
+  std::shared_ptr<const Adjacency> neighborhood_;
+  BrushStroke stroke_;
+  std::vector<FieldAnchor> anchors_;
+  std::optional<SmoothFieldAnimator> field_;
+  int drawn_ = -1;  // the last frame for which `field_` was solved
 };
 
 }  // namespace brindle

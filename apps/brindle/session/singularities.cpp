@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numbers>
-#include <queue>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +13,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/graph.h"
 #include "brindle/base/text.h"
 #include "brindle/direction_field.h"
 
@@ -80,38 +79,27 @@ class TriangleWalk {
   CrossedEdges crossed;
 
  private:
-  struct Reached {
-    float distance = std::numeric_limits<float>::infinity();
-    std::size_t before = 0;
-    std::pair<Index, Index> edge;
-  };
-
   void search(std::size_t from, std::size_t to) {
-    std::unordered_map<std::size_t, Reached> reached;
-    using Entry = std::pair<float, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
-    reached[from].distance = 0;
-    next.emplace(0.0f, from);
-    while (!next.empty() && next.top().second != to) {
-      const auto [distance, t] = next.top();
-      next.pop();
-      if (distance > reached[t].distance) continue;
+    /// The triangle before, and the edge to it.
+    std::unordered_map<std::size_t, std::pair<std::size_t, std::pair<Index, Index>>> before;
+    ShortestWays<float> ways(mesh_.triangles.size());
+    ways.offer(static_cast<Index>(from), 0);
+    auto nearest = ways.next();
+    for (; nearest && nearest->second != to; nearest = ways.next()) {
+      const auto [distance, t] = *nearest;
       const Triangle& triangle = mesh_.triangles[t];
       for (int m = 0; m < 3; ++m) {
         const std::pair<Index, Index> edge(triangle[m], triangle[(m + 1) % 3]);
         for (const std::size_t other : sides_[edge_key(edge.first, edge.second)]) {
           const float farther = distance + (barycentre(mesh_, other) - barycentre(mesh_, t)).norm();
-          Reached& there = reached[other];
-          if (!(farther < there.distance)) continue;
-          there = {farther, t, edge};
-          next.emplace(farther, other);
+          if (ways.offer(static_cast<Index>(other), farther)) before[other] = {t, edge};
         }
       }
     }
-    if (next.empty()) return;
-    for (std::size_t t = to; t != from; t = reached[t].before) {
+    if (!nearest) return;
+    for (std::size_t t = to; t != from; t = before[t].first) {
       triangles.push_back(t);
-      crossed.push_back(reached[t].edge);
+      crossed.push_back(before[t].second);
     }
     triangles.push_back(from);
     std::ranges::reverse(triangles);
@@ -124,26 +112,18 @@ class TriangleWalk {
 
 /// Vertices near a walk, sorted by their distance along edges.
 std::vector<Index> vertices_near(const Surface& surface, const TriangleWalk& walk, float reach) {
-  std::unordered_map<Index, float> distance;
-  using Entry = std::pair<float, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+  ShortestWays<float> ways(surface.mesh.vertex_count());
   for (const std::size_t t : walk.triangles) {
-    for (const Index v : surface.mesh.triangles[t]) {
-      if (distance.emplace(v, 0.0f).second) next.emplace(0.0f, v);
-    }
+    for (const Index v : surface.mesh.triangles[t]) ways.offer(v, 0);
   }
   std::vector<Index> vertices;
-  while (!next.empty()) {
-    const auto [way, v] = next.top();
-    next.pop();
-    if (way > distance[v]) continue;
+  while (const auto nearest = ways.next()) {
+    const auto [distance, v] = *nearest;
     vertices.push_back(v);
     for (const Index w : surface.neighborhood->of(v)) {
-      const float farther = way + (surface.mesh.positions[w] - surface.mesh.positions[v]).norm();
-      const auto [found, added] = distance.emplace(w, farther);
-      if (farther > reach || (!added && farther >= found->second)) continue;
-      found->second = farther;
-      next.emplace(farther, w);
+      const float farther =
+          distance + (surface.mesh.positions[w] - surface.mesh.positions[v]).norm();
+      if (farther <= reach) ways.offer(w, farther);
     }
   }
   return vertices;
