@@ -9,29 +9,6 @@
 
 namespace brindle::tool {
 
-/// Shared by the window's and the worker's thread; guarded by the mutex, except for the worker's
-/// own members.
-struct SessionWorker::State {
-  int threads = 0;
-  mutable std::mutex mutex;
-  mutable std::condition_variable_any changed;
-  std::optional<SessionRequest> next;
-  std::optional<SessionRequest> current;
-  bool cancelled = false;                 ///< `current` is obsolete
-  std::optional<std::uint64_t> given_up;  ///< newest revision passed to `cancel`
-  std::shared_ptr<const SessionFrame> latest;
-  std::optional<SessionFailure> failure;
-  WorkerStep step;
-  std::chrono::steady_clock::time_point begun;  ///< of `current`
-  std::uint64_t frames = 0;
-
-  bool idle() const { return !next && !current; }
-  Progress progress(const std::stop_token& stop);
-  void finish(std::shared_ptr<const SessionFrame> frame);
-  void fail(SessionFailure why);
-  std::optional<std::uint64_t> take_given_up();
-};
-
 namespace {
 
 constexpr const char* kGivenUp = "cancelled: all is as it was before";
@@ -73,127 +50,125 @@ bool is_useless(const SessionRequest& current, const SessionRequest& next) {
 
 }  // namespace
 
-Progress SessionWorker::State::progress(const std::stop_token& stop) {
+Progress SessionWorker::progress(const std::stop_token& stop) {
   return Progress([this, stop](std::string_view name, double fraction) {
-    const std::lock_guard lock(mutex);
-    step.name = name;
-    step.fraction = fraction;
-    return !cancelled && !stop.stop_requested();
+    const std::lock_guard lock(mutex_);
+    step_.name = name;
+    step_.fraction = fraction;
+    return !cancelled_ && !stop.stop_requested();
   });
 }
 
-void SessionWorker::State::finish(std::shared_ptr<const SessionFrame> frame) {
-  const std::lock_guard lock(mutex);
-  latest = std::move(frame);
+void SessionWorker::finish(std::shared_ptr<const SessionFrame> frame) {
+  const std::lock_guard lock(mutex_);
+  latest_ = std::move(frame);
 }
 
-void SessionWorker::State::fail(SessionFailure why) {
-  const std::lock_guard lock(mutex);
-  failure = std::move(why);
+void SessionWorker::fail(SessionFailure why) {
+  const std::lock_guard lock(mutex_);
+  failure_ = std::move(why);
 }
 
-std::optional<std::uint64_t> SessionWorker::State::take_given_up() {
-  const std::lock_guard lock(mutex);
-  return std::exchange(given_up, std::nullopt);
+std::optional<std::uint64_t> SessionWorker::take_given_up() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(given_up_, std::nullopt);
 }
 
-SessionWorker::SessionWorker(int threads) : state_(std::make_unique<State>()), thread_() {
-  state_->threads = threads;
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
-}
+SessionWorker::SessionWorker(int threads)
+    : thread_([this, threads](const std::stop_token& stop) {
+        const ThreadLimit limit(threads);
+        run(stop);
+      }) {}
 
 SessionWorker::~SessionWorker() { stop(); }
 
 void SessionWorker::stop() {
   thread_.request_stop();
-  state_->changed.notify_all();
+  changed_.notify_all();
   if (thread_.joinable()) thread_.join();
 }
 
 void SessionWorker::run(const std::stop_token& stop) {
-  State& s = *state_;
-  const ThreadLimit limit(s.threads);
   FrameMaker maker;
+  std::uint64_t frames = 0;
   while (true) {
     SessionRequest request;
     {
-      std::unique_lock lock(s.mutex);
-      if (!s.changed.wait(lock, stop, [&] { return s.next.has_value(); })) return;
-      s.current = std::exchange(s.next, std::nullopt);
-      s.cancelled = false;
-      s.begun = std::chrono::steady_clock::now();
-      request = *s.current;
+      std::unique_lock lock(mutex_);
+      if (!changed_.wait(lock, stop, [&] { return next_.has_value(); })) return;
+      current_ = std::exchange(next_, std::nullopt);
+      cancelled_ = false;
+      begun_ = std::chrono::steady_clock::now();
+      request = *current_;
     }
     try {
-      std::shared_ptr<SessionFrame> frame = maker.frame(request, s.progress(stop));
-      frame->number = ++s.frames;
-      s.finish(std::move(frame));
+      std::shared_ptr<SessionFrame> frame = maker.frame(request, progress(stop));
+      frame->number = ++frames;
+      finish(std::move(frame));
     } catch (const Cancelled&) {
-      if (const auto revision = s.take_given_up()) s.fail({*revision, kGivenUp});
+      if (const auto revision = take_given_up()) fail({*revision, kGivenUp});
     } catch (const std::bad_alloc&) {
-      s.fail({request.revision, "not enough memory for this"});
+      fail({request.revision, "not enough memory for this"});
     } catch (const UnreadMesh& error) {
-      s.fail({request.revision, error.what(), request.document.mesh});
+      fail({request.revision, error.what(), request.document.mesh});
     } catch (const std::exception& error) {
-      s.fail({request.revision, error.what()});
+      fail({request.revision, error.what()});
     }
-    const std::lock_guard lock(s.mutex);
-    s.current.reset();
-    s.given_up.reset();
-    s.step = {};
-    s.changed.notify_all();
+    const std::lock_guard lock(mutex_);
+    current_.reset();
+    given_up_.reset();
+    step_ = {};
+    changed_.notify_all();
   }
 }
 
 void SessionWorker::request(SessionRequest request) {
-  State& s = *state_;
-  const std::lock_guard lock(s.mutex);
+  const std::lock_guard lock(mutex_);
   // A dropped request from scratch makes this one from scratch.
-  if (s.next && s.next->follow == Follow::afresh) request.follow = Follow::afresh;
-  if (s.current && is_useless(*s.current, request)) {
-    s.cancelled = true;
-    if (s.current->follow == Follow::afresh) request.follow = Follow::afresh;
+  if (next_ && next_->follow == Follow::afresh) request.follow = Follow::afresh;
+  if (current_ && is_useless(*current_, request)) {
+    cancelled_ = true;
+    if (current_->follow == Follow::afresh) request.follow = Follow::afresh;
   }
-  s.next = std::move(request);
-  s.changed.notify_all();
+  next_ = std::move(request);
+  changed_.notify_all();
 }
 
 std::shared_ptr<const SessionFrame> SessionWorker::latest() const {
-  const std::lock_guard lock(state_->mutex);
-  return state_->latest;
+  const std::lock_guard lock(mutex_);
+  return latest_;
 }
 
 std::optional<SessionFailure> SessionWorker::take_failure() {
-  const std::lock_guard lock(state_->mutex);
-  return std::exchange(state_->failure, std::nullopt);
+  const std::lock_guard lock(mutex_);
+  return std::exchange(failure_, std::nullopt);
 }
 
 bool SessionWorker::busy() const {
-  const std::lock_guard lock(state_->mutex);
-  return !state_->idle();
+  const std::lock_guard lock(mutex_);
+  return !idle();
 }
 
 WorkerStep SessionWorker::step() const {
-  const std::lock_guard lock(state_->mutex);
-  WorkerStep step = state_->step;
-  if (!state_->current) return step;
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - state_->begun;
+  const std::lock_guard lock(mutex_);
+  WorkerStep step = step_;
+  if (!current_) return step;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
   step.seconds = passed.count();
   return step;
 }
 
 void SessionWorker::cancel() {
-  State& s = *state_;
-  const std::lock_guard lock(s.mutex);
-  if (!s.current) return;
-  s.cancelled = true;
-  s.given_up = s.next ? s.next->revision : s.current->revision;
-  s.next.reset();
+  const std::lock_guard lock(mutex_);
+  if (!current_) return;
+  cancelled_ = true;
+  given_up_ = next_ ? next_->revision : current_->revision;
+  next_.reset();
 }
 
 void SessionWorker::wait() const {
-  std::unique_lock lock(state_->mutex);
-  state_->changed.wait(lock, [this] { return state_->idle(); });
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return idle(); });
 }
 
 }  // namespace brindle::tool

@@ -1,6 +1,7 @@
 /// A thread that solves and draws, so that a window never waits.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -88,8 +89,23 @@ class SessionWorker {
 
  private:
   void run(const std::stop_token& stop);
-  struct State;
-  std::unique_ptr<State> state_;
+  Progress progress(const std::stop_token& stop);
+  void finish(std::shared_ptr<const SessionFrame> frame);
+  void fail(SessionFailure why);
+  std::optional<std::uint64_t> take_given_up();
+  bool idle() const { return !next_ && !current_; }
+
+  // Shared by the window's and the worker's thread; guarded by the mutex.
+  mutable std::mutex mutex_;
+  mutable std::condition_variable_any changed_;
+  std::optional<SessionRequest> next_;
+  std::optional<SessionRequest> current_;
+  bool cancelled_ = false;                 // `current_` is obsolete
+  std::optional<std::uint64_t> given_up_;  // newest revision passed to `cancel`
+  std::shared_ptr<const SessionFrame> latest_;
+  std::optional<SessionFailure> failure_;
+  WorkerStep step_;
+  std::chrono::steady_clock::time_point begun_;  // of `current_`
   std::jthread thread_;  // declared last: stops before its members are destroyed
 };
 
