@@ -87,9 +87,9 @@ SessionCommand fuzzed_option(Bytes& bytes, Shown shown) {
   const auto& options = session_options(shown);
   const OptionInfo& option = *options[(bytes.byte() << 8 | bytes.byte()) % options.size()];
   const std::string name(option.name);
-  if (bytes.below(4) == 0) return commands::ClearOption{name};
-  if (option.kind == OptionKind::flag) return commands::SetOption{name, {}};
-  return commands::SetOption{name, {fuzzed_value(bytes, option)}};
+  if (bytes.below(4) == 0) return commands::clear_option(name);
+  if (option.kind == OptionKind::flag) return commands::set_option(name);
+  return commands::set_option(name, {fuzzed_value(bytes, option)});
 }
 
 FieldStroke fuzzed_stroke(Bytes& bytes) {
@@ -119,39 +119,41 @@ constexpr const char* kMeshes[] = {"shape:torus,resolution=8",    "shape:sphere,
 SessionCommand fuzzed_command(Bytes& bytes, Shown shown) {
   switch (bytes.below(24)) {
     case 0:
-      return commands::Open{kMeshes[bytes.below(std::size(kMeshes))], bytes.flag()};
+      return session_command("open", {{"mesh", kMeshes[bytes.below(std::size(kMeshes))]},
+                                      {"keep_options", bytes.flag()}});
     case 1:
-      return commands::Show{kAllShown[bytes.below(kAllShown.size())]};
+      return commands::show(kAllShown[bytes.below(kAllShown.size())]);
     case 2:
-      return commands::AddStroke{fuzzed_stroke(bytes)};
+      return commands::add_stroke(fuzzed_stroke(bytes));
     case 3:
-      return commands::ChangeStroke{bytes.below(3), fuzzed_stroke(bytes)};
+      return commands::change_stroke(bytes.below(3), fuzzed_stroke(bytes));
     case 4:
-      return commands::EraseStroke{bytes.below(3)};
+      return commands::erase_stroke(bytes.below(3));
     case 5:
-      return commands::SetCamera{fuzzed_camera(bytes)};
+      return commands::set_camera(fuzzed_camera(bytes));
     case 6:
-      return commands::SetSize{{16 * bytes.byte(), 16 * bytes.byte()}};
+      return session_command("set_size",
+                             {{"size", size_to_json({16 * bytes.byte(), 16 * bytes.byte()})}});
     case 7:
-      return commands::StoreView{static_cast<int>(bytes.below(11))};
+      return commands::store_view(static_cast<int>(bytes.below(11)));
     case 8:
-      return commands::RecallView{static_cast<int>(bytes.below(11))};
+      return commands::recall_view(static_cast<int>(bytes.below(11)));
     case 9:
-      return commands::SetFrequencyByZoom{bytes.number()};
+      return commands::set_frequency_by_zoom(bytes.number());
     case 10:
-      return commands::BeginDrag{};
+      return session_command("begin_drag");
     case 11:
-      return commands::EndDrag{};
+      return session_command("end_drag");
     case 12:
-      return commands::Undo{};
+      return session_command("undo");
     case 13:
-      return commands::Redo{};
+      return session_command("redo");
     case 14:
-      return commands::SolveAgain{};
+      return session_command("solve_again");
     case 15:
-      return commands::PreviousView{};
+      return session_command("previous_view");
     case 16:
-      return commands::NextView{};
+      return session_command("next_view");
     default:
       return fuzzed_option(bytes, shown);
   }
@@ -162,11 +164,13 @@ void check_round_trip(const SessionDocument& document) {
           "a document is the same when it was written and read");
 }
 
+bool is_one_of(const SessionCommand& command, const std::vector<std::string>& names) {
+  const auto name = command.at("command").get<std::string>();
+  return std::ranges::find(names, name) != names.end();
+}
+
 bool goes_back(const SessionCommand& command) {
-  return std::holds_alternative<commands::Undo>(command) ||
-         std::holds_alternative<commands::Redo>(command) ||
-         std::holds_alternative<commands::PreviousView>(command) ||
-         std::holds_alternative<commands::NextView>(command);
+  return is_one_of(command, {"undo", "redo", "previous_view", "next_view"});
 }
 
 /// A command, and that it changes what it may.
@@ -182,7 +186,7 @@ void check_applied(Session& session, const SessionCommand& command) {
           "another document has another number");
   if (session.dragging() || session.document() == before) return;
   const SessionDocument after = session.document();
-  if (turns_view(command)) {
+  if (is_one_of(command, {"set_camera", "recall_view"})) {
     promise(session.previous_view() && session.document().camera == before.camera,
             "the view before is where it was");
     promise(session.next_view() && session.document().camera == after.camera,
@@ -196,9 +200,9 @@ void check_applied(Session& session, const SessionCommand& command) {
 }
 
 void check_state(const LiveState& state) {
-  promise(
-      std::isfinite(state.metrics.energy) && state.metrics.energy >= 0 && state.metrics.energy <= 1,
-      "energies are in [0, 1]");
+  promise(std::isfinite(state.report().energy) && state.report().energy >= 0 &&
+              state.report().energy <= 1,
+          "energies are in [0, 1]");
   promise(state.job != nullptr, "a state has a pattern");
   for (const auto& [name, value] : state.metrics.shown) {
     promise(std::isfinite(value), "metrics are numbers");
@@ -226,9 +230,10 @@ void update(Bytes& bytes, LivePattern& pattern, Session& session) {
   if (follow == Follow::afresh && !session.document().phases) {
     LivePattern other;
     other.update(session.document(), Follow::afresh);
-    promise(other.state()->metrics.energy == pattern.state()->metrics.energy &&
-                other.state()->metrics.branches == pattern.state()->metrics.branches,
-            "a document alone says what its pattern is");
+    promise(
+        other.state()->report().energy == pattern.state()->report().energy &&
+            other.state()->report().quality.branches == pattern.state()->report().quality.branches,
+        "a document alone says what its pattern is");
   }
 }
 

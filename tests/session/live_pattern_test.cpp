@@ -102,16 +102,16 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
     }
     std::ranges::sort(steps);
     EXPECT_LT(steps[steps.size() / 2], 0.1) << kind << ": tiles glide, but where rows come and go";
-    const LiveMetrics& followed = pattern.state()->metrics;
-    EXPECT_GT(followed.phase_step, 0) << kind;
+    EXPECT_GT(pattern.state()->metrics.phase_step, 0) << kind;
+    const Report& followed = pattern.state()->report();
     EXPECT_GT(followed.energy, 0) << kind;
     EXPECT_EQ(pattern.state()->phases, nullptr) << "no document can keep them";
-    const std::size_t singularities = followed.singularities;
+    const std::size_t singularities = followed.quality.field_singularities;
     const std::size_t triangles = pattern.state()->job->surface->mesh.triangle_count();
 
     pattern.update(moved, Follow::last);
     EXPECT_EQ(pattern.state()->metrics.phase_step, 0) << "made of the document alone";
-    EXPECT_EQ(pattern.state()->metrics.singularities, singularities);
+    EXPECT_EQ(pattern.state()->report().quality.field_singularities, singularities);
     EXPECT_EQ(pattern.state()->job->surface->mesh.triangle_count(), triangles);
     LivePattern afresh;
     afresh.update(moved, Follow::afresh);
@@ -119,7 +119,7 @@ TEST(LivePattern, TilesFollowInDraftsAlone) {
       return of.state()->job->result.texture()->pattern.waves;
     };
     ASSERT_EQ(waves(pattern).u.size(), waves(afresh).u.size());
-    EXPECT_EQ(pattern.state()->metrics.energy, afresh.state()->metrics.energy);
+    EXPECT_EQ(pattern.state()->report().energy, afresh.state()->report().energy);
     EXPECT_EQ(waves(pattern).u[7][0].z, waves(afresh).u[7][0].z);
   }
 }
@@ -379,16 +379,16 @@ TEST(LivePattern, FollowsCalmlyAndIsThenGivenByItsAngles) {
   afresh.update(next, Follow::afresh);
   pattern.update(next, Follow::last);
   ASSERT_NE(pattern.state()->phases, nullptr);
-  EXPECT_TRUE(pattern.state()->metrics.followed);
+  EXPECT_TRUE(pattern.state()->phases != nullptr);
 
   SessionDocument kept = next;
   kept.phases = pattern.state()->phases;
   LivePattern loaded;
   loaded.update(kept, Follow::afresh);
   EXPECT_EQ(z_of(loaded), z_of(pattern)) << "bit for bit";
-  EXPECT_EQ(loaded.state()->metrics.branches, pattern.state()->metrics.branches);
-  EXPECT_NEAR(loaded.state()->metrics.energy, pattern.state()->metrics.energy,
-              1e-5 * std::abs(pattern.state()->metrics.energy) + 1e-7);
+  EXPECT_EQ(loaded.state()->report().quality.branches, pattern.state()->report().quality.branches);
+  EXPECT_NEAR(loaded.state()->report().energy, pattern.state()->report().energy,
+              1e-5 * std::abs(pattern.state()->report().energy) + 1e-7);
   // Asked for of the document alone, it is that of the document alone.
   pattern.update(next, Follow::afresh);
   EXPECT_EQ(z_of(pattern), z_of(afresh));
@@ -446,7 +446,7 @@ TEST(LivePattern, PhasesThatNoLongerFitAreSolvedAnew) {
   afresh.update(lit(150), Follow::afresh);
   EXPECT_EQ(z_of(pattern), z_of(afresh)) << "bit for bit";
   EXPECT_EQ(pattern.state()->phases, nullptr) << "it is made of the document alone";
-  EXPECT_FALSE(pattern.state()->metrics.followed);
+  EXPECT_FALSE(pattern.state()->phases != nullptr);
   ASSERT_EQ(pattern.state()->notes.size(), 1);
   EXPECT_TRUE(pattern.state()->notes.front().starts_with("solved again: "));
   EXPECT_TRUE(stages(pattern).contains("solve"));
@@ -470,18 +470,20 @@ TEST(LivePattern, AtRestWhatFollowedIsNoWorseThanTheBound) {
     for (const char* stripes : {"50", "40", "30", "22", "15", "12", "15", "20"}) {
       document.options["stripes"] = {stripes};
       pattern.update(document, Follow::loosely);
-      const LiveMetrics draft = pattern.state()->metrics;
-      EXPECT_TRUE(draft.followed) << "while it moves, it follows";
+      EXPECT_NE(pattern.state()->phases, nullptr) << "while it moves, it follows";
+      const Report draft = pattern.state()->report();
       LivePattern resting;
       resting.update(document, Follow::afresh);
-      const LiveMetrics alone = resting.state()->metrics;
+      const Report& alone = resting.state()->report();
       pattern.update(document, Follow::last);
-      const LiveMetrics& rest = pattern.state()->metrics;
+      const Report& rest = pattern.state()->report();
       EXPECT_LE(rest.energy, kMostEnergyTimes * alone.energy + kMostEnergyMore + 1e-5);
-      EXPECT_LE(rest.mean_spacing_error, alone.mean_spacing_error + kMostSpacingErrorMore);
-      EXPECT_EQ(rest.followed,
+      EXPECT_LE(rest.quality.spacing_error_mean,
+                alone.quality.spacing_error_mean + kMostSpacingErrorMore);
+      EXPECT_EQ(pattern.state()->phases != nullptr,
                 draft.energy <= kMostEnergyTimes * alone.energy + kMostEnergyMore &&
-                    draft.mean_spacing_error <= alone.mean_spacing_error + kMostSpacingErrorMore);
+                    draft.quality.spacing_error_mean <=
+                        alone.quality.spacing_error_mean + kMostSpacingErrorMore);
       // What is saved of it comes back as it was.
       SessionDocument kept = document;
       kept.phases = pattern.state()->phases;
@@ -517,17 +519,18 @@ TEST(LivePattern, SessionsKeepPhasesAsLongAsPatternsStay) {
   by_camera.options["frequency-by"] = {"distance:camera"};
   by_light.options["frequency-by"] = {"light"};
   by_height.options["frequency-by"] = {"height"};
-  const SessionCommand changes[] = {commands::SetCamera{{80, 20, 1}},
-                                    commands::SetOption{"up", {"y"}},
-                                    commands::SetSize{{200, 120}},
-                                    commands::SetOption{"light-from", {"60,10"}},
-                                    commands::SetOption{"slice", {"z=40%"}},
-                                    commands::SetOption{"stripe-width", {"0.3"}},
-                                    commands::SetOption{"stripes", {"25"}},
-                                    commands::SetOption{"sweeps", {"7"}},
-                                    commands::SetFrequencyByZoom{0.5f},
-                                    commands::Show{Shown::curves},
-                                    commands::SetOption{"width-by", {"light"}}};
+  const SessionCommand changes[] = {
+      commands::set_camera({80, 20, 1}),
+      commands::set_option("up", {"y"}),
+      session_command("set_size", {{"size", size_to_json({200, 120})}}),
+      commands::set_option("light-from", {"60,10"}),
+      commands::set_option("slice", {"z=40%"}),
+      commands::set_option("stripe-width", {"0.3"}),
+      commands::set_option("stripes", {"25"}),
+      commands::set_option("sweeps", {"7"}),
+      commands::set_frequency_by_zoom(0.5f),
+      commands::show(Shown::curves),
+      commands::set_option("width-by", {"light"})};
   int kept = 0;
   for (const SessionDocument& document : {torus(), by_camera, by_light, by_height}) {
     LivePattern pattern;
@@ -544,7 +547,7 @@ TEST(LivePattern, SessionsKeepPhasesAsLongAsPatternsStay) {
       changed.update(after, Follow::afresh);
       const bool same = session.document().phases != nullptr;
       EXPECT_EQ(stages(changed).contains("solve"), !same)
-          << command_to_json(change).dump() << " of " << document_to_json(document).dump();
+          << change.dump() << " of " << document_to_json(document).dump();
       kept += same ? 1 : 0;
     }
   }
@@ -559,7 +562,7 @@ TEST(LivePattern, FollowsWithSlackOnlyWhileSomethingMoves) {
   pattern.update(first, Follow::afresh);
   pattern.update(next, Follow::loosely);
   const StripePattern& draft = pattern.state()->job->result.stripes();
-  EXPECT_TRUE(pattern.state()->metrics.followed);
+  EXPECT_TRUE(pattern.state()->phases != nullptr);
   EXPECT_TRUE(stages(pattern).contains("spacing"));
   ASSERT_TRUE(draft.frequency_change);
   for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
@@ -580,7 +583,7 @@ TEST(LivePattern, FollowsWhileSlackIsMoved) {
   for (const char* slack : {"0.28", "0.1"}) {
     pattern.update(with(turned, "slack", slack), Follow::loosely);
     const StripePattern& draft = pattern.state()->job->result.stripes();
-    EXPECT_TRUE(pattern.state()->metrics.followed);
+    EXPECT_TRUE(pattern.state()->phases != nullptr);
     const float most = 1 + std::stof(slack);
     float greatest = 0;
     for (std::size_t v = 0; v < draft.waves.frequencies.size(); ++v) {
@@ -592,7 +595,7 @@ TEST(LivePattern, FollowsWhileSlackIsMoved) {
   }
   // Without any, what follows is another animator's.
   pattern.update(turned, Follow::loosely);
-  EXPECT_TRUE(pattern.state()->metrics.followed);
+  EXPECT_TRUE(pattern.state()->phases != nullptr);
   EXPECT_FALSE(pattern.state()->job->result.stripes().frequency_change);
 }
 

@@ -1,5 +1,3 @@
-#include "session/picked_values.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "brindle/files.h"
+#include "session/picking.h"
 #include "test_folder.h"
 
 namespace brindle::tool {

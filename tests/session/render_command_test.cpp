@@ -184,7 +184,7 @@ TEST_F(RenderTool, DrawsWhatTheWindowShows) {
     session.keep_phases(worker.latest()->revision, worker.latest()->state->phases);
   };
   show(PictureQuality::final);
-  session.apply(commands::SetOption{"stripes", {"23"}});
+  session.apply(commands::set_option("stripes", {"23"}));
   show(PictureQuality::interactive);
   show(PictureQuality::final);
   ASSERT_NE(session.document().phases, nullptr) << "it followed";
@@ -193,15 +193,15 @@ TEST_F(RenderTool, DrawsWhatTheWindowShows) {
 
 TEST_F(RenderTool, ReplayedCommandsGiveThePictureOfTheirScript) {
   const std::vector<SessionCommand> commands = {
-      commands::SetOption{"stripes", {"30"}},
-      commands::BeginDrag{},
-      commands::SetCamera{{10, 20, 1}},
-      commands::SetCamera{{60, 20, 1.4f}},
-      commands::EndDrag{},
-      commands::AddStroke{{{{-0.2, 0.9, 0.3}, {0.2, 0.9, 0.3}}, 0.5, 2}},
-      commands::SetOption{"stripe-width", {"0.2"}},
-      commands::Undo{},
-      commands::StoreView{2}};
+      commands::set_option("stripes", {"30"}),
+      session_command("begin_drag"),
+      commands::set_camera({10, 20, 1}),
+      commands::set_camera({60, 20, 1.4f}),
+      session_command("end_drag"),
+      commands::add_stroke({{{-0.2, 0.9, 0.3}, {0.2, 0.9, 0.3}}, 0.5, 2}),
+      commands::set_option("stripe-width", {"0.2"}),
+      session_command("undo"),
+      commands::store_view(2)};
   write_commands(folder / "events.jsonl", commands);
   Session session(small_document());
   for (const SessionCommand& command : commands) EXPECT_TRUE(session.apply(command));
@@ -212,7 +212,8 @@ TEST_F(RenderTool, ReplayedCommandsGiveThePictureOfTheirScript) {
 
 TEST_F(RenderTool, SaysWhichCommandIsRefused) {
   write_session(folder / "s.json", small_document());
-  write_commands(folder / "e.jsonl", {commands::SetOption{"stripes", {"9"}}, commands::Redo{}});
+  write_commands(folder / "e.jsonl",
+                 {commands::set_option("stripes", {"9"}), session_command("redo")});
   expect_refusal(1, "e.jsonl: command 2, redo",
                  {"render", "s.json", "-o", "a.png", "--replay", "e.jsonl"});
 }

@@ -1,5 +1,3 @@
-#include "session/view_legend.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -98,8 +98,8 @@ TEST(OptionCatalogTest, OwnOptionsOfWhatIsShownComeFirst) {
     EXPECT_EQ(groups.front().options.size(), own);
     EXPECT_EQ(groups.front().title, shown == Shown::curves ? "Curves" : "Samples");
   }
-  EXPECT_EQ(all_entries(Shown::curves).at("path-width").kind, WidgetKind::percent);
-  EXPECT_EQ(all_entries().at("line-width").kind, WidgetKind::number) << "of outlines, in pixels";
+  EXPECT_EQ(all_entries(Shown::curves).at("path-width").kind, OptionKind::length);
+  EXPECT_EQ(all_entries().at("line-width").kind, OptionKind::number) << "of outlines, in pixels";
 }
 
 TEST(OptionCatalogTest, OptionsOfOneGroupStandTogether) {
@@ -132,7 +132,7 @@ TEST(OptionCatalogTest, KnowsTheValuesThatCountWithoutAnOption) {
 
 TEST(OptionCatalogTest, ChoicesHaveNamesAndStandardsAreAmongThem) {
   for (const auto& [name, option] : all_entries()) {
-    if (option.kind != WidgetKind::choice) continue;
+    if (option.kind != OptionKind::choice) continue;
     EXPECT_GT(option.names.size(), 1) << name;
     if (option.standard.empty()) continue;
     EXPECT_NE(std::ranges::find(option.names, option.standard), option.names.end())
@@ -171,8 +171,9 @@ TEST(OptionCatalogTest, SlidersReachTheirStandards) {
   std::set<std::string> without;
   for (const Shown shown : kAllShown) {
     for (const auto& [name, option] : all_entries(shown)) {
-      const bool share = option.kind == WidgetKind::percent;
-      if (option.kind != WidgetKind::number && !share) continue;
+      const bool share = option.kind == OptionKind::length;
+      const bool number = option.kind == OptionKind::whole || option.kind == OptionKind::number;
+      if (!number && !share) continue;
       EXPECT_LT(option.range.lowest, option.range.highest) << name;
       if (option.range.logarithmic) {
         EXPECT_GE(option.range.lowest, 0) << name;
@@ -197,7 +198,7 @@ TEST(OptionCatalogTest, PairsOfNumbersHaveTheirTwoNumbersAtFirst) {
   std::size_t pairs = 0;
   for (const OptionGroup& group : option_catalog()) {
     for (const CatalogOption& option : group.options) {
-      if (option.kind != WidgetKind::numbers) continue;
+      if (option.kind != OptionKind::numbers) continue;
       ++pairs;
       // Those without say that all values count.
       if (option.name == "color-range") continue;

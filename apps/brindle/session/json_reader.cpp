@@ -9,7 +9,7 @@
 
 namespace brindle::tool {
 
-JsonReader::JsonReader(const nlohmann::json& object, std::string place)
+JsonReader::JsonReader(const nlohmann::ordered_json& object, std::string place)
     : object_(object), place_(std::move(place)) {
   if (object.is_object()) return;
   throw Error((place_.empty() ? "the whole" : place_) + " must be an object, not " +
@@ -24,8 +24,7 @@ void JsonReader::fail(std::string_view key, const std::string& what) const {
   throw Error(place_of(key) + ' ' + what);
 }
 
-void JsonReader::allow(std::initializer_list<const char*> keys) const {
-  const std::vector<std::string> known(keys.begin(), keys.end());
+void JsonReader::allow(const std::vector<std::string>& known) const {
   for (const auto& [key, value] : object_.items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
     const std::string meant = nearest(key, known);
@@ -36,20 +35,20 @@ void JsonReader::allow(std::initializer_list<const char*> keys) const {
   }
 }
 
-const nlohmann::json& JsonReader::at(const char* key) const {
+const nlohmann::ordered_json& JsonReader::at(const char* key) const {
   const auto found = object_.find(key);
   if (found != object_.end()) return *found;
   throw Error((place_.empty() ? "lacks '" : place_ + " lacks '") + std::string(key) + "'; add it");
 }
 
 std::string JsonReader::text(const char* key) const {
-  const nlohmann::json& value = at(key);
+  const nlohmann::ordered_json& value = at(key);
   if (!value.is_string()) fail(key, std::string("must be text, not ") + value.type_name());
   return value.get<std::string>();
 }
 
 bool JsonReader::flag(const char* key) const {
-  const nlohmann::json& value = at(key);
+  const nlohmann::ordered_json& value = at(key);
   if (!value.is_boolean()) {
     fail(key, std::string("must be true or false, not ") + value.type_name());
   }
@@ -57,7 +56,7 @@ bool JsonReader::flag(const char* key) const {
 }
 
 double JsonReader::number(const char* key) const {
-  const nlohmann::json& value = at(key);
+  const nlohmann::ordered_json& value = at(key);
   if (!value.is_number()) fail(key, std::string("must be a number, not ") + value.type_name());
   return value.get<double>();
 }
@@ -79,14 +78,14 @@ int JsonReader::whole(const char* key, int lowest, int highest) const {
   return static_cast<int>(value);
 }
 
-const nlohmann::json& JsonReader::list(const char* key) const {
-  const nlohmann::json& value = at(key);
+const nlohmann::ordered_json& JsonReader::list(const char* key) const {
+  const nlohmann::ordered_json& value = at(key);
   if (!value.is_array()) fail(key, std::string("must be a list, not ") + value.type_name());
   return value;
 }
 
 std::vector<double> JsonReader::numbers(const char* key, std::size_t count) const {
-  const nlohmann::json& values = list(key);
+  const nlohmann::ordered_json& values = list(key);
   const bool fits = values.size() == count && std::ranges::all_of(values, [](const auto& value) {
                       return value.is_number();
                     });
@@ -95,7 +94,7 @@ std::vector<double> JsonReader::numbers(const char* key, std::size_t count) cons
 }
 
 std::vector<std::string> JsonReader::texts(const char* key) const {
-  const nlohmann::json& values = list(key);
+  const nlohmann::ordered_json& values = list(key);
   if (!std::ranges::all_of(values, [](const auto& value) { return value.is_string(); })) {
     fail(key, "must be a list of texts");
   }
@@ -110,9 +109,9 @@ double short_number(float value) {
   return number + 0.0;  // -0 would be read as an integer
 }
 
-nlohmann::json parse_json(const std::string& text) {
+nlohmann::ordered_json parse_json(const std::string& text) {
   try {
-    return nlohmann::json::parse(text);
+    return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::json::exception& error) {
     // Without the JSON library's prefix.
     const std::string reason = printable(error.what());

@@ -1,7 +1,6 @@
 /// Validated access to JSON objects.
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,14 +14,14 @@ namespace brindle::tool {
 class JsonReader {
  public:
   /// `place` is "" for the whole file. Throws Error if it is no object.
-  JsonReader(const nlohmann::json& object, std::string place);
+  JsonReader(const nlohmann::ordered_json& object, std::string place);
 
   /// Throws Error for the first key not in the list.
-  void allow(std::initializer_list<const char*> keys) const;
+  void allow(const std::vector<std::string>& known) const;
 
   bool has(const char* key) const { return object_.contains(key); }
   /// Throws Error if there is no such key.
-  const nlohmann::json& at(const char* key) const;
+  const nlohmann::ordered_json& at(const char* key) const;
 
   std::string text(const char* key) const;
   bool flag(const char* key) const;
@@ -31,7 +30,7 @@ class JsonReader {
   float number(const char* key, double lowest, double highest) const;
   /// An integer within bounds.
   int whole(const char* key, int lowest, int highest) const;
-  const nlohmann::json& list(const char* key) const;
+  const nlohmann::ordered_json& list(const char* key) const;
   /// A list of `count` numbers.
   std::vector<double> numbers(const char* key, std::size_t count) const;
   std::vector<std::string> texts(const char* key) const;
@@ -41,7 +40,7 @@ class JsonReader {
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 
  private:
-  const nlohmann::json& object_;
+  const nlohmann::ordered_json& object_;
   std::string place_;
 };
 
@@ -49,6 +48,6 @@ class JsonReader {
 double short_number(float value);
 
 /// Parses a JSON text. Throws Error with the line and column of a syntax error.
-nlohmann::json parse_json(const std::string& text);
+nlohmann::ordered_json parse_json(const std::string& text);
 
 }  // namespace brindle::tool

@@ -198,22 +198,6 @@ std::string follower_key(const SessionDocument& document, const SolvingOptions& 
 
 double no_less(double value) { return std::max(value, 0.0); }
 
-LiveMetrics metrics_of(const SolvedPattern& pattern) {
-  const Report& report = pattern.job.report;
-  LiveMetrics metrics;
-  metrics.vertices = report.vertices;
-  metrics.triangles = report.triangles;
-  metrics.branches = report.quality.branches;
-  metrics.singularities = report.quality.field_singularities;
-  metrics.energy = report.energy;
-  metrics.mean_angle_error_deg = report.quality.angle_error_mean_deg;
-  metrics.mean_spacing_error = report.quality.spacing_error_mean;
-  metrics.phase_step = pattern.phase_step;
-  metrics.followed = pattern.phases != nullptr;
-  metrics.edges_per_period = report.waves.edges_per_period_median;
-  return metrics;
-}
-
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
 void add_times(const Report& report, StageTimes& times) {
@@ -336,6 +320,15 @@ class StageUpdate {
     }
   }
 
+  /// Makes a stage's result unless it is valid. Returns whether it did.
+  template <class Made, class Make>
+  bool renew(Stage<Made>& stage, const std::string& key, const Make& make) {
+    if (stage.holds(key)) return false;
+    auto made = std::make_shared<const Made>(make());
+    stage = {key, std::move(made), listener_.take()};
+    return true;
+  }
+
   void make_surface() {
     Stage<Preparation>& stage = stages_.surface;
     const std::string key = surface_key(document_);
@@ -357,16 +350,14 @@ class StageUpdate {
   }
 
   void make_field() {
-    Stage<BaseField>& stage = stages_.field;
-    const std::string key = stages_.surface.key + field_key(document_);
-    if (stage.holds(key)) return;
     Stopwatch watch;
-    auto made = std::make_shared<const BaseField>(
-        prepare_field(*stages_.surface.made, arguments().surface, arguments().waves, listener_,
-                      last_directions()));
+    const bool made = renew(stages_.field, stages_.surface.key + field_key(document_), [&] {
+      return prepare_field(*stages_.surface.made, arguments().surface, arguments().waves, listener_,
+                           last_directions());
+    });
+    if (!made) return;
     field_milliseconds_ = watch.lap();
     times_.emplace_back("field", field_milliseconds_);
-    stage = {key, std::move(made), listener_.take()};
   }
 
   // The field that a smooth field starts from.
@@ -380,16 +371,15 @@ class StageUpdate {
   }
 
   void make_waves() {
-    Stage<PreparedWaves>& stage = stages_.waves;
-    const std::string key = stages_.field.key + waves_key(document_);
-    if (stage.holds(key)) return;
-    listener_.stage("waves");
-    auto made = std::make_shared<PreparedWaves>(
-        prepare_waves(*stages_.surface.made, arguments().surface, arguments().waves,
-                      *stages_.field.made, listener_, viewpoint_of(arguments().picture)));
-    times_.emplace_back("waves", made->field_milliseconds);
-    made->field_milliseconds += field_milliseconds_;
-    stage = {key, std::move(made), listener_.take()};
+    renew(stages_.waves, stages_.field.key + waves_key(document_), [&] {
+      listener_.stage("waves");
+      PreparedWaves made =
+          prepare_waves(*stages_.surface.made, arguments().surface, arguments().waves,
+                        *stages_.field.made, listener_, viewpoint_of(arguments().picture));
+      times_.emplace_back("waves", made.field_milliseconds);
+      made.field_milliseconds += field_milliseconds_;
+      return made;
+    });
   }
 
   bool has_pattern(const std::string& key) const {
@@ -559,22 +549,16 @@ class StageUpdate {
     StyleStages& style = stages_.style;
     const std::string key = stages_.surface.key + others_key(arguments().style, stages_.waves.key);
     const std::string solving = key + options_key(document_, OptionStage::phases);
-    const Preparation& prepared = *stages_.surface.made;
-    if (!style.read.holds(key)) {
-      style.read = {key,
-                    std::make_shared<const std::vector<Preparation>>(read_style_others(
-                        arguments().style, prepared.surface.mesh, stages_.waves.made->waves,
-                        arguments().waves, arguments().picture, listener_)),
-                    listener_.take()};
-    }
-    if (style.drawn.holds(solving)) return false;
-    StripeOptions options = arguments().solving.stripes;
-    options.last_phases.clear();
-    style.drawn = {solving,
-                   std::make_shared<const std::vector<OtherSurface>>(
-                       solve_others(arguments().style, *style.read.made, options, progress_)),
-                   listener_.take()};
-    return true;
+    renew(style.read, key, [&] {
+      return read_style_others(arguments().style, stages_.surface.made->surface.mesh,
+                               stages_.waves.made->waves, arguments().waves, arguments().picture,
+                               listener_);
+    });
+    return renew(style.drawn, solving, [&] {
+      StripeOptions options = arguments().solving.stripes;
+      options.last_phases.clear();
+      return solve_others(arguments().style, *style.read.made, options, progress_);
+    });
   }
 
   bool make_values() {
@@ -582,14 +566,11 @@ class StageUpdate {
     const std::string key = stages_.surface.key +
                             values_key(document_, arguments().style, style.read.key) +
                             (arguments().style.follows_field() ? stages_.waves.key : "");
-    if (style.values.holds(key)) return false;
-    style.values = {
-        key,
-        std::make_shared<const StyleValues>(read_style_values(
-            arguments().style, *stages_.surface.made, *style.read.made, arguments().surface,
-            arguments().waves, arguments().picture, stages_.waves.made->support.coherence)),
-        listener_.take()};
-    return true;
+    return renew(style.values, key, [&] {
+      return read_style_values(arguments().style, *stages_.surface.made, *style.read.made,
+                               arguments().surface, arguments().waves, arguments().picture,
+                               stages_.waves.made->support.coherence);
+    });
   }
 
   bool make_crossing_strokes() {
@@ -658,7 +639,8 @@ class StageUpdate {
   const MadeStripes& second() {
     Stage<MadeStripes>& stage = stages_.shown.second;
     const std::string key = std::string(name_of(document_.shown)) + stages_.waves.key +
-                            options_key(document_, OptionStage::phases) + second_key(document_);
+                            options_key(document_, OptionStage::phases) +
+                            options_key(document_, OptionStage::second);
     if (holds_crossing(stage, key)) return *stage.made;
     const bool goes_on = can_go_on(stage) && second_options().wales.periods == 0;
     WaveSet waves = make_second_waves(first_waves(), second_options(), listener_);
@@ -696,24 +678,21 @@ class StageUpdate {
     // Fully measured results are good for drafts, too.
     if (stage.holds(measured) || (metrics_ == CurveMetrics::few && stage.holds(key))) return false;
     const StripeJob& job = stages_.pattern.made->job;
-    auto made = std::make_shared<const ShownCurves>(
-        shown_curves(curves, job.surface, tracer(), {job.result.stripes(), job.fabrication, v},
-                     metrics_, listener_));
-    for (const CurveFamily& family : made->families) listener_.note(remarks_of(family.fabrication));
-    stage = {metrics_ == CurveMetrics::few ? key : measured, std::move(made), listener_.take()};
-    return true;
+    return renew(stage, metrics_ == CurveMetrics::few ? key : measured, [&] {
+      ShownCurves made = shown_curves(curves, job, v, tracer(), metrics_, listener_);
+      for (const CurveFamily& family : made.families) {
+        listener_.note(remarks_of(family.fabrication));
+      }
+      return made;
+    });
   }
 
   bool make_samples() {
-    Stage<ShownSamples>& stage = stages_.shown.samples;
     const StripePattern& v = second().pattern;
-    const std::string key = shown_key();
-    if (stage.holds(key)) return false;
-    auto made = std::make_shared<const ShownSamples>(
-        shown_samples(parsed_->command(), *parsed_->samples(), stages_.surface.made,
-                      {stages_.pattern.made->job.result.stripes(), &v}, listener_));
-    stage = {key, std::move(made), listener_.take()};
-    return true;
+    return renew(stages_.shown.samples, shown_key(), [&] {
+      return shown_samples(parsed_->command(), *parsed_->samples(), stages_.surface.made,
+                           stages_.pattern.made->job, v, listener_);
+    });
   }
 
   std::shared_ptr<const LiveState> state() {
@@ -731,7 +710,7 @@ class StageUpdate {
     }
     result.samples = stages_.shown.samples.made;
     result.phases = pattern->phases;
-    result.metrics = metrics_of(*pattern);
+    result.metrics.phase_step = pattern->phase_step;
     add_shown_metrics(result);
     result.metrics.milliseconds = std::move(times_);
     const StyleStages& style = stages_.style;

@@ -35,19 +35,12 @@ class UnreadMesh : public Error {
   using Error::Error;
 };
 
-/// The metrics of a pattern.
+/// Numbers that the pattern's report lacks.
 struct LiveMetrics {
   std::vector<std::pair<std::string, double>> milliseconds;  ///< of executed stages, in order
-  std::size_t vertices = 0, triangles = 0;
-  std::size_t branches = 0;       ///< as in reports: including those at singularities
-  std::size_t singularities = 0;  ///< of the field
-  double energy = 0;
-  double mean_angle_error_deg = 0, mean_spacing_error = 0;
-  double edges_per_period = 0;  ///< median over vertices; 0: no edge along any wave
   /// Of curves or samples; NaN for undefined winding numbers.
   std::vector<std::pair<std::string, double>> shown;
   double phase_step = 0;  ///< mean change of phases in radians, for continued patterns
-  bool followed = false;
 };
 
 /// A document's pattern and everything drawn with it. The pointed-to objects are shared and
@@ -66,6 +59,8 @@ struct LiveState {
   LiveMetrics metrics;
   std::vector<std::string> notes;  ///< lines for the user: repairs, warnings
   std::uint64_t pattern = 0;  ///< changes whenever anything drawn except for the camera changes
+
+  const Report& report() const { return job->report; }
 };
 
 /// The ornaments drawn instead of stripes; null for stripes.

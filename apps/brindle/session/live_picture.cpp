@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "brindle/base/stopwatch.h"
+#include "brindle/base/text.h"
 #include "brindle/error.h"
 #include "brindle/headless_context.h"
 #include "brindle/render/slice_refusal.h"
 #include "brindle/splats.h"
 #include "brindle/styled_picture.h"
+#include "pictures/ornaments.h"
 #include "pictures/picture.h"
 #include "session/draft_size.h"
 
@@ -322,6 +324,62 @@ std::string LivePicture::nothing_left(const LiveState& state) const {
     return slice_refusal(drawing_->styled_picture->surfaces, seen, "--slice");
   }
   return slice_refusal(state.job->surface->mesh, seen, "--slice");
+}
+
+namespace {
+
+constexpr int kScaleSteps = 32;
+
+/// As in the library's overlay.
+Color color_of(TriangleKind kind) {
+  Mesh mesh;
+  mesh.positions.resize(3);
+  mesh.triangles = {{0, 1, 2}};
+  CornerPhases corners;
+  corners.kind = kind;
+  return branch_overlay(mesh, {&corners, 1}).marks.front().color;
+}
+
+ViewLegend branch_legend() {
+  ViewLegend legend;
+  legend.entries = {{color_of(TriangleKind::branch), "a stripe begins or ends"},
+                    {color_of(TriangleKind::field_singularity), "singularity of the field"}};
+  return legend;
+}
+
+ViewLegend error_legend() {
+  ViewLegend legend{"angle between stripes and field", {}, {}, "0", ""};
+  for (int i = 0; i < kScaleSteps; ++i) {
+    legend.scale.push_back(error_color((static_cast<float>(i) + 0.5f) / kScaleSteps));
+  }
+  legend.highest = formatted("%g degrees or more", static_cast<double>(kLargestAngleErrorDeg));
+  return legend;
+}
+
+ViewLegend curves_legend(const ShownCurves& curves, const PictureOptions& picture) {
+  ViewLegend legend;
+  if (curves.families.size() < 2) return legend;
+  for (const CurveFamily& family : curves.families) {
+    legend.entries.push_back(
+        {ornament_color(family.name == "v", picture.render), "curves of " + family.name});
+  }
+  return legend;
+}
+
+}  // namespace
+
+ViewLegend view_legend(const LiveState& state) {
+  if (state.curves) return curves_legend(*state.curves, picture_of(state));
+  if (ornaments_of(state) != nullptr) return {};
+  switch (picture_of(state).view) {
+    case View::stripes:
+      return {};
+    case View::branches:
+      return branch_legend();
+    case View::angle_error:
+      return error_legend();
+  }
+  return {};
 }
 
 }  // namespace brindle::tool

@@ -1,11 +1,14 @@
-/// Finds the surface point under a pixel.
+/// Finds the surface point under a pixel, and its values.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "brindle/camera.h"
 #include "brindle/surface.h"
+#include "session/live_pattern.h"
 
 namespace brindle::tool {
 
@@ -27,5 +30,14 @@ std::optional<PickedPoint> pick(const Surface& surface, const Camera& camera, in
 /// The pixel of a position relative to the mesh's origin; empty behind the viewer.
 std::optional<Eigen::Vector2d> place_in_picture(const Vec3& position, const Camera& camera,
                                                 int width, int height);
+
+struct PickedValue {
+  std::string name;  ///< "frequency", or an array's name
+  std::string text;
+};
+
+/// The point in file coordinates, its wave, and the values of the file's arrays. `point` was picked
+/// on this state's surface.
+std::vector<PickedValue> values_at(const LiveState& state, const PickedPoint& point);
 
 }  // namespace brindle::tool

@@ -125,13 +125,13 @@ void replay(Session& session, const std::string& path) {
   for (const SessionCommand& command : read_commands(path)) {
     ++number;
     const std::size_t messages = session.messages().size();
-    const bool keeps = std::holds_alternative<commands::KeepPhases>(command);
+    const bool keeps = command.at("command") == "keep_phases";
     if (session.apply(command) || keeps) continue;
     const std::string why = session.messages().size() > messages
                                 ? session.messages().back().text
                                 : std::string("there is nothing to do");
     throw Error(shown(path) + ": command " + std::to_string(number) + ", " +
-                std::string(command_name(command)) + ": " + why);
+                command.at("command").get<std::string>() + ": " + why);
   }
   session.end_drag();
 }

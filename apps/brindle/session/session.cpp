@@ -18,133 +18,6 @@ constexpr std::size_t kMostMessages = 100;
 constexpr std::size_t kMostSteps = 1000;                   // and of views
 constexpr std::size_t kMostPhases = std::size_t{1} << 26;  // of all steps together: 256 MB
 
-std::size_t checked_index(const SessionDocument& document, std::size_t index) {
-  const std::size_t count = document.strokes.size();
-  if (index < count) return index;
-  throw Error("there is no stroke " + std::to_string(index) +
-              (count == 0 ? "; none is drawn" : "; the last one is " + std::to_string(count - 1)));
-}
-
-std::size_t checked_key(int key) {
-  if (key >= 1 && key <= kStoredViews) return static_cast<std::size_t>(key - 1);
-  throw Error("views are stored under the keys 1 to " + std::to_string(kStoredViews) + ", not " +
-              std::to_string(key));
-}
-
-/// Applies a command to a document.
-struct Changer {
-  SessionDocument& document;
-
-  void operator()(const commands::Open& c) const {
-    check_can_open(c.mesh);
-    document.mesh = c.mesh;
-    if (!c.keep_options) {
-      document.options.clear();
-      document.curves.clear();
-      document.samples.clear();
-    }
-    if (!c.keep_strokes) {
-      document.strokes.clear();
-      document.steering.clear();
-    }
-    document.phases.reset();
-    document.camera.center.reset();
-  }
-  void operator()(const commands::SetOption& c) const {
-    options_with(c.name, document)[c.name] = c.values;
-  }
-  void operator()(const commands::ClearOption& c) const {
-    options_with(c.name, document).erase(c.name);
-  }
-  void operator()(const commands::SetOptions& c) const {
-    for (const std::string& name : c.clear) options_with(name, document).erase(name);
-    for (const auto& [name, values] : c.set) options_with(name, document)[name] = values;
-  }
-  void operator()(const commands::Show& c) const { document.shown = c.what; }
-  void operator()(const commands::AddStroke& c) const { document.strokes.push_back(c.stroke); }
-  void operator()(const commands::ChangeStroke& c) const {
-    document.strokes[checked_index(document, c.index)] = c.stroke;
-  }
-  void operator()(const commands::EraseStroke& c) const {
-    const std::size_t index = checked_index(document, c.index);
-    document.strokes.erase(document.strokes.begin() + static_cast<std::ptrdiff_t>(index));
-  }
-  void operator()(const commands::SetStrokes& c) const { document.strokes = c.strokes; }
-  void operator()(const commands::SetSteering& c) const { document.steering = c.strokes; }
-  void operator()(const commands::SetCamera& c) const { document.camera = c.camera; }
-  void operator()(const commands::SetSize& c) const { document.size = c.size; }
-  void operator()(const commands::StoreView& c) const {
-    document.views[checked_key(c.key)] = document.camera;
-  }
-  void operator()(const commands::RecallView& c) const {
-    const std::optional<CameraView>& view = document.views[checked_key(c.key)];
-    if (!view) {
-      throw Error("no view is stored under the key " + std::to_string(c.key) +
-                  "; store one there first");
-    }
-    document.camera = *view;
-  }
-  void operator()(const commands::SetFrequencyByZoom& c) const {
-    document.frequency_by_zoom = c.share;
-  }
-  void operator()(const commands::Load& c) const { document = c.document; }
-  template <class Other>
-  void operator()(const Other&) const {
-    throw Error("this command changes no document");
-  }
-};
-
-/// Name of a command after "Undo" in a menu.
-struct StepWords {
-  Shown shown;
-
-  std::string of_option(const std::string& name) const {
-    const OptionInfo* option = find_session_option(name, shown);
-    return option == nullptr ? name : std::string(option->words);
-  }
-  std::string operator()(const commands::Open& c) const {
-    return "opening " + std::filesystem::path(c.mesh).filename().string();
-  }
-  std::string operator()(const commands::SetOption& c) const { return of_option(c.name); }
-  std::string operator()(const commands::ClearOption& c) const {
-    return of_option(c.name) + " left out";
-  }
-  std::string operator()(const commands::SetOptions& c) const {
-    std::string words;
-    for (const auto& [name, values] : c.set) words += (words.empty() ? "" : ", ") + of_option(name);
-    return words.empty() ? "options left out" : words;
-  }
-  std::string operator()(const commands::Show& c) const {
-    return "showing " + std::string(name_of(c.what));
-  }
-  std::string operator()(const commands::AddStroke&) const { return "stroke"; }
-  std::string operator()(const commands::ChangeStroke&) const { return "change of a stroke"; }
-  std::string operator()(const commands::EraseStroke&) const { return "erasing a stroke"; }
-  std::string operator()(const commands::SetStrokes& c) const {
-    return c.strokes.empty() ? "erasing all strokes" : "strokes of a file";
-  }
-  std::string operator()(const commands::SetSteering& c) const {
-    return c.strokes.empty() ? "letting singularities go" : "steering";
-  }
-  std::string operator()(const commands::SetSize&) const { return "size of pictures"; }
-  std::string operator()(const commands::StoreView& c) const {
-    return "storing view " + std::to_string(c.key);
-  }
-  std::string operator()(const commands::SetFrequencyByZoom&) const { return "stripes by zoom"; }
-  std::string operator()(const commands::Load&) const { return "opening a session"; }
-  std::string operator()(const commands::SolveAgain&) const { return "solving again"; }
-  /// Commands that are no steps.
-  template <class Other>
-  std::string operator()(const Other&) const {
-    return "";
-  }
-};
-
-bool starts_anew(const SessionCommand& command) {
-  return std::holds_alternative<commands::Open>(command) ||
-         std::holds_alternative<commands::Load>(command);
-}
-
 /// With another camera. Phases are removed if waves depend on the camera.
 SessionDocument seen_from(const CameraView& camera, SessionDocument document) {
   if (document.camera == camera) return document;
@@ -155,11 +28,6 @@ SessionDocument seen_from(const CameraView& camera, SessionDocument document) {
 }
 
 }  // namespace
-
-bool turns_view(const SessionCommand& command) {
-  return std::holds_alternative<commands::SetCamera>(command) ||
-         std::holds_alternative<commands::RecallView>(command);
-}
 
 void check_can_open(const std::string& mesh) {
   constexpr std::string_view kShape = "shape:";
@@ -176,39 +44,28 @@ void check_can_open(const std::string& mesh) {
   throw Error(shown(mesh) + ": there is no such file; check its name and folder");
 }
 
-SessionDocument changed(const SessionDocument& document, const SessionCommand& command) {
-  SessionDocument result = document;
-  std::visit(Changer{result}, command);
-  if (!starts_anew(command) && pattern_key(document) != pattern_key(result)) result.phases.reset();
-  check_document(result);
-  return result;
-}
-
 Session::Session(SessionDocument document) : document_(std::move(document)) {
   check_document(document_);
 }
 
 bool Session::apply(const SessionCommand& command) {
-  if (std::holds_alternative<commands::BeginDrag>(command)) return begin_drag(), true;
-  if (std::holds_alternative<commands::EndDrag>(command)) return end_drag(), true;
-  if (std::holds_alternative<commands::Undo>(command)) return undo();
-  if (std::holds_alternative<commands::Redo>(command)) return redo();
-  if (std::holds_alternative<commands::PreviousView>(command)) return previous_view();
-  if (std::holds_alternative<commands::NextView>(command)) return next_view();
-  if (std::holds_alternative<commands::SolveAgain>(command)) return solve_again(), true;
-  if (const auto* keep = std::get_if<commands::KeepPhases>(&command)) {
-    return keep_phases(revision_, keep->phases);
-  }
   try {
-    SessionDocument after = changed(document_, command);
-    if (turns_view(command)) return turn(std::move(after)), true;
-    change(std::move(after), std::visit(StepWords{document_.shown}, command), starts_anew(command));
-    if (starts_anew(command)) follows_ = false;
-    return true;
+    return effect_of(command)(*this);
   } catch (const std::exception& error) {
     add_message(MessageKind::error, error.what());
     return false;
   }
+}
+
+void Session::edit(const DocumentEdit& edit, EditKind kind) {
+  SessionDocument after = document_;
+  std::string name = edit(after);
+  const bool anew = kind == EditKind::anew;
+  if (!anew && pattern_key(document_) != pattern_key(after)) after.phases.reset();
+  check_document(after);
+  if (kind == EditKind::view) return turn(std::move(after));
+  change(std::move(after), std::move(name), anew);
+  if (anew) follows_ = false;
 }
 
 void Session::change(SessionDocument document, std::string name, bool anew) {
@@ -298,7 +155,7 @@ std::string Session::redo_name() const { return future_.empty() ? "" : future_.b
 void Session::solve_again() {
   SessionDocument anew = document_;
   anew.phases.reset();
-  change(std::move(anew), StepWords{document_.shown}(commands::SolveAgain{}));
+  change(std::move(anew), "solving again");
   go(document_, false);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,16 @@ struct SessionMessage {
   std::uint64_t revision;  ///< of its document
 
   bool operator==(const SessionMessage&) const = default;
+};
+
+/// Changes a document and returns the step's name, as after "Undo" in a menu. Throws
+/// CLI::ValidationError or Error.
+using DocumentEdit = std::function<std::string(SessionDocument&)>;
+
+enum class EditKind {
+  step,
+  view,  ///< only moves the camera, which is no step: `Session::previous_view` reverts it
+  anew   ///< another surface or session, with its camera
 };
 
 /// The single source of truth of a window: document, undo, redo, messages. Independent of threads,
@@ -41,7 +52,10 @@ class Session {
   /// Applies the command, or rejects it with a message and changes nothing.
   bool apply(const SessionCommand& command);
 
-  /// The same as the commands.
+  /// Changes the document. Throws what the edit and `check_document` throw; nothing changes then.
+  void edit(const DocumentEdit& edit, EditKind kind);
+
+  /// Edits between these two are one step.
   void begin_drag();
   void end_drag();
   bool dragging() const { return dragging_; }
@@ -113,14 +127,7 @@ class Session {
   bool drag_has_view_ = false;
 };
 
-/// Whether a command only moves the camera, which is no edit: `Session::previous_view` reverts it.
-bool turns_view(const SessionCommand& command);
-
 /// Throws Error with the name if there is no such file or shape; does not read files.
 void check_can_open(const std::string& mesh);
-
-/// The document after a command that changes it. Throws CLI::ValidationError or Error with the
-/// problem. Not for commands that drag, undo, redo, keep phases or solve again.
-SessionDocument changed(const SessionDocument& document, const SessionCommand& command);
 
 }  // namespace brindle::tool

@@ -1,6 +1,7 @@
 #include "session/session_command.h"
 
-#include <array>
+#include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "brindle/base/input_file.h"
@@ -9,214 +10,286 @@
 #include "brindle/error.h"
 #include "brindle/recipe/json_text.h"
 #include "session/json_reader.h"
+#include "session/session.h"
+#include "session/session_options.h"
 
 namespace brindle::tool {
-
-bool commands::KeepPhases::operator==(const KeepPhases& other) const {
-  return phases == other.phases || (phases && other.phases && *phases == *other.phases);
-}
-
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// In the order of SessionCommand.
-constexpr std::array<std::string_view, std::variant_size_v<SessionCommand>> kCommandNames = {
-    "open",          "set_option",
-    "clear_option",  "set_options",
-    "show",          "add_stroke",
-    "change_stroke", "erase_stroke",
-    "set_strokes",   "set_camera",
-    "set_size",      "store_view",
-    "recall_view",   "set_frequency_by_zoom",
-    "load",          "begin_drag",
-    "end_drag",      "undo",
-    "redo",          "keep_phases",
-    "solve_again",   "previous_view",
-    "next_view",     "set_steering"};
-
-/// Adds a command's fields to its object.
-struct CommandWriter {
-  Json& json;
-
-  void operator()(const commands::Open& c) const {
-    json["mesh"] = c.mesh;
-    if (!c.keep_options) json["keep_options"] = false;
-    if (c.keep_strokes) json["keep_strokes"] = true;
-  }
-  void operator()(const commands::SetOption& c) const {
-    json["name"] = c.name;
-    json["values"] = c.values;
-  }
-  void operator()(const commands::ClearOption& c) const { json["name"] = c.name; }
-  void operator()(const commands::SetOptions& c) const {
-    json["set"] = options_to_json(c.set);
-    json["clear"] = c.clear;
-  }
-  void operator()(const commands::Show& c) const { json["shown"] = name_of(c.what); }
-  void operator()(const commands::AddStroke& c) const { json["stroke"] = stroke_to_json(c.stroke); }
-  void operator()(const commands::ChangeStroke& c) const {
-    json["index"] = c.index;
-    json["stroke"] = stroke_to_json(c.stroke);
-  }
-  void operator()(const commands::EraseStroke& c) const { json["index"] = c.index; }
-  void operator()(const commands::SetStrokes& c) const {
-    json["strokes"] = strokes_to_json(c.strokes);
-  }
-  void operator()(const commands::SetSteering& c) const {
-    json["strokes"] = strokes_to_json(c.strokes);
-  }
-  void operator()(const commands::SetCamera& c) const { json["camera"] = camera_to_json(c.camera); }
-  void operator()(const commands::SetSize& c) const { json["size"] = size_to_json(c.size); }
-  void operator()(const commands::StoreView& c) const { json["key"] = c.key; }
-  void operator()(const commands::RecallView& c) const { json["key"] = c.key; }
-  void operator()(const commands::SetFrequencyByZoom& c) const {
-    json["share"] = short_number(c.share);
-  }
-  void operator()(const commands::Load& c) const {
-    json["document"] = document_to_json(c.document);
-  }
-  void operator()(const commands::KeepPhases& c) const {
-    json["phases"] = c.phases ? phases_to_json(*c.phases) : Json();
-  }
-  void operator()(const commands::BeginDrag&) const {}
-  void operator()(const commands::EndDrag&) const {}
-  void operator()(const commands::Undo&) const {}
-  void operator()(const commands::Redo&) const {}
-  void operator()(const commands::SolveAgain&) const {}
-  void operator()(const commands::PreviousView&) const {}
-  void operator()(const commands::NextView&) const {}
-};
+using Effect = std::function<bool(Session&)>;
+using Texts = std::vector<std::string>;
 
 constexpr int kMostStrokes = 1 << 30;
 
-commands::Open open_from(const JsonReader& reader) {
-  reader.allow({"command", "mesh", "keep_options", "keep_strokes"});
-  return {reader.text("mesh"), !reader.has("keep_options") || reader.flag("keep_options"),
-          reader.has("keep_strokes") && reader.flag("keep_strokes")};
+Effect edit(DocumentEdit edit, EditKind kind = EditKind::step) {
+  return [edit = std::move(edit), kind](Session& session) {
+    session.edit(edit, kind);
+    return true;
+  };
 }
 
-commands::SetOption set_option_from(const JsonReader& reader) {
-  reader.allow({"command", "name", "values"});
-  return {reader.text("name"),
-          reader.has("values") ? reader.texts("values") : std::vector<std::string>()};
+Effect always(void (Session::*act)()) {
+  return [act](Session& session) {
+    (session.*act)();
+    return true;
+  };
 }
 
-commands::SetOptions set_options_from(const JsonReader& reader) {
-  reader.allow({"command", "set", "clear"});
-  commands::SetOptions command;
-  if (reader.has("set")) command.set = options_from_json(reader.at("set"), "set");
-  if (reader.has("clear")) command.clear = reader.texts("clear");
-  return command;
+/// The option's label in panels.
+std::string label_of(const std::string& name, const SessionDocument& document) {
+  const OptionInfo* option = find_session_option(name, document.shown);
+  return option == nullptr ? name : std::string(option->words);
 }
 
-std::size_t index_from(const JsonReader& reader) {
-  return static_cast<std::size_t>(reader.whole("index", 0, kMostStrokes));
+bool flag_in(const JsonReader& r, const char* key, bool standard) {
+  return r.has(key) ? r.flag(key) : standard;
 }
 
-int key_from(const JsonReader& reader) {
-  reader.allow({"command", "key"});
-  return reader.whole("key", 1, kStoredViews);
+std::size_t index_in(const JsonReader& r) {
+  return static_cast<std::size_t>(r.whole("index", 0, kMostStrokes));
 }
 
-commands::KeepPhases keep_phases_from(const JsonReader& reader) {
-  reader.allow({"command", "phases"});
-  if (reader.at("phases").is_null()) return {};
-  return {phases_in(reader)};
+FieldStroke& stroke_of(SessionDocument& document, std::size_t index) {
+  const std::size_t count = document.strokes.size();
+  if (index < count) return document.strokes[index];
+  throw Error("there is no stroke " + std::to_string(index) +
+              (count == 0 ? "; none is drawn" : "; the last one is " + std::to_string(count - 1)));
 }
 
-/// Commands without fields.
-template <class Command>
-Command bare(const JsonReader& reader) {
-  reader.allow({"command"});
-  return {};
+Effect open_of(const JsonReader& r) {
+  return edit(
+      [mesh = r.text("mesh"), keep_options = flag_in(r, "keep_options", true),
+       keep_strokes = flag_in(r, "keep_strokes", false)](SessionDocument& d) {
+        check_can_open(mesh);
+        d.mesh = mesh;
+        if (!keep_options) {
+          d.options.clear();
+          d.curves.clear();
+          d.samples.clear();
+        }
+        if (!keep_strokes) {
+          d.strokes.clear();
+          d.steering.clear();
+        }
+        d.phases.reset();
+        d.camera.center.reset();
+        return "opening " + std::filesystem::path(mesh).filename().string();
+      },
+      EditKind::anew);
 }
 
-using ReadCommand = SessionCommand (*)(const JsonReader&);
+Effect set_option_of(const JsonReader& r) {
+  return edit([name = r.text("name"),
+               values = r.has("values") ? r.texts("values") : Texts()](SessionDocument& d) {
+    options_with(name, d)[name] = values;
+    return label_of(name, d);
+  });
+}
 
-/// In the order of the names.
-constexpr std::array<ReadCommand, std::variant_size_v<SessionCommand>> kReaders = {
-    [](const JsonReader& r) -> SessionCommand { return open_from(r); },
-    [](const JsonReader& r) -> SessionCommand { return set_option_from(r); },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "name"});
-      return commands::ClearOption{r.text("name")};
-    },
-    [](const JsonReader& r) -> SessionCommand { return set_options_from(r); },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "shown"});
-      return commands::Show{shown_in(r)};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "stroke"});
-      return commands::AddStroke{stroke_from_json(r.at("stroke"), "stroke")};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "index", "stroke"});
-      return commands::ChangeStroke{index_from(r), stroke_from_json(r.at("stroke"), "stroke")};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "index"});
-      return commands::EraseStroke{index_from(r)};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "strokes"});
-      return commands::SetStrokes{strokes_in(r)};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "camera"});
-      return commands::SetCamera{camera_from_json(r.at("camera"))};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "size"});
-      return commands::SetSize{size_in(r)};
-    },
-    [](const JsonReader& r) -> SessionCommand { return commands::StoreView{key_from(r)}; },
-    [](const JsonReader& r) -> SessionCommand { return commands::RecallView{key_from(r)}; },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "share"});
-      return commands::SetFrequencyByZoom{r.number("share", 0, 1)};
-    },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "document"});
-      return commands::Load{document_from_json(r.at("document"))};
-    },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::BeginDrag>(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::EndDrag>(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::Undo>(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::Redo>(r); },
-    [](const JsonReader& r) -> SessionCommand { return keep_phases_from(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::SolveAgain>(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::PreviousView>(r); },
-    [](const JsonReader& r) -> SessionCommand { return bare<commands::NextView>(r); },
-    [](const JsonReader& r) -> SessionCommand {
-      r.allow({"command", "strokes"});
-      return commands::SetSteering{strokes_in(r)};
-    },
+Effect clear_option_of(const JsonReader& r) {
+  return edit([name = r.text("name")](SessionDocument& d) {
+    options_with(name, d).erase(name);
+    return label_of(name, d) + " left out";
+  });
+}
+
+Effect set_options_of(const JsonReader& r) {
+  return edit([set = r.has("set") ? options_from_json(r.at("set"), "set") : OptionValues(),
+               clear = r.has("clear") ? r.texts("clear") : Texts()](SessionDocument& d) {
+    std::string words;
+    for (const std::string& name : clear) options_with(name, d).erase(name);
+    for (const auto& [name, values] : set) {
+      options_with(name, d)[name] = values;
+      words += (words.empty() ? "" : ", ") + label_of(name, d);
+    }
+    return words.empty() ? "options left out" : words;
+  });
+}
+
+Effect show_of(const JsonReader& r) {
+  return edit([shown = shown_in(r)](SessionDocument& d) {
+    d.shown = shown;
+    return "showing " + std::string(name_of(shown));
+  });
+}
+
+Effect add_stroke_of(const JsonReader& r) {
+  return edit([stroke = stroke_from_json(r.at("stroke"), "stroke")](SessionDocument& d) {
+    d.strokes.push_back(stroke);
+    return "stroke";
+  });
+}
+
+Effect change_stroke_of(const JsonReader& r) {
+  return edit([index = index_in(r),
+               stroke = stroke_from_json(r.at("stroke"), "stroke")](SessionDocument& d) {
+    stroke_of(d, index) = stroke;
+    return "change of a stroke";
+  });
+}
+
+Effect erase_stroke_of(const JsonReader& r) {
+  return edit([index = index_in(r)](SessionDocument& d) {
+    stroke_of(d, index);
+    d.strokes.erase(d.strokes.begin() + static_cast<std::ptrdiff_t>(index));
+    return "erasing a stroke";
+  });
+}
+
+Effect set_strokes_of(const JsonReader& r) {
+  return edit([strokes = strokes_in(r)](SessionDocument& d) {
+    d.strokes = strokes;
+    return strokes.empty() ? "erasing all strokes" : "strokes of a file";
+  });
+}
+
+Effect set_steering_of(const JsonReader& r) {
+  return edit([strokes = strokes_in(r)](SessionDocument& d) {
+    d.steering = strokes;
+    return strokes.empty() ? "letting singularities go" : "steering";
+  });
+}
+
+Effect set_camera_of(const JsonReader& r) {
+  return edit(
+      [camera = camera_from_json(r.at("camera"))](SessionDocument& d) {
+        d.camera = camera;
+        return "";
+      },
+      EditKind::view);
+}
+
+Effect set_size_of(const JsonReader& r) {
+  return edit([size = size_in(r)](SessionDocument& d) {
+    d.size = size;
+    return "size of pictures";
+  });
+}
+
+Effect store_view_of(const JsonReader& r) {
+  return edit([key = r.whole("key", 1, kStoredViews)](SessionDocument& d) {
+    d.views[static_cast<std::size_t>(key - 1)] = d.camera;
+    return "storing view " + std::to_string(key);
+  });
+}
+
+Effect recall_view_of(const JsonReader& r) {
+  return edit(
+      [key = r.whole("key", 1, kStoredViews)](SessionDocument& d) {
+        const std::optional<CameraView>& view = d.views[static_cast<std::size_t>(key - 1)];
+        if (!view) {
+          throw Error("no view is stored under the key " + std::to_string(key) +
+                      "; store one there first");
+        }
+        d.camera = *view;
+        return "";
+      },
+      EditKind::view);
+}
+
+Effect set_frequency_by_zoom_of(const JsonReader& r) {
+  return edit([share = r.number("share", 0, 1)](SessionDocument& d) {
+    d.frequency_by_zoom = share;
+    return "stripes by zoom";
+  });
+}
+
+Effect load_of(const JsonReader& r) {
+  return edit(
+      [document = document_from_json(r.at("document"))](SessionDocument& d) {
+        d = document;
+        return "opening a session";
+      },
+      EditKind::anew);
+}
+
+Effect keep_phases_of(const JsonReader& r) {
+  const bool none = r.at("phases").is_null();
+  return [phases = none ? nullptr : phases_in(r)](Session& session) {
+    return session.keep_phases(session.revision(), phases);
+  };
+}
+
+/// A command of docs/sessions.md.
+struct CommandRow {
+  std::string name;
+  Texts keys;  ///< besides its name
+  Effect (*read)(const JsonReader&);
 };
+
+const std::vector<CommandRow>& command_rows() {
+  static const std::vector<CommandRow> rows = {
+      {"open", {"mesh", "keep_options", "keep_strokes"}, open_of},
+      {"set_option", {"name", "values"}, set_option_of},
+      {"clear_option", {"name"}, clear_option_of},
+      {"set_options", {"set", "clear"}, set_options_of},
+      {"show", {"shown"}, show_of},
+      {"add_stroke", {"stroke"}, add_stroke_of},
+      {"change_stroke", {"index", "stroke"}, change_stroke_of},
+      {"erase_stroke", {"index"}, erase_stroke_of},
+      {"set_strokes", {"strokes"}, set_strokes_of},
+      {"set_camera", {"camera"}, set_camera_of},
+      {"set_size", {"size"}, set_size_of},
+      {"store_view", {"key"}, store_view_of},
+      {"recall_view", {"key"}, recall_view_of},
+      {"set_frequency_by_zoom", {"share"}, set_frequency_by_zoom_of},
+      {"load", {"document"}, load_of},
+      {"begin_drag", {}, [](const JsonReader&) { return always(&Session::begin_drag); }},
+      {"end_drag", {}, [](const JsonReader&) { return always(&Session::end_drag); }},
+      {"undo", {}, [](const JsonReader&) -> Effect { return &Session::undo; }},
+      {"redo", {}, [](const JsonReader&) -> Effect { return &Session::redo; }},
+      {"keep_phases", {"phases"}, keep_phases_of},
+      {"solve_again", {}, [](const JsonReader&) { return always(&Session::solve_again); }},
+      {"previous_view", {}, [](const JsonReader&) -> Effect { return &Session::previous_view; }},
+      {"next_view", {}, [](const JsonReader&) -> Effect { return &Session::next_view; }},
+      {"set_steering", {"strokes"}, set_steering_of}};
+  return rows;
+}
 
 }  // namespace
 
-std::string_view command_name(const SessionCommand& command) {
-  return kCommandNames[command.index()];
+SessionCommand session_command(const std::string& name,
+                               std::initializer_list<std::pair<const char*, Json>> values) {
+  SessionCommand command;
+  command["command"] = name;
+  for (const auto& [key, value] : values) command[key] = value;
+  return command;
 }
 
-nlohmann::ordered_json command_to_json(const SessionCommand& command) {
-  Json json = {{"command", command_name(command)}};
-  std::visit(CommandWriter{json}, command);
-  return json;
+SessionCommand commands::open(const std::string& mesh, bool keep_strokes) {
+  SessionCommand open = session_command("open", {{"mesh", mesh}});
+  if (keep_strokes) open["keep_strokes"] = true;
+  return open;
 }
 
-SessionCommand command_from_json(const nlohmann::json& json) {
-  const JsonReader reader(json, "");
+SessionCommand commands::set_frequency_by_zoom(float share) {
+  return session_command("set_frequency_by_zoom", {{"share", short_number(share)}});
+}
+
+SessionCommand commands::keep_phases(const std::shared_ptr<const std::vector<float>>& phases) {
+  return session_command("keep_phases", {{"phases", phases ? phases_to_json(*phases) : Json()}});
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const CommandRow& row : command_rows()) names.push_back(row.name);
+  return names;
+}
+
+std::function<bool(Session&)> effect_of(const SessionCommand& command) {
+  const JsonReader reader(command, "");
   const std::string name = reader.text("command");
-  for (std::size_t i = 0; i < kCommandNames.size(); ++i) {
-    if (kCommandNames[i] == name) return kReaders[i](reader);
+  const auto row = std::ranges::find(command_rows(), name, &CommandRow::name);
+  if (row != command_rows().end()) {
+    Texts keys = row->keys;
+    keys.insert(keys.begin(), "command");
+    reader.allow(keys);
+    return row->read(reader);
   }
-  const std::vector<std::string> known(kCommandNames.begin(), kCommandNames.end());
-  const std::string meant = nearest(name, known);
+  const std::string meant = nearest(name, command_names());
   std::string list;
-  for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+  for (const std::string& one : command_names()) list += (list.empty() ? "" : ", ") + one;
   throw Error("'" + name + "' is no command" +
               (meant.empty() ? "" : " (did you mean '" + meant + "'?)") +
               "; commands are: " + list);
@@ -228,7 +301,8 @@ std::vector<SessionCommand> read_commands(const std::filesystem::path& path) {
   while (const std::optional<std::string_view> line = file.next_line()) {
     if (line->find_first_not_of(" \t\r") == std::string_view::npos) continue;
     try {
-      commands.push_back(command_from_json(parse_json(std::string(*line))));
+      commands.push_back(parse_json(std::string(*line)));
+      effect_of(commands.back());
     } catch (const std::exception& error) {
       throw Error(shown(path.native()) + ":" + std::to_string(file.line()) + ": " + error.what());
     }
@@ -239,9 +313,7 @@ std::vector<SessionCommand> read_commands(const std::filesystem::path& path) {
 void write_commands(const std::filesystem::path& path,
                     const std::vector<SessionCommand>& commands) {
   write_file(path, [&](OutputStream& out) {
-    for (const SessionCommand& command : commands) {
-      out << json_text(command_to_json(command)) << '\n';
-    }
+    for (const SessionCommand& command : commands) out << json_text(command) << '\n';
   });
 }
 

@@ -2,186 +2,89 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "session/session_document.h"
 
-namespace brindle::tool::commands {
-
-/// Another surface. Removes phases and the camera's centre, and strokes unless the surfaces are
-/// alike: a shape with another parameter, the next step of a series.
-struct Open {
-  std::string mesh;
-  bool keep_options = true;   ///< otherwise, options are removed, too
-  bool keep_strokes = false;  ///< at the same position in space
-
-  bool operator==(const Open&) const = default;
-};
-
-/// Sets an option.
-struct SetOption {
-  std::string name;
-  std::vector<std::string> values;  ///< empty for flags
-
-  bool operator==(const SetOption&) const = default;
-};
-
-struct ClearOption {
-  std::string name;
-
-  bool operator==(const ClearOption&) const = default;
-};
-
-/// Changes options that depend on each other: removes those of `clear`, then sets those of `set`.
-struct SetOptions {
-  OptionValues set;
-  std::vector<std::string> clear;
-
-  bool operator==(const SetOptions&) const = default;
-};
-
-/// Changes what the picture shows. Options of other pictures are kept for later.
-struct Show {
-  Shown what;
-
-  bool operator==(const Show&) const = default;
-};
-
-struct AddStroke {
-  FieldStroke stroke;
-
-  bool operator==(const AddStroke&) const = default;
-};
-
-struct ChangeStroke {
-  std::size_t index;
-  FieldStroke stroke;
-
-  bool operator==(const ChangeStroke&) const = default;
-};
-
-struct EraseStroke {
-  std::size_t index;
-
-  bool operator==(const EraseStroke&) const = default;
-};
-
-/// Replaces all strokes: those of a file, or none.
-struct SetStrokes {
-  std::vector<FieldStroke> strokes;
-
-  bool operator==(const SetStrokes&) const = default;
-};
-
-/// Replaces all strokes that fix dragged singularities; none releases them.
-struct SetSteering {
-  std::vector<FieldStroke> strokes;
-
-  bool operator==(const SetSteering&) const = default;
-};
-
-struct SetCamera {
-  CameraView camera;
-
-  bool operator==(const SetCamera&) const = default;
-};
-
-struct SetSize {
-  PictureSize size;
-
-  bool operator==(const SetSize&) const = default;
-};
-
-/// Stores the camera under a key from 1 to 9.
-struct StoreView {
-  int key;
-
-  bool operator==(const StoreView&) const = default;
-};
-
-struct RecallView {
-  int key;
-
-  bool operator==(const RecallView&) const = default;
-};
-
-struct SetFrequencyByZoom {
-  float share;
-
-  bool operator==(const SetFrequencyByZoom&) const = default;
-};
-
-/// Replaces the document, such as by one read from a file.
-struct Load {
-  SessionDocument document;
-
-  bool operator==(const Load&) const = default;
-};
-
-/// Commands between these two are one undo step.
-struct BeginDrag {
-  bool operator==(const BeginDrag&) const = default;
-};
-struct EndDrag {
-  bool operator==(const EndDrag&) const = default;
-};
-
-/// Undoes edits. The camera stays, unless another surface or session is restored.
-struct Undo {
-  bool operator==(const Undo&) const = default;
-};
-struct Redo {
-  bool operator==(const Redo&) const = default;
-};
-
-/// Stores the shown pattern in the document, without a step; null: the pattern depends on the
-/// document alone (`Session::keep_phases`).
-struct KeepPhases {
-  std::shared_ptr<const std::vector<float>> phases;
-
-  bool operator==(const KeepPhases& other) const;
-};
-
-/// Makes the pattern from the document alone (`Session::solve_again`).
-struct SolveAgain {
-  bool operator==(const SolveAgain&) const = default;
-};
-
-/// Restores the camera before its last motion or recall, and back. Edits stay; undo and redo are
-/// for these.
-struct PreviousView {
-  bool operator==(const PreviousView&) const = default;
-};
-struct NextView {
-  bool operator==(const NextView&) const = default;
-};
-
-}  // namespace brindle::tool::commands
-
 namespace brindle::tool {
 
-using SessionCommand =
-    std::variant<commands::Open, commands::SetOption, commands::ClearOption, commands::SetOptions,
-                 commands::Show, commands::AddStroke, commands::ChangeStroke, commands::EraseStroke,
-                 commands::SetStrokes, commands::SetCamera, commands::SetSize, commands::StoreView,
-                 commands::RecallView, commands::SetFrequencyByZoom, commands::Load,
-                 commands::BeginDrag, commands::EndDrag, commands::Undo, commands::Redo,
-                 commands::KeepPhases, commands::SolveAgain, commands::PreviousView,
-                 commands::NextView, commands::SetSteering>;
+class Session;
 
-/// The name of a command in files, such as "set_option".
-std::string_view command_name(const SessionCommand& command);
+/// A command as an object: `{"command": "set_option", "name": "stripes", "values": ["60"]}`. It is
+/// checked when it is applied or read from a file.
+using SessionCommand = nlohmann::ordered_json;
 
-/// A command as an object: `{"command": "set_option", "name": "stripes", "values": ["60"]}`.
-nlohmann::ordered_json command_to_json(const SessionCommand& command);
-/// Throws Error with the key and the remedy.
-SessionCommand command_from_json(const nlohmann::json& json);
+/// A command of this name with these keys and values.
+SessionCommand session_command(
+    const std::string& name,
+    std::initializer_list<std::pair<const char*, nlohmann::ordered_json>> values = {});
+
+/// Commands as `docs/sessions.md` lists them; `session_command` makes those without values.
+namespace commands {
+
+SessionCommand open(const std::string& mesh, bool keep_strokes = false);
+
+/// Flags have no values.
+inline SessionCommand set_option(const std::string& name,
+                                 const std::vector<std::string>& values = {}) {
+  return session_command("set_option", {{"name", name}, {"values", values}});
+}
+inline SessionCommand clear_option(const std::string& name) {
+  return session_command("clear_option", {{"name", name}});
+}
+inline SessionCommand set_options(const OptionValues& set,
+                                  const std::vector<std::string>& clear = {}) {
+  return session_command("set_options", {{"set", options_to_json(set)}, {"clear", clear}});
+}
+inline SessionCommand show(Shown shown) {
+  return session_command("show", {{"shown", name_of(shown)}});
+}
+
+inline SessionCommand add_stroke(const FieldStroke& stroke) {
+  return session_command("add_stroke", {{"stroke", stroke_to_json(stroke)}});
+}
+inline SessionCommand change_stroke(std::size_t index, const FieldStroke& stroke) {
+  return session_command("change_stroke", {{"index", index}, {"stroke", stroke_to_json(stroke)}});
+}
+inline SessionCommand erase_stroke(std::size_t index) {
+  return session_command("erase_stroke", {{"index", index}});
+}
+inline SessionCommand set_strokes(const std::vector<FieldStroke>& strokes) {
+  return session_command("set_strokes", {{"strokes", strokes_to_json(strokes)}});
+}
+inline SessionCommand set_steering(const std::vector<FieldStroke>& strokes) {
+  return session_command("set_steering", {{"strokes", strokes_to_json(strokes)}});
+}
+
+inline SessionCommand set_camera(const CameraView& camera) {
+  return session_command("set_camera", {{"camera", camera_to_json(camera)}});
+}
+inline SessionCommand store_view(int key) { return session_command("store_view", {{"key", key}}); }
+inline SessionCommand recall_view(int key) {
+  return session_command("recall_view", {{"key", key}});
+}
+SessionCommand set_frequency_by_zoom(float share);
+
+inline SessionCommand load(const SessionDocument& document) {
+  return session_command("load", {{"document", document_to_json(document)}});
+}
+SessionCommand keep_phases(const std::shared_ptr<const std::vector<float>>& phases);
+
+}  // namespace commands
+
+/// The names of all commands, such as "set_option".
+std::vector<std::string> command_names();
+
+/// What a command does to a session; returns whether it did anything. Throws Error with the key and
+/// the remedy for an object that is no command.
+std::function<bool(Session&)> effect_of(const SessionCommand& command);
 
 /// A list of commands, one line of JSON each; skips empty lines. Throws Error with the file, the
 /// line and the remedy.

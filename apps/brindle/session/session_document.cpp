@@ -28,7 +28,7 @@ nlohmann::ordered_json to_json(const Vec3& v) {
 }
 
 void read_views(const JsonReader& reader, SessionDocument& document) {
-  const nlohmann::json& views = reader.at("views");
+  const nlohmann::ordered_json& views = reader.at("views");
   const JsonReader by_key(views, "views");
   by_key.allow({"1", "2", "3", "4", "5", "6", "7", "8", "9"});
   for (const auto& [key, view] : views.items()) {
@@ -141,7 +141,7 @@ nlohmann::ordered_json camera_to_json(const CameraView& view) {
   return json;
 }
 
-CameraView camera_from_json(const nlohmann::json& json, const std::string& place) {
+CameraView camera_from_json(const nlohmann::ordered_json& json, const std::string& place) {
   const JsonReader reader(json, place);
   CameraView view;
   if (reader.has("rotation")) {
@@ -182,14 +182,14 @@ nlohmann::ordered_json stroke_to_json(const FieldStroke& stroke) {
   return {{"radius", stroke.radius}, {"strength", stroke.strength}, {"points", std::move(points)}};
 }
 
-FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& place) {
+FieldStroke stroke_from_json(const nlohmann::ordered_json& json, const std::string& place) {
   const JsonReader reader(json, place);
   reader.allow({"radius", "strength", "points"});
   FieldStroke stroke;
   stroke.radius = reader.number("radius");
   if (reader.has("strength")) stroke.strength = reader.number("strength");
   std::size_t number = 0;
-  for (const nlohmann::json& point : reader.list("points")) {
+  for (const nlohmann::ordered_json& point : reader.list("points")) {
     const bool fits = point.is_array() && point.size() == 3 &&
                       std::ranges::all_of(point, [](const auto& x) { return x.is_number(); });
     if (!fits) {
@@ -223,7 +223,7 @@ nlohmann::ordered_json strokes_to_json(const std::vector<FieldStroke>& strokes) 
 
 std::vector<FieldStroke> strokes_in(const JsonReader& reader, const char* key) {
   std::vector<FieldStroke> strokes;
-  for (const nlohmann::json& stroke : reader.list(key)) {
+  for (const nlohmann::ordered_json& stroke : reader.list(key)) {
     strokes.push_back(
         stroke_from_json(stroke, std::string(key) + "[" + std::to_string(strokes.size()) + "]"));
   }
@@ -270,7 +270,7 @@ nlohmann::ordered_json options_to_json(const OptionValues& options) {
   return json;
 }
 
-OptionValues options_from_json(const nlohmann::json& json, const std::string& place) {
+OptionValues options_from_json(const nlohmann::ordered_json& json, const std::string& place) {
   const JsonReader reader(json, place);
   OptionValues options;
   for (const auto& [name, value] : json.items()) {
@@ -306,7 +306,7 @@ nlohmann::ordered_json document_to_json(const SessionDocument& document) {
   return json;
 }
 
-SessionDocument document_from_json(const nlohmann::json& json) {
+SessionDocument document_from_json(const nlohmann::ordered_json& json) {
   const JsonReader reader(json, "");
   check_format(reader);
   reader.allow({"brindle_session", "mesh", "shown", "options", "curves", "samples", "camera",

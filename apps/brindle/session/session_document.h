@@ -91,10 +91,11 @@ void check_document(const SessionDocument& document);
 /// if not the default.
 nlohmann::ordered_json camera_to_json(const CameraView& view);
 /// Throws Error with the key and the remedy; `place` names the object in messages.
-CameraView camera_from_json(const nlohmann::json& json, const std::string& place = "camera");
+CameraView camera_from_json(const nlohmann::ordered_json& json,
+                            const std::string& place = "camera");
 
 nlohmann::ordered_json stroke_to_json(const FieldStroke& stroke);
-FieldStroke stroke_from_json(const nlohmann::json& json, const std::string& place);
+FieldStroke stroke_from_json(const nlohmann::ordered_json& json, const std::string& place);
 
 /// Common keys of documents and commands: "shown", "size", "strokes" and "phases".
 Shown shown_in(const JsonReader& reader);
@@ -107,12 +108,12 @@ std::shared_ptr<const std::vector<float>> phases_in(const JsonReader& reader);
 
 /// Options as an object: flags are true, options with several values are lists.
 nlohmann::ordered_json options_to_json(const OptionValues& options);
-OptionValues options_from_json(const nlohmann::json& json, const std::string& place);
+OptionValues options_from_json(const nlohmann::ordered_json& json, const std::string& place);
 
 nlohmann::ordered_json document_to_json(const SessionDocument& document);
 /// Throws Error with the key and the remedy for unknown keys, other types and values out of range,
 /// and what `check_document` throws.
-SessionDocument document_from_json(const nlohmann::json& json);
+SessionDocument document_from_json(const nlohmann::ordered_json& json);
 
 /// Reads a session. Throws Error with the file, the key and the remedy.
 SessionDocument read_session(const std::filesystem::path& path);

@@ -24,10 +24,6 @@ Shown shown_by(const std::vector<std::string>& words) {
               "'");
 }
 
-}  // namespace
-
-namespace {
-
 /// Options and their values without the command, with parts of values apart.
 std::vector<std::string> options_of(const std::vector<std::string>& words, Shown shown) {
   SessionDocument any;

@@ -7,23 +7,23 @@
 
 namespace brindle::tool {
 
-ShownCurves shown_curves(const CurvesArguments& arguments,
-                         const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
-                         const CurvePatterns& patterns, CurveMetrics metrics,
+ShownCurves shown_curves(const CurvesArguments& arguments, const StripeJob& job,
+                         const MadeStripes* v, const StripeTracer& tracer, CurveMetrics metrics,
                          JobListener& listener) {
   ShownCurves shown;
+  const Surface& surface = *job.surface;
   const auto add = [&](const char* name, const StripePattern& pattern,
                        const FabricationMetrics& fabrication) {
     CurveFamily& family = shown.families.emplace_back(
-        traced_family(arguments, *surface, tracer, name, pattern, metrics, listener));
+        traced_family(arguments, surface, tracer, name, pattern, metrics, listener));
     family.fabrication = fabrication;
     const bool winds = metrics != CurveMetrics::few && fabrication.loops.empty();
-    if (winds) measure_windings(*surface, pattern, family.fabrication);
+    if (winds) measure_windings(surface, pattern, family.fabrication);
   };
-  if (arguments.traced != TracedWaves::v) add("u", patterns.u, patterns.fabrication_of_u);
-  if (arguments.traced != TracedWaves::u) add("v", patterns.v->pattern, patterns.v->fabrication);
-  shown.drawn.ornaments = ornamented(*surface, tubes_of(arguments, surface->mesh, shown.families),
-                                     render_options(arguments.picture, surface->mesh.origin));
+  if (arguments.traced != TracedWaves::v) add("u", job.result.stripes(), job.fabrication);
+  if (arguments.traced != TracedWaves::u) add("v", v->pattern, v->fabrication);
+  shown.drawn.ornaments = ornamented(surface, tubes_of(arguments, surface.mesh, shown.families),
+                                     render_options(arguments.picture, surface.mesh.origin));
   return shown;
 }
 
@@ -52,10 +52,10 @@ ShownOrnaments drawn_samples(const CLI::App& command, const SampleArguments& arg
 }  // namespace
 
 ShownSamples shown_samples(const CLI::App& command, const SampleArguments& arguments,
-                           const std::shared_ptr<const Preparation>& prepared,
-                           const CrossingPatterns& patterns, JobListener& listener) {
+                           const std::shared_ptr<const Preparation>& prepared, const StripeJob& job,
+                           const StripePattern& v, JobListener& listener) {
   ShownSamples shown;
-  shown.taken = taken_samples(arguments, prepared->surface, patterns.u, *patterns.v, listener);
+  shown.taken = taken_samples(arguments, prepared->surface, job.result.stripes(), v, listener);
   shown.drawn = drawn_samples(command, arguments, prepared, shown.taken.samples, listener);
   return shown;
 }

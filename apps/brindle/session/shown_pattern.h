@@ -7,6 +7,7 @@
 
 #include "jobs/curves_job.h"
 #include "jobs/sample_job.h"
+#include "jobs/stripe_job.h"
 #include "pictures/glyphs.h"
 #include "pictures/ornaments.h"
 
@@ -35,28 +36,16 @@ struct MadeStripes {
   FabricationMetrics fabrication = {};
 };
 
-/// Two crossing patterns. V is null if not requested.
-struct CrossingPatterns {
-  const StripePattern& u;
-  const StripePattern* v;
-};
-
-/// The same of curves.
-struct CurvePatterns {
-  const StripePattern& u;
-  const FabricationMetrics& fabrication_of_u;
-  const MadeStripes* v;
-};
-
-/// With all metrics, curves are measured as by `brindle curves`; with few, without windings.
-ShownCurves shown_curves(const CurvesArguments& arguments,
-                         const std::shared_ptr<const Surface>& surface, const StripeTracer& tracer,
-                         const CurvePatterns& patterns, CurveMetrics metrics,
+/// Curves of the job's stripes and of `v`, null if not requested. With all metrics, curves are
+/// measured as by `brindle curves`; with few, without windings.
+ShownCurves shown_curves(const CurvesArguments& arguments, const StripeJob& job,
+                         const MadeStripes* v, const StripeTracer& tracer, CurveMetrics metrics,
                          JobListener& listener);
 
-/// `command` tells whether glyphs are requested; their values are those of `prepared`.
+/// Samples where the job's stripes and those of `v` cross. `command` tells whether glyphs are
+/// requested; their values are those of `prepared`.
 ShownSamples shown_samples(const CLI::App& command, const SampleArguments& arguments,
-                           const std::shared_ptr<const Preparation>& prepared,
-                           const CrossingPatterns& patterns, JobListener& listener);
+                           const std::shared_ptr<const Preparation>& prepared, const StripeJob& job,
+                           const StripePattern& v, JobListener& listener);
 
 }  // namespace brindle::tool

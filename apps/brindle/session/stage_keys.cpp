@@ -1,9 +1,8 @@
 #include "session/stage_keys.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <span>
+#include <initializer_list>
 #include <string_view>
 
 #include "brindle/recipe/json_text.h"
@@ -40,25 +39,22 @@ OptionValues chosen_options(const SessionDocument& document, const Counts& count
   return options;
 }
 
-OptionValues named_options(const SessionDocument& document,
-                           std::span<const std::string_view> names) {
-  return chosen_options(document, [&](const OptionInfo& info) {
+/// The key of the options with these names.
+std::string key_of_named(const SessionDocument& document,
+                         std::initializer_list<std::string_view> names) {
+  return key_of(chosen_options(document, [&](const OptionInfo& info) {
     return std::ranges::find(names, info.name) != names.end();
-  });
+  }));
 }
 
 constexpr OptionStage kWaveStages = OptionStage::field | OptionStage::waves;
 
 /// The up axis of --up; the mesh's own key covers its default.
-std::string up_key(const SessionDocument& document) {
-  constexpr std::array kUp = {std::string_view("up")};
-  return key_of(named_options(document, kUp));
-}
+std::string up_key(const SessionDocument& document) { return key_of_named(document, {"up"}); }
 
 /// The direction of the light.
 std::string light_key(const SessionDocument& document) {
-  constexpr std::array kLight = {std::string_view("light-from")};
-  return key_of(named_options(document, kLight));
+  return key_of_named(document, {"light-from"});
 }
 
 /// The visible sides of surfaces; the position of a slice does not matter.
@@ -112,9 +108,7 @@ std::string field_key(const SessionDocument& document) {
   std::string key = options_key(document, OptionStage::field);
   // A smooth field starts from that of the previous pattern; both turns are noted.
   if (document.options.contains("previous")) {
-    constexpr std::array<std::string_view, 5> kLast = {"previous", "lambda", "match", "along",
-                                                       "rotate"};
-    key += key_of(named_options(document, kLast));
+    key += key_of_named(document, {"previous", "lambda", "match", "along", "rotate"});
   }
   for (const FieldStroke& stroke : all_strokes(document)) key += stroke_to_json(stroke).dump();
   return key + '\n';
@@ -151,10 +145,6 @@ std::string values_key(const SessionDocument& document, const StyleOptions& styl
          (has_values(document, OptionStage::values, depends_on_light)
               ? light_key(document) + sides_key(document)
               : "");
-}
-
-std::string second_key(const SessionDocument& document) {
-  return options_key(document, OptionStage::second);
 }
 
 }  // namespace brindle::tool

@@ -19,9 +19,6 @@ std::string waves_key(const SessionDocument& document);
 /// interchangeable patterns.
 std::string pattern_key(const SessionDocument& document);
 
-/// The inputs of V besides the pattern's waves.
-std::string second_key(const SessionDocument& document);
-
 /// The camera and the up axis, if values depend on them.
 std::string camera_key(const SessionDocument& document, OptionStage stages);
 

@@ -335,13 +335,13 @@ void Viewer::draw_camera() {
   labelled("zoom");
   const ValueChange zooms =
       slider_beside_number("##zoom", zoom, 0.1f, 100, "%.3g", ImGuiSliderFlags_Logarithmic);
-  live_.apply_value(zooms, commands::SetCamera{zoomed_to(view, zoom)});
+  live_.apply_value(zooms, commands::set_camera(zoomed_to(view, zoom)));
   log_.note_widget("zoom");
   float share = live_.document().frequency_by_zoom;
   labelled("stripes by zoom");
   const ValueChange shares =
       slider_beside_number("##share", share, 0, 1, share == 0 ? "no" : "%.2f");
-  live_.apply_value(shares, commands::SetFrequencyByZoom{share});
+  live_.apply_value(shares, commands::set_frequency_by_zoom(share));
   log_.note_widget("frequency by zoom");
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip(

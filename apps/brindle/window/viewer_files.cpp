@@ -47,7 +47,7 @@ void Viewer::open(const std::string& name) {
     if (holds_strokes_alone(name)) return open_strokes(name);
     const SessionDocument document = read_session(name);
     unless_lost(document, shown(fs::path(name).filename().native()), [this, name, document] {
-      if (!live_.apply(commands::Load{document})) return;
+      if (!live_.apply(commands::load(document))) return;
       session_file_ = name;
       live_.note_saved();
       remember_opened(name);
@@ -69,7 +69,7 @@ void Viewer::open_mesh(const std::string& name) {
   after.steering.clear();
   unless_lost(after, shown(fs::path(name).filename().native()), [this, name] {
     // Shapes have their own menu.
-    if (live_.apply(commands::Open{name}) && !name.starts_with("shape:")) remember_opened(name);
+    if (live_.apply(commands::open(name)) && !name.starts_with("shape:")) remember_opened(name);
   });
 }
 
@@ -96,7 +96,7 @@ void Viewer::unless_lost(const SessionDocument& after, const std::string& by,
 
 void Viewer::open_strokes(const fs::path& path) {
   try {
-    live_.apply(commands::SetStrokes{read_strokes(path)});
+    live_.apply(commands::set_strokes(read_strokes(path)));
   } catch (const Error& error) {
     live_.add_message(MessageKind::error, error.what());
   }

@@ -159,7 +159,8 @@ void Viewer::draw_export_items() {
   if (item("Load strokes...", nullptr)) ask_strokes(false);
   const bool has_any = !all_strokes(live_.document()).empty();
   if (item("Save strokes...", nullptr, false, has_any)) ask_strokes(true);
-  if (item("Erase all strokes", nullptr, false, has_strokes)) live_.apply(commands::SetStrokes{});
+  if (item("Erase all strokes", nullptr, false, has_strokes))
+    live_.apply(commands::set_strokes({}));
 }
 
 void Viewer::draw_edit_menu() {
@@ -195,7 +196,7 @@ void Viewer::draw_view_menu() {
   }
   for (const Shown shown : {Shown::curves, Shown::samples}) {
     const bool now = live_.document().shown == shown;
-    if (item(std::string(name_of(shown)).c_str(), "B", now)) live_.apply(commands::Show{shown});
+    if (item(std::string(name_of(shown)).c_str(), "B", now)) live_.apply(commands::show(shown));
   }
   ImGui::Separator();
   if (item("Options", "Tab", settings_.show_options)) {
@@ -229,14 +230,14 @@ void Viewer::draw_stored_views() {
     const std::string number = std::to_string(key);
     const bool stored = live_.document().views[static_cast<std::size_t>(key) - 1].has_value();
     if (item(("Recall " + number).c_str(), number.c_str(), false, stored)) {
-      live_.apply(commands::RecallView{key});
+      live_.apply(commands::recall_view(key));
     }
   }
   ImGui::Separator();
   for (int key = 1; key <= kStoredViews; ++key) {
     const std::string number = std::to_string(key);
     if (item(("Store as " + number).c_str(), ("Ctrl+" + number).c_str())) {
-      live_.apply(commands::StoreView{key});
+      live_.apply(commands::store_view(key));
     }
   }
   ImGui::EndMenu();
@@ -287,7 +288,7 @@ void Viewer::follow_alt_key(const PressedKey& key) {
 
 void Viewer::follow_control_key(const PressedKey& key) {
   if (key.key >= GLFW_KEY_1 && key.key <= GLFW_KEY_9) {
-    live_.apply(commands::StoreView{key.key - GLFW_KEY_1 + 1});
+    live_.apply(commands::store_view(key.key - GLFW_KEY_1 + 1));
     return live_.add_message(MessageKind::note, "the view is stored under " +
                                                     std::string(1, static_cast<char>(key.key)));
   }
@@ -317,7 +318,7 @@ void Viewer::follow_control_key(const PressedKey& key) {
 
 void Viewer::follow_plain_key(const PressedKey& key) {
   if (key.key >= GLFW_KEY_1 && key.key <= GLFW_KEY_9) {
-    live_.apply(commands::RecallView{key.key - GLFW_KEY_1 + 1});
+    live_.apply(commands::recall_view(key.key - GLFW_KEY_1 + 1));
     return;
   }
   const CameraView& view = live_.document().camera;
@@ -379,14 +380,14 @@ void Viewer::follow_letter(int key) {
   }
 }
 
-void Viewer::set_camera(const CameraView& view) { live_.apply(commands::SetCamera{view}); }
+void Viewer::set_camera(const CameraView& view) { live_.apply(commands::set_camera(view)); }
 
 void Viewer::solve_again() {
-  if (live_.at_rest() && !live_.frame()->state->metrics.followed) {
+  if (live_.at_rest() && live_.frame()->state->phases == nullptr) {
     return live_.add_message(MessageKind::note, "the pattern has followed no other one");
   }
   live_.end_drag();
-  live_.apply(commands::SolveAgain{});
+  live_.apply(session_command("solve_again"));
 }
 
 void Viewer::paste_view() {
@@ -398,11 +399,11 @@ void Viewer::paste_view() {
 }
 
 void Viewer::show_view(const std::string& name) {
-  if (live_.document().shown != Shown::stripes) live_.apply(commands::Show{Shown::stripes});
+  if (live_.document().shown != Shown::stripes) live_.apply(commands::show(Shown::stripes));
   if (name == kViews.front()) {
-    live_.apply(commands::ClearOption{"view"});
+    live_.apply(commands::clear_option("view"));
   } else {
-    live_.apply(commands::SetOption{"view", {name}});
+    live_.apply(commands::set_option("view", {name}));
   }
 }
 
@@ -414,10 +415,10 @@ void Viewer::cycle_view() {
   switch (live_.document().shown) {
     case Shown::stripes:
       if (at != kViews.end() && at + 1 != kViews.end()) return show_view(*(at + 1));
-      live_.apply(commands::Show{Shown::curves});
+      live_.apply(commands::show(Shown::curves));
       return;
     case Shown::curves:
-      live_.apply(commands::Show{Shown::samples});
+      live_.apply(commands::show(Shown::samples));
       return;
     case Shown::samples:
       return show_view(kViews.front());

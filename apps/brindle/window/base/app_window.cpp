@@ -173,8 +173,7 @@ void AppWindow::listen_to_keys() {
     }
     std::erase_if(desktop.released, [key](const auto& released) { return released.key == key; });
     desktop.keys.push_back({letter_on(key, code), (modifiers & GLFW_MOD_CONTROL) != 0,
-                            (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT,
-                            (modifiers & GLFW_MOD_ALT) != 0});
+                            (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_ALT) != 0});
     ImGui_ImplGlfw_KeyCallback(w, key, code, action, modifiers);
   });
 }
@@ -266,10 +265,6 @@ Image AppWindow::pixels() const {
   }
   for (Pixel& pixel : image.pixels) pixel.alpha = 255;
   return image;
-}
-
-void AppWindow::set_title(const std::string& title) {
-  glfwSetWindowTitle(desktop_->window, title.c_str());
 }
 
 void AppWindow::set_dark(bool dark) {

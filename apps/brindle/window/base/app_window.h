@@ -23,7 +23,6 @@ struct PressedKey {
   int key = 0;
   bool control = false;
   bool shift = false;
-  bool repeated = false;
   bool alt = false;
 };
 
@@ -52,7 +51,6 @@ class AppWindow {
   /// was lost.
   void end_frame(Image* copy = nullptr);
 
-  void set_title(const std::string& title);
   void set_dark(bool dark);
   bool dark() const { return look_.dark; }
 

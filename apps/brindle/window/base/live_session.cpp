@@ -42,24 +42,24 @@ SessionDocument LiveSession::document_as_shown() const {
 bool LiveSession::apply(const SessionCommand& command) {
   const bool done = session_.apply(command);
   if (log_.is_open()) {
-    nlohmann::ordered_json json = command_to_json(command);
+    SessionCommand json = command;
     json.erase("phases");  // one number per vertex
     log_.write("command",
                {{"done", done}, {"revision", session_.revision()}, {"what", std::move(json)}});
   }
-  if (done && commands_.is_open()) commands_ << json_text(command_to_json(command)) << std::endl;
+  if (done && commands_.is_open()) commands_ << json_text(command) << std::endl;
   log_messages();
   return done;
 }
 
 bool LiveSession::apply_dragged(const SessionCommand& command) {
-  if (!session_.dragging()) apply(commands::BeginDrag{});
+  if (!session_.dragging()) apply(session_command("begin_drag"));
   return apply(command);
 }
 
 void LiveSession::end_drag() {
   if (!session_.dragging()) return;
-  apply(commands::EndDrag{});
+  apply(session_command("end_drag"));
   if (at_rest()) keep_phases();
 }
 
@@ -128,11 +128,9 @@ bool LiveSession::take_frame() {
 // Undo and saving restore the pattern that is shown.
 void LiveSession::keep_phases() {
   if (session_.dragging()) return;
-  const commands::KeepPhases command{frame_->state->phases};
-  if (!session_.keep_phases(frame_->revision, command.phases)) return;
-  if (commands_.is_open()) {
-    commands_ << json_text(command_to_json(SessionCommand(command))) << std::endl;
-  }
+  const auto& phases = frame_->state->phases;
+  if (!session_.keep_phases(frame_->revision, phases)) return;
+  if (commands_.is_open()) commands_ << json_text(commands::keep_phases(phases)) << std::endl;
   log_.write("kept_phases", {{"frame", frame_->number}, {"revision", session_.revision()}});
   asked_revision_ = shown_revision_ = session_.revision();
 }
@@ -190,6 +188,7 @@ std::vector<std::string> notes_of(const SessionFrame& frame) {
 void LiveSession::log_frame(const SessionFrame& frame) {
   if (!log_.is_open()) return;
   const LiveMetrics& metrics = frame.state->metrics;
+  const Report& report = frame.state->report();
   auto stages = nlohmann::ordered_json::object();
   for (const auto& [name, milliseconds] : metrics.milliseconds) stages[name] = milliseconds;
   auto shown = nlohmann::ordered_json::object();
@@ -199,16 +198,16 @@ void LiveSession::log_frame(const SessionFrame& frame) {
                        {"final", frame.quality == PictureQuality::final},
                        {"width", frame.image.width},
                        {"height", frame.image.height},
-                       {"vertices", metrics.vertices},
-                       {"branches", metrics.branches},
-                       {"singularities", metrics.singularities},
-                       {"energy", metrics.energy},
-                       {"spacing_error", metrics.mean_spacing_error},
-                       {"edges_per_period", metrics.edges_per_period},
+                       {"vertices", report.vertices},
+                       {"branches", report.quality.branches},
+                       {"singularities", report.quality.field_singularities},
+                       {"energy", report.energy},
+                       {"spacing_error", report.quality.spacing_error_mean},
+                       {"edges_per_period", report.waves.edges_per_period_median},
                        {"notes", notes_of(frame)},
                        {"nothing_left", frame.nothing_left},
                        {"shown", std::move(shown)},
-                       {"followed", metrics.followed},
+                       {"followed", frame.state->phases != nullptr},
                        {"milliseconds", frame.milliseconds},
                        {"draw_milliseconds", frame.draw_milliseconds},
                        {"stages", std::move(stages)}});

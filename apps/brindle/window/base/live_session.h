@@ -63,10 +63,10 @@ class LiveSession {
   using UnreadTaker = std::function<std::string(const std::string& mesh)>;
   void when_unread(UnreadTaker taker) { unread_taker_ = std::move(taker); }
 
-  bool undo() { return apply(commands::Undo{}); }
-  bool redo() { return apply(commands::Redo{}); }
-  bool previous_view() { return apply(commands::PreviousView{}); }
-  bool next_view() { return apply(commands::NextView{}); }
+  bool undo() { return apply(session_command("undo")); }
+  bool redo() { return apply(session_command("redo")); }
+  bool previous_view() { return apply(session_command("previous_view")); }
+  bool next_view() { return apply(session_command("next_view")); }
   void add_message(MessageKind kind, const std::string& text);
 
   void set_picture_size(PictureSize size);

@@ -85,4 +85,13 @@ std::string text_of_value(float value, ValueChange change, bool whole) {
   return whole ? std::to_string(std::lround(value)) : formatted("%.4g", static_cast<double>(value));
 }
 
+bool color_swatch(const char* name, Color& color, bool& held) {
+  std::array<float, 3> channels = {color.red, color.green, color.blue};
+  const bool changed = ImGui::ColorEdit3(
+      name, channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+  if (changed) color = {channels[0], channels[1], channels[2]};
+  held |= ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) && ImGui::GetIO().WantTextInput;
+  return changed;
+}
+
 }  // namespace brindle::tool

@@ -1,10 +1,11 @@
-/// Sliders that apply typed values when complete.
+/// Sliders that apply typed values when complete, and colours.
 #pragma once
 
 #include <string>
 
 #include <imgui.h>
 
+#include "brindle/image.h"
 #include "window/base/live_session.h"
 
 namespace brindle::tool {
@@ -25,5 +26,8 @@ ValueChange value_drag(const char* label, float& value, float speed, const char*
 /// A number as option text: typed values with all digits, dragged ones with four, or rounded to
 /// integers.
 std::string text_of_value(float value, ValueChange change, bool whole);
+
+/// A colour to edit. Returns whether it changed; sets `held` while it is edited.
+bool color_swatch(const char* name, Color& color, bool& held);
 
 }  // namespace brindle::tool

@@ -97,8 +97,7 @@ void ShapeDialog::draw_parameter(const ShapeInfo& shape, const ShapeParameter& p
   const std::string after = text_of_value(value, change, parameter.whole);
   if (change == ValueChange::none || after == text) return;
   values[parameter.name] = after;
-  live_.apply_value(change,
-                    commands::Open{.mesh = shape_text(shape, values), .keep_strokes = true});
+  live_.apply_value(change, commands::open(shape_text(shape, values), true));
 }
 
 }  // namespace brindle::tool

@@ -122,7 +122,7 @@ void GalleryMenu::load(const std::string& name, const GalleryPicture& picture,
 void GalleryMenu::take(const std::string& name, const GalleryPicture& picture,
                        const SessionDocument& document) {
   mesh_ = document.mesh;
-  if (!live_.apply(commands::Load{document})) return;
+  if (!live_.apply(commands::load(document))) return;
   live_.note_saved();
   shown_ = &picture;
   title_ = "Gallery: " + name;
@@ -163,8 +163,7 @@ void GalleryMenu::draw_steps() {
     return live_.add_message(MessageKind::error,
                              formatted("there are steps from 0 to %d", steps.count - 1));
   }
-  live_.apply_value(change, commands::Open{.mesh = steps.path(static_cast<int>(whole)).string(),
-                                           .keep_strokes = true});
+  live_.apply_value(change, commands::open(steps.path(static_cast<int>(whole)).string(), true));
 }
 
 void GalleryMenu::draw_flow() {
@@ -180,7 +179,7 @@ bool GalleryMenu::update() {
   const double shift = std::atof(split(text, ',').front().c_str()) +
                        kTilesASecond * (now - std::exchange(flowed_at_, now));
   const std::string next = formatted("%.4f", shift - std::floor(shift));
-  if (next != text && !live_.apply_moving(commands::SetOption{"texture-shift", {next}})) {
+  if (next != text && !live_.apply_moving(commands::set_option("texture-shift", {next}))) {
     flows_ = false;
   }
   return flows_;

@@ -49,9 +49,9 @@ void MetricPanel::note_frame() {
   if (!arrivals_.empty() && now - arrivals_.back() > kPause) arrivals_.clear();
   arrivals_.push_back(now);
   while (now - arrivals_.front() > 1) arrivals_.pop_front();
-  const LiveMetrics& metrics = frame->state->metrics;
-  const std::array values = {static_cast<double>(metrics.branches), metrics.energy,
-                             metrics.mean_angle_error_deg, frame->milliseconds,
+  const Report& report = frame->state->report();
+  const std::array values = {static_cast<double>(report.quality.branches), report.energy,
+                             report.quality.angle_error_mean_deg, frame->milliseconds,
                              frames_per_second()};
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::vector<float>& history = histories_[i].values;
@@ -83,24 +83,25 @@ void MetricPanel::draw(double window_milliseconds, bool dark) {
 }
 
 void MetricPanel::draw_counts(const SessionFrame& frame) {
-  const LiveMetrics& metrics = frame.state->metrics;
-  metric_row("vertices", count_text(metrics.vertices));
-  metric_row("triangles", count_text(metrics.triangles));
-  metric_row("branches", count_text(metrics.branches));
+  const Report& report = frame.state->report();
+  const PatternQuality& quality = report.quality;
+  metric_row("vertices", count_text(report.vertices));
+  metric_row("triangles", count_text(report.triangles));
+  metric_row("branches", count_text(quality.branches));
   log_.note_widget("metric branches");
-  metric_row("singularities", count_text(metrics.singularities));
-  metric_row("energy", formatted("%.5g", metrics.energy));
-  metric_row("angle error", formatted("%.2f\u00b0", metrics.mean_angle_error_deg));
-  metric_row("spacing error", formatted("%.2f%%", 100 * metrics.mean_spacing_error));
-  if (metrics.edges_per_period > 0) {
-    metric_row("edges a period", formatted("%.3g", metrics.edges_per_period));
+  metric_row("singularities", count_text(quality.field_singularities));
+  metric_row("energy", formatted("%.5g", report.energy));
+  metric_row("angle error", formatted("%.2f\u00b0", quality.angle_error_mean_deg));
+  metric_row("spacing error", formatted("%.2f%%", 100 * quality.spacing_error_mean));
+  if (report.waves.edges_per_period_median > 0) {
+    metric_row("edges a period", formatted("%.3g", report.waves.edges_per_period_median));
     log_.note_widget("metric edges a period");
   }
-  for (const auto& [name, value] : metrics.shown) {
+  for (const auto& [name, value] : frame.state->metrics.shown) {
     metric_row(name_beside(name).c_str(), text_of_metric(value));
     log_.note_widget("metric " + name);
   }
-  if (metrics.followed) draw_followed(metrics);
+  if (frame.state->phases) draw_followed(frame.state->metrics);
 }
 
 void MetricPanel::draw_followed(const LiveMetrics& metrics) {

@@ -32,32 +32,13 @@ std::vector<std::string> names_of(const OptionInfo& info) {
   return names;
 }
 
-WidgetKind kind_of(const OptionInfo& info) {
-  switch (info.kind) {
-    case OptionKind::flag:
-      return WidgetKind::flag;
-    case OptionKind::choice:
-      return WidgetKind::choice;
-    case OptionKind::whole:
-    case OptionKind::number:
-      return WidgetKind::number;
-    case OptionKind::numbers:
-      return WidgetKind::numbers;
-    case OptionKind::length:
-      return WidgetKind::percent;
-    case OptionKind::text:
-      break;
-  }
-  return WidgetKind::text;
-}
-
 CatalogOption entry_of(const OptionInfo& info) {
   CatalogOption entry;
   entry.name = info.name;
   entry.words = info.words;
   entry.help = info.help;
   entry.form = info.form;
-  entry.kind = kind_of(info);
+  entry.kind = info.kind;
   entry.names = names_of(info);
   entry.files = words_between_spaces(info.files);
   entry.repeatable = info.several;

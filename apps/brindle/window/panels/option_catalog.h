@@ -9,21 +9,18 @@
 
 namespace brindle::tool {
 
-/// `percent`: a length, relative to the diagonal ("0.4%") or in the mesh's units.
-enum class WidgetKind { flag, choice, number, numbers, percent, text };
-
 struct CatalogOption {
   std::string name;   ///< "stripes"
   std::string words;  ///< "number of stripes"
   std::string help;
   std::string form;  ///< syntax of values: "AZIMUTH,ELEVATION"
-  WidgetKind kind = WidgetKind::text;
-  std::vector<std::string> names;     ///< values that are names: all of a choice, some of a text
-  std::vector<std::string> files;     ///< extensions of files that the value may be
-  bool repeatable = false;            ///< a value a line
-  bool whole = false;                 ///< numbers that are dragged have no fraction
-  SliderRange range;                  ///< of numbers and percents; what is typed may go beyond
-  std::string standard;               ///< what counts where it is not given; empty: nothing does
+  OptionKind kind = OptionKind::text;
+  std::vector<std::string> names;  ///< values that are names: all of a choice, some of a text
+  std::vector<std::string> files;  ///< extensions of files that the value may be
+  bool repeatable = false;         ///< a value a line
+  bool whole = false;              ///< numbers that are dragged have no fraction
+  SliderRange range;     ///< of numbers, and of lengths in per cent; what is typed may go beyond
+  std::string standard;  ///< what counts where it is not given; empty: nothing does
   std::vector<std::string> excludes;  ///< options that are left out when this one is given
 };
 

@@ -102,7 +102,7 @@ void OptionPanel::draw_shown() {
     const std::string name(name_of(shown));
     ImGui::SameLine();
     if (ImGui::RadioButton(name.c_str(), live_.document().shown == shown)) {
-      live_.apply(commands::Show{shown});
+      live_.apply(commands::show(shown));
     }
     log_.note_widget("show " + name);
   }
@@ -180,7 +180,7 @@ void OptionPanel::draw_others(const CatalogOption& option, float column) {
   const OtherSurfaces::Set change = [this, option](std::vector<std::string> values,
                                                    ValueChange by) {
     if (values.empty()) {
-      live_.apply(commands::ClearOption{option.name});
+      live_.apply(commands::clear_option(option.name));
     } else {
       set(option, std::move(values), by);
     }
@@ -209,11 +209,12 @@ void OptionPanel::draw_menu(const CatalogOption& option, bool given) {
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("menu");
   if (!ImGui::BeginPopup("menu")) return;
   if (ImGui::MenuItem("Leave out (as if not given)", nullptr, false, given)) {
-    live_.apply(commands::ClearOption{option.name});
+    live_.apply(commands::clear_option(option.name));
   }
   log_.note_widget("clear " + option.name);
-  if (option.kind == WidgetKind::number || option.kind == WidgetKind::percent ||
-      option.name == "slice") {
+  const bool slides = option.kind == OptionKind::whole || option.kind == OptionKind::number ||
+                      option.kind == OptionKind::length;
+  if (slides || option.name == "slice") {
     ImGui::TextDisabled("Type a value:");
     draw_text(option, 0, 12 * ImGui::GetFontSize());
   }
@@ -225,23 +226,18 @@ void OptionPanel::draw_widget(const CatalogOption& option) {
   if (option.name == "slice") return draw_slice(option);
   if (option.repeatable) return draw_texts(option);
   switch (option.kind) {
-    case WidgetKind::flag:
+    case OptionKind::flag:
       return draw_flag(option);
-    case WidgetKind::choice:
+    case OptionKind::choice:
       return draw_choice(option);
-    case WidgetKind::number: {
-      const std::string text = text_of(option);
-      const auto value = number_in<float>(text);
-      // A slider cannot show values such as array:NAME.
-      if (!value && !text.empty()) return draw_text(option, 0, -FLT_MIN);
-      const auto lowest = static_cast<float>(range_of(option).lowest);
-      return draw_number(option, value.value_or(lowest), value.has_value());
-    }
-    case WidgetKind::numbers:
+    case OptionKind::whole:
+    case OptionKind::number:
+      return draw_number(option, "");
+    case OptionKind::numbers:
       return draw_numbers(option);
-    case WidgetKind::percent:
-      return draw_percent(option);
-    case WidgetKind::text:
+    case OptionKind::length:
+      return draw_number(option, "%");
+    case OptionKind::text:
       return draw_text(option, 0, -FLT_MIN);
   }
 }
@@ -279,16 +275,14 @@ SliderRange OptionPanel::range_of(const CatalogOption& option) const {
 
 void OptionPanel::set(const CatalogOption& option, std::vector<std::string> values,
                       ValueChange change_by) {
-  commands::SetOptions change{{{option.name, std::move(values)}}, {}};
+  std::vector<std::string> cleared;
   for (const std::string& other : option.excludes) {
-    if (given_.contains(other)) change.clear.push_back(other);
-  }
-  SessionCommand command = change;
-  if (change.clear.empty()) {
-    command = commands::SetOption{option.name, change.set.at(option.name)};
+    if (given_.contains(other)) cleared.push_back(other);
   }
   // All changes during one press of the mouse are one step, which the frame's owner ends.
-  live_.apply_value(change_by, command);
+  live_.apply_value(change_by, cleared.empty()
+                                   ? commands::set_option(option.name, values)
+                                   : commands::set_options({{option.name, values}}, cleared));
 }
 
 void OptionPanel::draw_flag(const CatalogOption& option) {
@@ -297,7 +291,7 @@ void OptionPanel::draw_flag(const CatalogOption& option) {
   if (on) {
     set(option, {});
   } else {
-    live_.apply(commands::ClearOption{option.name});
+    live_.apply(commands::clear_option(option.name));
   }
 }
 
@@ -313,22 +307,29 @@ void OptionPanel::draw_choice(const CatalogOption& option) {
   ImGui::EndCombo();
 }
 
-void OptionPanel::draw_number(const CatalogOption& option, float value, bool known) {
+// A number, or a percentage of the diagonal. A slider cannot show other values, such as array:NAME
+// and lengths in the mesh's units.
+void OptionPanel::draw_number(const CatalogOption& option, const std::string& suffix) {
+  const std::string text = text_of(option);
+  const auto known = text.ends_with(suffix)
+                         ? number_in<float>(text.substr(0, text.size() - suffix.size()))
+                         : std::nullopt;
+  if (!known && !text.empty()) return draw_text(option, 0, -FLT_MIN);
   const SliderRange range = range_of(option);
-  const bool given = given_.contains(option.name);
-  ImGui::SetNextItemWidth(-FLT_MIN);
-  const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-  const std::string before = text_of(option);
-  const std::string shown = known ? before : "off";
-  if (!given) {
+  const bool dimmed = suffix.empty() ? !given_.contains(option.name) : !known;
+  if (dimmed) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   }
-  const ValueChange change =
-      slider_beside_number("##number", value, static_cast<float>(range.lowest),
-                           static_cast<float>(range.highest), shown.c_str(), flags);
-  if (!given) ImGui::PopStyleColor();
-  const std::string text = text_of_value(value, change, option.whole);
-  if (change != ValueChange::none && text != before) set(option, {text}, change);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  float value = known.value_or(static_cast<float>(range.lowest));
+  // Dear ImGui needs a doubled per cent sign.
+  const std::string shown = known ? text + suffix : "off";
+  const ValueChange change = slider_beside_number(
+      "##number", value, static_cast<float>(range.lowest), static_cast<float>(range.highest),
+      shown.c_str(), range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  if (dimmed) ImGui::PopStyleColor();
+  const std::string after = text_of_value(value, change, option.whole) + suffix;
+  if (change != ValueChange::none && after != text) set(option, {after}, change);
 }
 
 // Two numbers, and an optional suffix.
@@ -360,29 +361,6 @@ void OptionPanel::draw_numbers(const CatalogOption& option) {
   }
 }
 
-// A percentage of the diagonal; lengths in the mesh's units are typed.
-void OptionPanel::draw_percent(const CatalogOption& option) {
-  const std::string text = text_of(option);
-  const auto share =
-      text.ends_with('%') ? number_in<float>(text.substr(0, text.size() - 1)) : std::nullopt;
-  if (!share && !text.empty()) return draw_text(option, 0, -FLT_MIN);
-  const auto lowest = static_cast<float>(option.range.lowest);
-  const auto highest = static_cast<float>(option.range.highest);
-  float value = share.value_or(lowest);
-  const std::string before = share ? text : "off";
-  if (!share) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  }
-  ImGui::SetNextItemWidth(-FLT_MIN);
-  // Dear ImGui needs a doubled per cent sign.
-  const ValueChange change = slider_beside_number(
-      "##percent", value, lowest, highest, share ? (before + "%").c_str() : before.c_str(),
-      option.range.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-  if (!share) ImGui::PopStyleColor();
-  const std::string after = text_of_value(value, change, false) + "%";
-  if (change != ValueChange::none && after != before) set(option, {after}, change);
-}
-
 // Value number `index` of an option: a text field, a list of names and a file browser.
 void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, float width) {
   const std::string id = option.name + " " + std::to_string(index);
@@ -391,9 +369,8 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
   const bool has_names = !option.names.empty() || option.form.find("array:") != std::string::npos;
   const float buttons = (has_names ? button : 0) + (option.files.empty() ? 0 : button);
   ImGui::SetNextItemWidth(width > 0 ? width : ImGui::GetContentRegionAvail().x - buttons);
-  const auto found = given_.find(option.name);
-  const bool given = found != given_.end() && index < found->second.size();
-  std::string text = given ? found->second[index] : "";
+  const std::vector<std::string> values = values_of(option);
+  std::string text = index < values.size() ? values[index] : "";
   if (edited_ == id) text = edit_;
   const std::string hint = option.standard.empty() ? option.form : option.standard;
   const bool entered =
@@ -423,10 +400,8 @@ void OptionPanel::draw_text(const CatalogOption& option, std::size_t index, floa
 // An empty value is removed.
 void OptionPanel::set_one(const CatalogOption& option, std::size_t index,
                           const std::string& value) {
-  const auto found = given_.find(option.name);
-  std::vector<std::string> values;
-  if (found != given_.end()) values = found->second;
-  const std::vector<std::string> before = values;
+  const std::vector<std::string> before = values_of(option);
+  std::vector<std::string> values = before;
   if (index < values.size()) {
     values[index] = value;
   } else {
@@ -435,7 +410,7 @@ void OptionPanel::set_one(const CatalogOption& option, std::size_t index,
   std::erase(values, "");
   if (values == before) return;
   if (values.empty()) {
-    live_.apply(commands::ClearOption{option.name});
+    live_.apply(commands::clear_option(option.name));
   } else {
     set(option, std::move(values));
   }
@@ -462,12 +437,10 @@ void OptionPanel::draw_names(const CatalogOption& option, std::size_t index) {
 }
 
 void OptionPanel::draw_texts(const CatalogOption& option) {
-  const auto found = given_.find(option.name);
-  const std::size_t count = found == given_.end() ? 0 : found->second.size();
+  const std::size_t count = values_of(option).size();
   for (std::size_t index = 0; index <= count; ++index) draw_text(option, index, -FLT_MIN);
 }
 
-// Swatches of the stripe, surface and background colours.
 namespace {
 
 /// Splits "x=50%" into axis and number; empty for other text.
@@ -492,7 +465,7 @@ void OptionPanel::draw_slice(const CatalogOption& option) {
   const bool opened = ImGui::BeginCombo("##axis", slice ? slice->first.c_str() : "not");
   log_.note_widget("slice axis");
   if (opened) {
-    if (ImGui::Selectable("not", !slice)) live_.apply(commands::ClearOption{option.name});
+    if (ImGui::Selectable("not", !slice)) live_.apply(commands::clear_option(option.name));
     log_.note_widget("choice slice not");
     for (const char* axis : kAxes) {
       if (ImGui::Selectable(axis, slice && slice->first == axis)) {
@@ -513,6 +486,7 @@ void OptionPanel::draw_slice(const CatalogOption& option) {
   if (change != ValueChange::none && value != text) set(option, {value}, change);
 }
 
+// Swatches of the stripe, surface and background colours.
 void OptionPanel::draw_colors(const CatalogOption& option) {
   static constexpr std::array kTitles = {"stripes", "surface", "background"};
   const RenderOptions standard;
@@ -527,13 +501,9 @@ void OptionPanel::draw_colors(const CatalogOption& option) {
   }
   for (std::size_t i = 0; i < colors.size(); ++i) {
     if (i > 0) ImGui::SameLine();
-    std::array<float, 3> channels = {colors[i].red, colors[i].green, colors[i].blue};
-    const bool changed = ImGui::ColorEdit3(
-        kTitles[i], channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
+    const bool changed = color_swatch(kTitles[i], colors[i], is_held_);
     log_.note_widget(std::string("color ") + kTitles[i]);
-    is_held_ |= ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) && ImGui::GetIO().WantTextInput;
     if (!changed) continue;
-    colors[i] = {channels[0], channels[1], channels[2]};
     std::string text;
     for (std::size_t j = 0; j < std::max(given, i + 1); ++j) {
       text += (j > 0 ? "," : "") + hex_color(colors[j]);

@@ -42,9 +42,8 @@ class OptionPanel {
   void draw_widget(const CatalogOption& option);
   void draw_flag(const CatalogOption& option);
   void draw_choice(const CatalogOption& option);
-  void draw_number(const CatalogOption& option, float value, bool known);
+  void draw_number(const CatalogOption& option, const std::string& suffix);
   void draw_numbers(const CatalogOption& option);
-  void draw_percent(const CatalogOption& option);
   void draw_text(const CatalogOption& option, std::size_t index, float width);
   void draw_texts(const CatalogOption& option);
   void draw_names(const CatalogOption& option, std::size_t index);

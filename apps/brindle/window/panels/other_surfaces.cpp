@@ -67,14 +67,6 @@ constexpr std::array kLooks = {
 
 constexpr const char* kUsualTile = "dots";
 
-bool swatch(const char* name, Color& color) {
-  std::array<float, 3> channels = {color.red, color.green, color.blue};
-  const bool changed = ImGui::ColorEdit3(
-      name, channels.data(), ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel);
-  if (changed) color = {channels[0], channels[1], channels[2]};
-  return changed;
-}
-
 }  // namespace
 
 void OtherSurfaces::draw_list(const std::vector<std::string>& given, const Set& set) {
@@ -225,7 +217,7 @@ void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& chang
   const bool has_own = !by_value || choice.between == BetweenStrokes::surface;
   if (has_own) {
     Color surface = choice.color.value_or(kOtherColor);
-    if (swatch("surface", surface)) {
+    if (color_swatch("surface", surface, is_held_)) {
       choice.color = surface;
       changed(choice, ValueChange::dragged);
     }
@@ -240,13 +232,12 @@ void OtherSurfaces::draw_colors(OtherSurfaceChoice& choice, const Changed& chang
       const auto& first = live_.frame()->state->parsed->arguments().picture;
       stripes = choice.stripe_color.value_or(first.render.stripe_color);
     }
-    if (swatch("stripes", stripes)) {
+    if (color_swatch("stripes", stripes, is_held_)) {
       choice.stripe_color = stripes;
       changed(choice, ValueChange::dragged);
     }
     log_.note_widget("surface stripe color");
   }
-  is_held_ |= ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) && ImGui::GetIO().WantTextInput;
 }
 
 void OtherSurfaces::draw_stripes(OtherSurfaceChoice& choice, const Changed& changed, float column) {

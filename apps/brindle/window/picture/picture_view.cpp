@@ -3,10 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <string>
 
 #include <imgui.h>
 
+#include "brindle/base/text.h"
+#include "brindle/render/parsed_words.h"
+#include "session/session_options.h"
+
 namespace brindle::tool {
+namespace {
+
+constexpr const char* kLightFrom = "light-from";
+constexpr float kBall = 26, kBallRoom = 14;  // units of Dear ImGui
+
+/// The light direction of the document's pictures.
+LightDirection light_of(const SessionDocument& document) {
+  const OptionValues options = shown_options(document);
+  const auto found = options.find(kLightFrom);
+  const OptionInfo* info = find_session_option(kLightFrom, document.shown);
+  const auto light = found != options.end() && !found->second.empty()
+                         ? parse_light_direction(found->second.front())
+                         : parse_light_direction(info->standard);
+  return light.value_or(LightDirection());
+}
+
+}  // namespace
 
 PictureView::~PictureView() { glDeleteTextures(1, &texture_); }
 
@@ -62,9 +85,7 @@ void PictureView::draw(float pixels_per_unit, const std::vector<Eigen::Vector2f>
   show(place);
   tool_.draw_over(*ImGui::GetWindowDrawList(), place, hovered);
   places_.draw_over(*ImGui::GetWindowDrawList(), place);
-  if (tool_.tool() == Tool::light) {
-    light_.draw_over(*ImGui::GetWindowDrawList(), {end.x, corner.y});
-  }
+  if (tool_.tool() == Tool::light) draw_light({end.x, corner.y});
   note_mouse(place, hovered);
   show_values(corner, end);
   show_legend(corner);
@@ -88,8 +109,7 @@ void PictureView::note_mouse(const PicturePlace& place, bool hovered) {
   if (picked_frame_ == uploaded_ && pixel == picked_pixel_) return;
   picked_frame_ = uploaded_;
   picked_pixel_ = pixel;
-  const auto hit = pick(uploaded_->surface(), uploaded_->camera, place.size.width,
-                        place.size.height, pixel.x(), pixel.y());
+  const auto hit = place.pick(pixel);
   under_mouse_ = hit ? values_at(*uploaded_->state, *hit) : std::vector<PickedValue>();
 }
 
@@ -211,7 +231,7 @@ void PictureView::follow_mouse(const PicturePlace& place,
   if (ImGui::IsItemActive() && !drawing_ && !moves_place &&
       (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
     if (tool_.tool() == Tool::light && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift) {
-      return light_.drag(place, io.MouseDelta);
+      return drag_light(place, io.MouseDelta);
     }
     look(io.MouseDelta, ImGui::IsMouseDown(ImGuiMouseButton_Middle) || io.KeyShift, place);
   }
@@ -242,13 +262,13 @@ void PictureView::look(const ImVec2& motion, bool moves, const PicturePlace& pla
   const Eigen::Vector2f pixels = place.pixels_per_unit * Eigen::Vector2f(motion.x, motion.y);
   if (moves) {
     if (const auto center = middle()) {
-      live_.apply_dragged(commands::SetCamera{
-          moved(view, place.frame->camera, view.center.value_or(*center), place.size, pixels)});
+      live_.apply_dragged(commands::set_camera(
+          moved(view, place.frame->camera, view.center.value_or(*center), place.size, pixels)));
     }
     return;
   }
   live_.apply_dragged(
-      commands::SetCamera{turned(view, pixels / static_cast<float>(place.size.height))});
+      commands::set_camera(turned(view, pixels / static_cast<float>(place.size.height))));
 }
 
 std::optional<Vec3> PictureView::middle() const {
@@ -259,20 +279,51 @@ std::optional<Vec3> PictureView::middle() const {
 void PictureView::follow_wheel() {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0 || io.KeyCtrl) return;
-  live_.apply_moving(commands::SetCamera{zoomed(live_.document().camera, io.MouseWheel)});
+  live_.apply_moving(commands::set_camera(zoomed(live_.document().camera, io.MouseWheel)));
 }
 
 void PictureView::centre_at(const PicturePlace& place) {
-  const Eigen::Vector2d pixel = place.pixel(ImGui::GetIO().MousePos);
-  const auto hit = pick(place.frame->surface(), place.frame->camera, place.size.width,
-                        place.size.height, pixel.x(), pixel.y());
+  const auto hit = place.pick(place.pixel(ImGui::GetIO().MousePos));
   CameraView view = live_.document().camera;
   if (hit) {
     view.center = hit->position;
   } else {
     view.center.reset();
   }
-  live_.apply(commands::SetCamera{view});
+  live_.apply(commands::set_camera(view));
+}
+
+// As if it were on a ball.
+void PictureView::drag_light(const PicturePlace& place, const ImVec2& motion) {
+  if (motion.x == 0 && motion.y == 0) return;
+  const Eigen::Vector2f pixels = place.pixels_per_unit * Eigen::Vector2f(motion.x, motion.y);
+  const LightDirection light =
+      moved_light(light_of(live_.document()), pixels / static_cast<float>(place.size.height));
+  live_.apply_dragged(commands::set_option(
+      kLightFrom, {formatted("%.1f,%.1f", static_cast<double>(light.azimuth_deg),
+                             static_cast<double>(light.elevation_deg))}));
+}
+
+// A disc if the light is in front of the scene, a ring if it is behind.
+void PictureView::draw_light(const ImVec2& corner) const {
+  constexpr float kRadians = std::numbers::pi_v<float> / 180;
+  const LightDirection light = light_of(live_.document());
+  const float azimuth = light.azimuth_deg * kRadians, elevation = light.elevation_deg * kRadians;
+  const ImVec2 middle(corner.x - kBall - kBallRoom, corner.y + kBall + kBallRoom);
+  const ImVec2 at(middle.x + kBall * std::cos(elevation) * std::sin(azimuth),
+                  middle.y - kBall * std::sin(elevation));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec4 behind = ImGui::GetStyleColorVec4(ImGuiCol_PopupBg);
+  const ImU32 color = IM_COL32(255, 190, 40, 255), rim = ImGui::GetColorU32(ImGuiCol_Text);
+  list.AddCircleFilled(middle, kBall, ImGui::GetColorU32({behind.x, behind.y, behind.z, 0.8f}));
+  list.AddCircle(middle, kBall, rim);
+  if (std::cos(azimuth) >= 0) {
+    list.AddCircleFilled(at, 5, color);
+  } else {
+    list.AddCircle(at, 5, color, 0, 2);
+  }
+  list.AddCircle(at, 6.5f, rim);
+  log_.note_place("light", PicturePlace::around(at, 6));
 }
 
 }  // namespace brindle::tool

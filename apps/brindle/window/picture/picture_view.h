@@ -6,21 +6,20 @@
 
 #include <epoxy/gl.h>
 
-#include "session/picked_values.h"
-#include "session/view_legend.h"
+#include "session/live_picture.h"
+#include "session/picking.h"
 #include "window/picture/camera_motion.h"
-#include "window/picture/light_tool.h"
 #include "window/picture/place_handles.h"
 #include "window/picture/stroke_tool.h"
 
 namespace brindle::tool {
 
-/// Shows the session's newest frame. The mouse turns, moves and zooms it, draws strokes or moves
-/// positions.
+/// Shows the session's newest frame. The mouse turns, moves and zooms it, moves the
+/// light or positions, and draws strokes.
 class PictureView {
  public:
   PictureView(LiveSession& live, StrokeTool& tool, PlaceHandles& places, WindowLog& log)
-      : live_(live), tool_(tool), places_(places), light_(live, log), log_(log) {}
+      : live_(live), tool_(tool), places_(places), log_(log) {}
   ~PictureView();
   PictureView(const PictureView&) = delete;
   PictureView& operator=(const PictureView&) = delete;
@@ -44,11 +43,12 @@ class PictureView {
   void follow_wheel();
   void look(const ImVec2& motion, bool moves, const PicturePlace& place);
   void centre_at(const PicturePlace& place);
+  void drag_light(const PicturePlace& place, const ImVec2& motion);
+  void draw_light(const ImVec2& corner) const;
 
   LiveSession& live_;
   StrokeTool& tool_;
   PlaceHandles& places_;
-  LightTool light_;
   WindowLog& log_;
   std::shared_ptr<const SessionFrame> uploaded_;
   ViewLegend legend_;  // of it

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "session/picking.h"
 #include "window/picture/camera_motion.h"
 
 namespace brindle::tool {
@@ -15,19 +14,13 @@ constexpr ImU32 kHandleRim = IM_COL32(16, 24, 40, 230);
 
 }  // namespace
 
-std::optional<Eigen::Vector2d> PlaceHandles::pixel_of(const PicturePlace& place,
-                                                      const Eigen::Vector3d& at) const {
-  const Vec3 near = (at - place.frame->surface().mesh.origin).cast<float>();
-  return place_in_picture(near, place.frame->camera, place.size.width, place.size.height);
-}
-
 std::optional<std::size_t> PlaceHandles::handle_at(const PicturePlace& place,
                                                    const Eigen::Vector2d& pixel) const {
   std::optional<std::size_t> nearest;
   double least = kNearHandle * place.pixels_per_unit;
   const std::vector<NamedPlace> places = named_places(shown_options(live_.document()));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto handle = pixel_of(place, places[i].at);
+    const auto handle = place.pixel_of_place(places[i].at);
     if (!handle || (*handle - pixel).norm() > least) continue;
     least = (*handle - pixel).norm();
     nearest = i;
@@ -36,7 +29,7 @@ std::optional<std::size_t> PlaceHandles::handle_at(const PicturePlace& place,
 }
 
 SessionCommand PlaceHandles::moved(const NamedPlace& from, const Eigen::Vector3d& to) const {
-  return commands::SetOptions{with_place_at(to, from, shown_options(live_.document())), {}};
+  return commands::set_options(with_place_at(to, from, shown_options(live_.document())));
 }
 
 // At constant depth.
@@ -52,8 +45,7 @@ void PlaceHandles::drag(const PicturePlace& place, const Eigen::Vector2d& pixel)
 void PlaceHandles::hover(const PicturePlace& place, const Eigen::Vector2d& pixel) {
   const std::vector<NamedPlace> places = named_places(shown_options(live_.document()));
   if (places.empty()) return;
-  const auto hit = pick(place.frame->surface(), place.frame->camera, place.size.width,
-                        place.size.height, pixel.x(), pixel.y());
+  const auto hit = place.pick(pixel);
   if (hit) live_.apply_moving(moved(places[std::min(chosen_, places.size() - 1)], hit->place));
 }
 
@@ -79,7 +71,7 @@ bool PlaceHandles::follow_mouse(const PicturePlace& place) {
 void PlaceHandles::draw_over(ImDrawList& list, const PicturePlace& place) {
   std::size_t number = 0;
   for (const NamedPlace& named : named_places(shown_options(live_.document()))) {
-    const auto pixel = pixel_of(place, named.at);
+    const auto pixel = place.pixel_of_place(named.at);
     ++number;
     if (!pixel) continue;
     const ImVec2 at = place.unit(*pixel);

@@ -29,8 +29,6 @@ class PlaceHandles {
   void draw_over(ImDrawList& list, const PicturePlace& place);
 
  private:
-  std::optional<Eigen::Vector2d> pixel_of(const PicturePlace& place,
-                                          const Eigen::Vector3d& at) const;
   std::optional<std::size_t> handle_at(const PicturePlace& place,
                                        const Eigen::Vector2d& pixel) const;
   void drag(const PicturePlace& place, const Eigen::Vector2d& pixel);

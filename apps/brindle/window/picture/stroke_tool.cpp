@@ -67,6 +67,15 @@ constexpr const char* kSingularities = "singularities";
 constexpr const char* kLetGo = "let go";
 constexpr float kSliderWidth = 7, kBarGap = 1.2f;  // letters
 
+/// The pixel of a singularity on the visible side; occlusion is not tested.
+std::optional<Eigen::Vector2d> seen_at(const FieldSingularity& singularity,
+                                       const PicturePlace& place) {
+  const Camera& camera = place.frame->camera;
+  if (singularity.normal.dot(viewpoint_of(camera) - singularity.position) <= 0) return std::nullopt;
+  if (camera.cuts_off(singularity.position)) return std::nullopt;
+  return place.pixel_of(singularity.position);
+}
+
 float width_of_box(const char* label) {
   return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
          ImGui::CalcTextSize(label).x;
@@ -127,9 +136,9 @@ void StrokeTool::draw_along() {
   go_on(width_of_box(kAlong));
   if (ImGui::Checkbox(kAlong, &along)) {
     if (along) {
-      live_.apply(commands::SetOption{"along", {}});
+      live_.apply(commands::set_option("along"));
     } else {
-      live_.apply(commands::ClearOption{"along"});
+      live_.apply(commands::clear_option("along"));
     }
   }
   log_.note_widget("stripes along strokes");
@@ -144,7 +153,7 @@ void StrokeTool::draw_let_go() {
   go_on(ImGui::CalcTextSize(kLetGo).x + 2 * ImGui::GetStyle().FramePadding.x);
   if (ImGui::Button(kLetGo)) {
     dropped_.reset();
-    live_.apply(commands::SetSteering{});
+    live_.apply(commands::set_steering({}));
     say("singularities are where the field has them of itself");
   }
   log_.note_widget("let go");
@@ -188,7 +197,7 @@ void StrokeTool::change_strokes(ValueChange change, float radius, float strength
     FieldStroke stroke = live_.document().strokes[*chosen_];
     stroke.radius = radius / 100.0 * diagonal_;
     stroke.strength = strength;
-    if (!live_.apply_value(change, commands::ChangeStroke{*chosen_, std::move(stroke)})) return;
+    if (!live_.apply_value(change, commands::change_stroke(*chosen_, stroke))) return;
   }
   radius_ = radius;
   strength_ = strength;
@@ -203,24 +212,11 @@ void StrokeTool::note_frame(const SessionFrame& frame) {
   singularities_ = field_singularities(frame.surface(), stripes.corners, stripes.waves.directions);
 }
 
-std::optional<PickedPoint> StrokeTool::pick_at(const PicturePlace& place,
-                                               const Eigen::Vector2d& pixel) const {
-  return pick(place.frame->surface(), place.frame->camera, place.size.width, place.size.height,
-              pixel.x(), pixel.y());
-}
-
-std::optional<Eigen::Vector2d> StrokeTool::pixel_of(const PicturePlace& place,
-                                                    const Eigen::Vector3d& point) const {
-  const Eigen::Vector3d near = point - place.frame->surface().mesh.origin;
-  return place_in_picture(near.cast<float>(), place.frame->camera, place.size.width,
-                          place.size.height);
-}
-
 std::vector<Eigen::Vector2d> StrokeTool::line_of(const PicturePlace& place,
                                                  const FieldStroke& stroke) const {
   std::vector<Eigen::Vector2d> line;
   for (const Eigen::Vector3d& point : stroke.points) {
-    if (const auto pixel = pixel_of(place, point)) line.push_back(*pixel);
+    if (const auto pixel = place.pixel_of_place(point)) line.push_back(*pixel);
   }
   return line;
 }
@@ -288,10 +284,10 @@ void StrokeTool::release() {
 void StrokeTool::set_points(Points points) {
   const FieldStroke stroke{std::move(points), radius_ / 100.0 * diagonal_, strength_};
   if (drawn_ && *drawn_ < live_.document().strokes.size()) {
-    refused_ = !live_.apply_dragged(commands::ChangeStroke{*drawn_, stroke});
+    refused_ = !live_.apply_dragged(commands::change_stroke(*drawn_, stroke));
     return;
   }
-  refused_ = !live_.apply_dragged(commands::AddStroke{stroke});
+  refused_ = !live_.apply_dragged(commands::add_stroke(stroke));
   if (!refused_) drawn_ = live_.document().strokes.size() - 1;
 }
 
@@ -305,7 +301,7 @@ void StrokeTool::extend_comb(const PicturePlace& place, const Eigen::Vector2d& p
 // Where the mouse leaves the surface the stroke ends; where it comes back the next one begins.
 void StrokeTool::comb_to(const PicturePlace& place, const Eigen::Vector2d& pixel) {
   const auto pick_place = [&](const Eigen::Vector2d& at) -> std::optional<Eigen::Vector3d> {
-    const auto hit = pick_at(place, at);
+    const auto hit = place.pick(at);
     return hit ? std::optional(hit->place) : std::nullopt;
   };
   const auto there = pick_place(pixel);
@@ -334,7 +330,7 @@ void StrokeTool::end_comb() {
 void StrokeTool::add_control(const PicturePlace& place, const Eigen::Vector2d& pixel) {
   // Undone in the meantime.
   if (drawn_ && *drawn_ + 1 != live_.document().strokes.size()) finish_spline();
-  const auto hit = pick_at(place, pixel);
+  const auto hit = place.pick(pixel);
   if (!hit || (!controls_.empty() && controls_.back() == hit->place)) return;
   controls_.push_back(hit->place);
   if (controls_.size() < 2) return;
@@ -354,8 +350,8 @@ Points StrokeTool::on_surface(const PicturePlace& place, const Points& points,
                               const Eigen::Vector2d& shift) const {
   Points result;
   for (const Eigen::Vector3d& point : points) {
-    const auto pixel = pixel_of(place, point);
-    const auto hit = pixel ? pick_at(place, *pixel + shift) : std::nullopt;
+    const auto pixel = place.pixel_of_place(point);
+    const auto hit = pixel ? place.pick(*pixel + shift) : std::nullopt;
     if (hit) {
       result.push_back(hit->place);
     } else if (shift.isZero()) {
@@ -372,12 +368,12 @@ void StrokeTool::move_chosen(const PicturePlace& place, const Eigen::Vector2d& p
   FieldStroke stroke = live_.document().strokes[*chosen_];
   stroke.points = on_surface(place, moving_->points, pixel - moving_->from);
   if (stroke.points.size() < 2) return;
-  refused_ = !live_.apply_dragged(commands::ChangeStroke{*chosen_, std::move(stroke)});
+  refused_ = !live_.apply_dragged(commands::change_stroke(*chosen_, stroke));
 }
 
 void StrokeTool::erase_at(const PicturePlace& place, const Eigen::Vector2d& pixel) {
   if (const auto index = stroke_at(place, pixel)) {
-    live_.apply_dragged(commands::EraseStroke{*index});
+    live_.apply_dragged(commands::erase_stroke(*index));
   }
 }
 
@@ -386,12 +382,8 @@ const FieldSingularity* StrokeTool::singularity_at(const PicturePlace& place,
                                                    const Eigen::Vector2d& pixel) const {
   const FieldSingularity* nearest = nullptr;
   double least = kNearSingularity * place.pixels_per_unit;
-  const Vec3 viewpoint = viewpoint_of(place.frame->camera);
   for (const FieldSingularity& singularity : singularities_) {
-    if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
-    if (place.frame->camera.cuts_off(singularity.position)) continue;
-    const auto at = place_in_picture(singularity.position, place.frame->camera, place.size.width,
-                                     place.size.height);
+    const auto at = seen_at(singularity, place);
     if (!at || (*at - pixel).norm() > least) continue;
     least = (*at - pixel).norm();
     nearest = &singularity;
@@ -439,7 +431,7 @@ void StrokeTool::steer(const PicturePlace& place, const Eigen::Vector2d& pixel) 
   if (!steering_ || pixel == last_pixel_) return;
   last_pixel_ = pixel;
   const Surface& surface = *steering_->state->job->surface;
-  const auto hit = pick_at(place, pixel);
+  const auto hit = place.pick(pixel);
   if (!hit || hit->triangle >= surface.mesh.triangle_count()) {
     steering_->why_not = "you dropped the singularity beside the surface; it is ";
     return;
@@ -451,8 +443,7 @@ void StrokeTool::steer(const PicturePlace& place, const Eigen::Vector2d& pixel) 
   const StripePattern& before = steering_->state->job->result.stripes();
   for (const FieldSingularity& other :
        field_singularities(surface, before.corners, before.waves.directions)) {
-    const auto at =
-        place_in_picture(other.position, place.frame->camera, place.size.width, place.size.height);
+    const auto at = place.pixel_of(other.position);
     const bool meets = at && (*at - pixel).norm() < kNearSingularity * place.pixels_per_unit;
     if (!meets || other.sign != -steering_->singularity.sign) continue;
     to = other.triangle;
@@ -470,7 +461,7 @@ void StrokeTool::lead(const FieldSingularity& singularity, std::size_t to) {
         "no way over the surface leads there: another part, or too far round; the singularity is ";
     return;
   }
-  refused_ = !live_.apply_dragged(commands::SetSteering{with_steering(steering_->held, strokes)});
+  refused_ = !live_.apply_dragged(commands::set_steering(with_steering(steering_->held, strokes)));
   if (!refused_) steering_->to = to;
 }
 
@@ -520,7 +511,7 @@ void StrokeTool::note_arrival(const SessionFrame& frame) {
 
 bool StrokeTool::erase_chosen() {
   if (!chosen_ || *chosen_ >= live_.document().strokes.size()) return false;
-  return live_.apply(commands::EraseStroke{*std::exchange(chosen_, std::nullopt)});
+  return live_.apply(commands::erase_stroke(*std::exchange(chosen_, std::nullopt)));
 }
 
 void StrokeTool::draw_over(ImDrawList& list, const PicturePlace& place, bool hovered) {
@@ -545,22 +536,16 @@ void StrokeTool::draw_strokes(ImDrawList& list, const PicturePlace& place) {
     list.AddCircleFilled(line.back(), 3, kStrokeColor);
   }
   for (const Eigen::Vector3d& control : controls_) {
-    const auto pixel = pixel_of(place, control);
+    const auto pixel = place.pixel_of_place(control);
     if (!pixel) continue;
     list.AddCircleFilled(place.unit(*pixel), 5, kRim);
     list.AddCircleFilled(place.unit(*pixel), 3.5f, kChosenColor);
   }
 }
 
-// Those on the visible side; occlusion is not tested.
 void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place) {
-  const Camera& camera = place.frame->camera;
-  const Vec3 viewpoint = viewpoint_of(camera);
   for (const FieldSingularity& singularity : singularities_) {
-    if (singularity.normal.dot(viewpoint - singularity.position) <= 0) continue;
-    if (camera.cuts_off(singularity.position)) continue;
-    const auto pixel =
-        place_in_picture(singularity.position, camera, place.size.width, place.size.height);
+    const auto pixel = seen_at(singularity, place);
     if (!pixel) continue;
     list.AddCircle(place.unit(*pixel), 6, kRim, 0, 4);
     list.AddCircle(place.unit(*pixel), 6, singularity.sign > 0 ? kPositiveColor : kNegativeColor, 0,
@@ -574,12 +559,11 @@ void StrokeTool::draw_singularities(ImDrawList& list, const PicturePlace& place)
 void StrokeTool::draw_cursor(ImDrawList& list, const PicturePlace& place) {
   if (tool_ != Tool::comb && tool_ != Tool::spline) return;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const auto hit = pick_at(place, place.pixel(mouse));
+  const auto hit = place.pick(place.pixel(mouse));
   if (!hit) return;
   const Vec3 right = place.frame->camera.view_from_world.block<1, 3>(0, 0).transpose();
   const auto reach = static_cast<float>(radius_ / 100 * diagonal_);
-  const auto side = place_in_picture(hit->position + reach * right, place.frame->camera,
-                                     place.size.width, place.size.height);
+  const auto side = place.pixel_of(hit->position + reach * right);
   if (!side) return;
   const ImVec2 edge = place.unit(*side);
   list.AddCircle(mouse, std::abs(edge.x - mouse.x), kRim, 0, 3);

@@ -75,9 +75,6 @@ class StrokeTool {
     Eigen::Vector2d from;  // pixels
   };
 
-  std::optional<PickedPoint> pick_at(const PicturePlace& place, const Eigen::Vector2d& pixel) const;
-  std::optional<Eigen::Vector2d> pixel_of(const PicturePlace& place,
-                                          const Eigen::Vector3d& point) const;
   std::vector<Eigen::Vector2d> line_of(const PicturePlace& place, const FieldStroke& stroke) const;
   std::optional<std::size_t> stroke_at(const PicturePlace& place, const Eigen::Vector2d& pixel);
   void set_points(Points points);
