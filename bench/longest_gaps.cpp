@@ -107,13 +107,30 @@ const DirectionField& rough_field() {
   return directions;
 }
 
+const WaveSet& rough_waves() {
+  static const WaveSet waves{torus().mesh.positions, rough_field(),
+                             FrequencyField(torus().mesh.vertex_count(), kFrequency)};
+  return waves;
+}
+
+FrameInput rough_frame() {
+  const WaveSet& waves = rough_waves();
+  return {waves.positions, waves.directions, waves.frequencies};
+}
+
+const Surface& points() {
+  static const Surface surface =
+      make_point_surface(make_point_cloud(torus().mesh.positions).cloud, 8);
+  return surface;
+}
+
 const StripePattern& pattern() {
   static const StripePattern stripes = stripe_pattern(torus(), field(), kFrequency);
   return stripes;
 }
 
 const StripePattern& rough_pattern() {
-  static const StripePattern stripes = stripe_pattern(torus(), rough_field(), kFrequency);
+  static const StripePattern stripes = stripe_pattern(torus(), rough_waves());
   return stripes;
 }
 
@@ -148,209 +165,147 @@ Image picture() {
   return image;
 }
 
+const Visibility& seen() {
+  static const Visibility visibility(torus().mesh, CameraView{}, 4000, 3000);
+  return visibility;
+}
+
 std::filesystem::path scratch(const char* name) {
   return std::filesystem::temp_directory_path() /
          ("longest_gaps_" + std::to_string(getpid()) + name);
 }
 
-StripeOptions with_slack() {
-  StripeOptions options;
-  options.slack = 0.2f;
-  return options;
-}
-
-StripeOptions solved_by(Solver solver) {
-  StripeOptions options;
-  options.solver.solver = solver;
-  options.solver.max_iterations = 40;
-  return options;
-}
-
 struct Job {
   std::string name;
-  std::function<void()> prepare;
   std::function<void(const Progress&)> run;
 };
 
-void use(const void* /*data*/) {}
-
-std::vector<Job> shape_jobs() {
+/// Jobs that keep nothing: their first run counts.
+std::vector<Job> making_jobs() {
   std::vector<Job> jobs;
-  const auto add = [&](const std::string& spec) {
-    jobs.push_back(
-        {"make_shape " + spec, [] {}, [spec](const Progress& p) { make_shape(spec, p); }});
-  };
-  add("torus,resolution=" + resolution);
-  add("plane,resolution=900");
-  add("sphere,resolution=280");
-  add("torus,noise=0.5,resolution=" + resolution);
-  add("vessels,resolution=500");
-  add("molecule,resolution=265");
-  add("box,resolution=250");
+  for (const std::string& spec :
+       {"torus,resolution=" + resolution, std::string("plane,resolution=900"),
+        std::string("sphere,resolution=280"), "torus,noise=0.5,resolution=" + resolution,
+        std::string("vessels,resolution=500"), std::string("molecule,resolution=265"),
+        std::string("box,resolution=250")}) {
+    jobs.push_back({"make_shape " + spec, [spec](const Progress& p) { make_shape(spec, p); }});
+  }
+  for (const GalleryItem& item : gallery_items()) {
+    jobs.push_back({"data of " + item.name, [&item](const Progress& p) { item.make(1, p); }});
+  }
   return jobs;
 }
 
 std::vector<Job> field_jobs() {
+  SmoothFieldOptions by_features;
+  by_features.feature_anchor = 1;
+  by_features.feature_radius = 0.05f;
+  by_features.feature_angle_deg = 30;
   return {
-      {"make_surface", [] { torus(); }, [](const Progress& p) { make_surface(torus().mesh, p); }},
-      {"feature_strokes", [] { torus(); },
-       [](const Progress& p) { feature_strokes(torus(), 0.05f, 0.1, 1, p); }},
-      {"smooth_direction_field", [] { torus(); },
-       [](const Progress& p) { smooth_direction_field(torus(), {}, p); }},
-      {"smooth field with feature strokes", [] { torus(); },
-       [](const Progress& p) {
-         SmoothFieldOptions options;
-         options.feature_anchor = 1;
-         options.feature_radius = 0.05f;
-         options.feature_angle_deg = 30;
-         smooth_direction_field(torus(), options, p);
-       }},
-      {"make_point_cloud", [] { torus(); },
+      {"make_surface", [](const Progress& p) { make_surface(torus().mesh, p); }},
+      {"feature_strokes", [](const Progress& p) { feature_strokes(torus(), 0.05f, 0.1, 1, p); }},
+      {"smooth_direction_field", [](const Progress& p) { smooth_direction_field(torus(), {}, p); }},
+      {"smooth field with feature strokes",
+       [by_features](const Progress& p) { smooth_direction_field(torus(), by_features, p); }},
+      {"make_point_cloud",
        [](const Progress& p) { make_point_cloud(torus().mesh.positions, {}, p); }},
-      {"make_point_surface", [] { torus(); },
+      {"make_point_surface",
        [](const Progress& p) {
          static const PointCloud cloud = make_point_cloud(torus().mesh.positions).cloud;
          make_point_surface(cloud, 8, p);
        }},
-      {"relaxed_frequencies", [] { rough_field(); },
-       [](const Progress& p) {
-         const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-         relaxed_frequencies(torus(), {torus().mesh.positions, rough_field(), wanted}, 0.2f, p);
-       }},
+      {"relaxed_frequencies",
+       [](const Progress& p) { relaxed_frequencies(torus(), rough_waves(), 0.2f, p); }},
   };
 }
 
-std::vector<Job> pattern_jobs() {
+/// Patterns of waves, by what is unusual in their options.
+std::vector<Job> stripe_jobs() {
   std::vector<Job> jobs;
+  const auto add = [&](const std::string& name, const StripeOptions& options) {
+    jobs.push_back({"stripe_pattern " + name, [options](const Progress& p) {
+                      stripe_pattern(torus(), rough_waves(), options, p);
+                    }});
+  };
+  StripeOptions slack, cotangent;
+  slack.slack = 0.2f;
+  cotangent.weights = EdgeWeights::cotangent;
   for (const Solver solver : {Solver::multilevel, Solver::relaxation, Solver::averaged}) {
-    jobs.push_back({"stripe_pattern " + std::string(name_of(solver)), [] { rough_field(); },
-                    [solver](const Progress& p) {
-                      stripe_pattern(torus(), rough_field(), kFrequency, solved_by(solver), p);
+    StripeOptions options;
+    options.solver.solver = solver;
+    options.solver.max_iterations = 40;
+    add(std::string(name_of(solver)), options);
+  }
+  add("slack", slack);
+  add("cotangent", cotangent);
+  for (const auto& [name, options] :
+       {std::pair("points", StripeOptions()), {"points slack", slack}}) {
+    jobs.push_back({std::string("stripe_pattern ") + name, [options = options](const Progress& p) {
+                      static const DirectionField along =
+                          projected_direction_field({1, 0.3f, 0.2f}, points().normals);
+                      stripe_pattern(points(), along, kFrequency, options, p);
                     }});
   }
-  const auto add = [&](const char* name, std::function<void()> prepare,
-                       std::function<void(const Progress&)> run) {
-    jobs.push_back({name, std::move(prepare), std::move(run)});
-  };
-  add(
-      "stripe_pattern slack", [] { rough_field(); },
-      [](const Progress& p) {
-        stripe_pattern(torus(), rough_field(), kFrequency, with_slack(), p);
-      });
-  add(
-      "stripe_pattern cotangent", [] { rough_field(); },
-      [](const Progress& p) {
-        StripeOptions options;
-        options.weights = EdgeWeights::cotangent;
-        stripe_pattern(torus(), rough_field(), kFrequency, options, p);
-      });
-  add(
-      "stripe_pattern points", [] { rough_field(); },
-      [](const Progress& p) {
-        static const Surface points =
-            make_point_surface(make_point_cloud(torus().mesh.positions).cloud, 8);
-        static const DirectionField along =
-            projected_direction_field({1, 0.3f, 0.2f}, points.normals);
-        stripe_pattern(points, along, kFrequency, {}, p);
-      });
-  add(
-      "stripe_pattern points slack", [] { rough_field(); },
-      [](const Progress& p) {
-        static const Surface points =
-            make_point_surface(make_point_cloud(torus().mesh.positions).cloud, 8);
-        static const DirectionField along =
-            projected_direction_field({1, 0.3f, 0.2f}, points.normals);
-        stripe_pattern(points, along, kFrequency, with_slack(), p);
-      });
-  add(
-      "StripeAnimator first frame", [] { rough_field(); },
-      [](const Progress& p) {
-        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-        StripeAnimator animator(torus());
-        animator.frame({torus().mesh.positions, rough_field(), wanted}, p);
-      });
-  add(
-      "StripeAnimator slack first frame", [] { rough_field(); },
-      [](const Progress& p) {
-        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-        AnimatorOptions options;
-        options.slack = 0.2f;
-        StripeAnimator animator(torus(), options);
-        animator.frame({torus().mesh.positions, rough_field(), wanted}, p);
-      });
-  add(
-      "cancel_branches", [] { rough_pattern(); },
-      [](const Progress& p) {
-        StripePattern merged = rough_pattern();
-        cancel_branches(torus(), merged, {0.1}, {}, p);
-      });
-  add(
-      "cross_pattern", [] { rough_field(); },
-      [](const Progress& p) {
-        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-        cross_pattern(torus(), {torus().mesh.positions, rough_field(), wanted}, {}, p);
-      });
-  add(
-      "cross_pattern slack", [] { rough_field(); },
-      [](const Progress& p) {
-        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-        cross_pattern(torus(), {torus().mesh.positions, rough_field(), wanted}, with_slack(), p);
-      });
-  add(
-      "CrossAnimator first frame", [] { rough_field(); },
-      [](const Progress& p) {
-        const std::vector<float> wanted(torus().mesh.vertex_count(), kFrequency);
-        CrossAnimator animator(torus());
-        animator.frame({{torus().mesh.positions, rough_field(), wanted}}, p);
-      });
-  add(
-      "texture_pattern", [] { rough_field(); },
-      [](const Progress& p) { texture_pattern(torus(), rough_field(), kFrequency, {}, p); });
-  add(
-      "stripe_curves", [] { pattern(); },
-      [](const Progress& p) { stripe_curves(torus(), pattern(), {.join = true}, p); });
+  jobs.push_back(
+      {"cross_pattern", [](const Progress& p) { cross_pattern(torus(), rough_waves(), {}, p); }});
+  jobs.push_back({"cross_pattern slack",
+                  [slack](const Progress& p) { cross_pattern(torus(), rough_waves(), slack, p); }});
   return jobs;
+}
+
+std::vector<Job> pattern_jobs() {
+  AnimatorOptions slack;
+  slack.slack = 0.2f;
+  return {
+      {"StripeAnimator first frame",
+       [](const Progress& p) { StripeAnimator(torus()).frame(rough_frame(), p); }},
+      {"StripeAnimator slack first frame",
+       [slack](const Progress& p) { StripeAnimator(torus(), slack).frame(rough_frame(), p); }},
+      {"CrossAnimator first frame",
+       [](const Progress& p) { CrossAnimator(torus()).frame({rough_frame()}, p); }},
+      {"cancel_branches",
+       [](const Progress& p) {
+         StripePattern merged = rough_pattern();
+         cancel_branches(torus(), merged, {0.1}, {}, p);
+       }},
+      {"texture_pattern",
+       [](const Progress& p) { texture_pattern(torus(), rough_field(), kFrequency, {}, p); }},
+      {"stripe_curves",
+       [](const Progress& p) { stripe_curves(torus(), pattern(), {.join = true}, p); }},
+  };
 }
 
 std::vector<Job> picture_jobs() {
   return {
-      {"glyphs_at", [] { field(); },
+      {"glyphs_at",
        [](const Progress& p) {
          static const std::vector<Sample> samples = many_samples();
          glyphs_at(samples, GlyphShape::disc, glyph_sizes(samples, 0.5f), p);
        }},
-      {"write_png", [] {},
+      {"write_png",
        [](const Progress& p) {
          static const Image image = picture();
          const auto path = scratch(".png");
          write_png(path, image, p);
          std::filesystem::remove(path);
        }},
-      {"Visibility", [] { torus(); },
-       [](const Progress& p) {
-         const Visibility seen(torus().mesh, CameraView{}, 4000, 3000, p);
-         use(&seen);
-       }},
-      {"Visibility::strokes", [] { curves(); },
-       [](const Progress& p) {
-         static const Visibility seen(torus().mesh, CameraView{}, 4000, 3000);
-         seen.strokes(curves().lines, 1e-4f, false, p);
-       }},
-      {"outline", [] { torus(); },
+      {"Visibility",
+       [](const Progress& p) { Visibility(torus().mesh, CameraView{}, 4000, 3000, p); }},
+      {"Visibility::strokes",
+       [](const Progress& p) { seen().strokes(curves().lines, 1e-4f, false, p); }},
+      {"outline",
        [](const Progress& p) {
          outline(torus().mesh, torus().normals, CameraView{}, 4000, 3000, p);
        }},
-      {"silhouette_lines", [] { torus(); },
-       [](const Progress& p) {
-         static_cast<void>(p);  // short: it says nothing
+      {"silhouette_lines",  // short: it reports nothing
+       [](const Progress&) {
          silhouette_lines(torus().mesh, torus().normals, {3, 2, 1});
        }},
-      {"crease_lines", [] { torus(); },
+      {"crease_lines",
        [](const Progress& p) { crease_lines(torus().mesh, torus().normals, 10.0f, p); }},
-      {"write_svg", [] { curves(); },
+      {"write_svg",
        [](const Progress& p) {
-         static const Visibility seen(torus().mesh, CameraView{}, 4000, 3000);
-         static const std::vector<Pen> pens(8, Pen{"p", {}, 1, seen.strokes(curves().lines)});
+         static const std::vector<Pen> pens(8, Pen{"p", {}, 1, seen().strokes(curves().lines)});
          const auto path = scratch(".svg");
          write_svg(path, 4000, 3000, pens, p);
          std::filesystem::remove(path);
@@ -358,26 +313,10 @@ std::vector<Job> picture_jobs() {
   };
 }
 
-std::vector<Job> gallery_jobs() {
-  std::vector<Job> jobs;
-  for (const GalleryItem& item : gallery_items()) {
-    jobs.push_back(
-        {"data of " + item.name, [] {}, [&item](const Progress& p) { item.make(1, p); }});
-  }
-  return jobs;
-}
-
-bool is_asked_for(const std::string& name, int count, char** words) {
-  if (count == 0) return true;
-  return std::any_of(words, words + count,
-                     [&](const char* word) { return name.find(word) != std::string::npos; });
-}
-
-void measure(const Job& job) {
+/// Runs a job once before, if it keeps what is made once.
+void measure(const Job& job, bool keeps) {
   try {
-    job.prepare();
-    const bool makes_all = job.name.starts_with("make_shape") || job.name.starts_with("data of");
-    if (!makes_all) job.run({});  // for what is made once
+    if (keeps) job.run({});
     Gaps gaps;
     job.run(gaps.progress());
     gaps.end();
@@ -392,10 +331,17 @@ void measure(const Job& job) {
 int main(int argc, char** argv) {
   if (argc > 1) resolution = argv[1];
   std::printf("torus of %zu vertices\n", torus().mesh.vertex_count());
-  for (const auto& jobs :
-       {shape_jobs(), field_jobs(), pattern_jobs(), picture_jobs(), gallery_jobs()}) {
+  const std::vector<std::string> words(argv + std::min(argc, 2), argv + argc);
+  const auto measure_all = [&](const std::vector<Job>& jobs, bool keeps) {
     for (const Job& job : jobs) {
-      if (is_asked_for(job.name, argc - 2, argv + 2)) measure(job);
+      const auto is_in_name = [&](const std::string& word) {
+        return job.name.find(word) != std::string::npos;
+      };
+      if (words.empty() || std::ranges::any_of(words, is_in_name)) measure(job, keeps);
     }
+  };
+  measure_all(making_jobs(), false);
+  for (const auto& jobs : {field_jobs(), stripe_jobs(), pattern_jobs(), picture_jobs()}) {
+    measure_all(jobs, true);
   }
 }
