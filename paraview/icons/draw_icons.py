@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Draws the icons of the filters, each in all sizes in one file.
 
-    python3 draw_icons.py --folder FOLDER         as the build does
-    python3 draw_icons.py --output PICTURE.png    only a picture with all of them
+    python3 draw_icons.py --folder FOLDER
 """
 
 import argparse
@@ -98,41 +97,14 @@ def ico(images):
     return head + b"".join(data for _, data in images)
 
 
-def sheet(icons):
-    """All icons in all sizes, side by side, on white."""
-    gap = SIZES[0] // 2
-    width = sum(SIZES) + gap * (len(SIZES) + 1)
-    rows = []
-    for draw in icons:
-        row = np.ones((SIZES[-1] + gap, width, 4))
-        left = gap
-        for size in SIZES:
-            top = (row.shape[0] - size) // 2
-            pixels = draw(Ball(size))
-            place = row[top:top + size, left:left + size, :3]
-            place += (pixels[..., :3] - place) * pixels[..., 3:]
-            left += size + gap
-        rows.append(row)
-    return np.vstack(rows)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--folder", help="write stripes.ico, curves.ico and samples.ico here")
-    parser.add_argument("--output", help="draw all icons into this picture")
-    options = parser.parse_args()
-    if not options.folder and not options.output:
-        parser.error("give --folder or --output")
-    icons = (stripes, curves, samples)
-    if options.output:
-        with open(options.output, "wb") as file:
-            file.write(png(sheet(icons)))
-    if not options.folder:
-        return
-    for draw in icons:
+    parser.add_argument("--folder", required=True, help="write stripes.ico, curves.ico and samples.ico here")
+    folder = parser.parse_args().folder
+    for draw in (stripes, curves, samples):
         images = [(size, png(draw(Ball(size)))) for size in SIZES]
-        with open(os.path.join(options.folder, draw.__name__ + ".ico"), "wb") as file:
+        with open(os.path.join(folder, draw.__name__ + ".ico"), "wb") as file:
             file.write(ico(images))
 
 
