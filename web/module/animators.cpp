@@ -7,11 +7,10 @@
 namespace brindle::web {
 namespace {
 
-std::shared_ptr<AnimatorObject> animator(std::shared_ptr<SurfaceObject> surface, val given) {
-  return guarded([&] {
-    StripeAnimator follower(surface->surface, animator_options(given));
-    return std::make_shared<AnimatorObject>(AnimatorObject{surface, std::move(follower), {}, {}});
-  });
+std::shared_ptr<AnimatorObject> animator(const std::shared_ptr<SurfaceObject>& surface,
+                                         const val& given) {
+  StripeAnimator follower(surface->surface, animator_options(given));
+  return std::make_shared<AnimatorObject>(AnimatorObject{surface, std::move(follower), {}, {}});
 }
 
 bool is_given(const val& array) { return !array.isUndefined() && !array.isNull(); }
@@ -38,23 +37,25 @@ void draw_into(AnimatorObject& object, const val& input, const FrameInput& frame
   fill_array(corners, phases);
 }
 
-val frame_of(AnimatorObject& object, val input) {
-  return guarded([&] {
-    const GivenFrame given(object.surface->surface.mesh, input);
-    const FrameInput& frame = given.input;
-    const FrameResult made = object.animator.frame(frame);
-    draw_into(object, input, frame, made);
-    val result = val::object();
-    put(result, "phases", array_of(made.z));
-    put(result, "phaseStep", made.phase_step);
-    put(result, "unchanged", val(made.unchanged));
-    put(result, "milliseconds",
-        made.milliseconds.frequency + made.milliseconds.couple + made.milliseconds.sum +
-            made.milliseconds.solve);
-    if (!made.frequencies.empty()) put(result, "frequencies", array_of(made.frequencies));
-    return result;
-  });
+val frame_of(AnimatorObject& object, const val& input) {
+  const GivenFrame given(object.surface->surface.mesh, input);
+  const FrameInput& frame = given.input;
+  const FrameResult made = object.animator.frame(frame);
+  draw_into(object, input, frame, made);
+  val result = val::object();
+  put(result, "phases", array_of(made.z));
+  put(result, "phaseStep", made.phase_step);
+  put(result, "unchanged", val(made.unchanged));
+  put(result, "milliseconds",
+      made.milliseconds.frequency + made.milliseconds.couple + made.milliseconds.sum +
+          made.milliseconds.solve);
+  if (!made.frequencies.empty()) put(result, "frequencies", array_of(made.frequencies));
+  return result;
 }
+
+double energy_of(const AnimatorObject& object) { return object.animator.energy(); }
+
+void restart(AnimatorObject& object) { object.animator.restart(); }
 
 }  // namespace
 
@@ -77,25 +78,14 @@ GivenFrame::GivenFrame(const Mesh& mesh, const val& given)
   input.normals = normals_;
 }
 
-WaveSet GivenFrame::waves() const {
-  return {{input.positions.begin(), input.positions.end()}, directions_, frequencies_};
-}
-
 void bind_animators() {
   using namespace emscripten;
   class_<AnimatorObject>("AnimatorObject")
       .smart_ptr<std::shared_ptr<AnimatorObject>>("AnimatorPointer")
-      .function("frame", &frame_of)
-      .function("energy", optional_override([](const AnimatorObject& a) {
-                  return guarded([&] { return a.animator.energy(); });
-                }))
-      .function("restart", optional_override([](AnimatorObject& a) {
-                  guarded([&] {
-                    a.animator.restart();
-                    return 0;
-                  });
-                }));
-  function("animator", &animator);
+      .function("frame", guarded<frame_of>)
+      .function("energy", guarded<energy_of>)
+      .function("restart", guarded<restart>);
+  function("animator", guarded<animator>);
 }
 
 }  // namespace brindle::web

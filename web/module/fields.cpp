@@ -26,38 +26,27 @@ std::vector<FieldStroke> strokes_of(const val& list, const Eigen::Vector3d& orig
   return strokes;
 }
 
-val smooth_field(const SurfaceObject& object, val given) {
-  return guarded([&] {
-    SmoothFieldOptions options;
-    options.symmetry = int_of(given, "symmetry");
-    options.curvature_anchor = float_of(given, "curvature");
-    options.curvature_direction = curvature_direction(text_of(given, "curvatureDirection"));
-    options.feature_anchor = float_of(given, "features");
-    options.feature_angle_deg = float_of(given, "featureAngle");
-    const std::vector<FieldStroke> strokes =
-        strokes_of(given["strokes"], object.surface.mesh.origin);
-    if (!strokes.empty()) options.anchors = stroke_anchors(object.surface, strokes);
-    const DirectionField field = smooth_direction_field(object.surface, options);
-    return array_of(std::span<const Vec3>(field));
-  });
+val smooth_field(const SurfaceObject& object, const val& given) {
+  SmoothFieldOptions options;
+  options.symmetry = int_of(given, "symmetry");
+  options.curvature_anchor = float_of(given, "curvature");
+  options.curvature_direction = curvature_direction(text_of(given, "curvatureDirection"));
+  options.feature_anchor = float_of(given, "features");
+  options.feature_angle_deg = float_of(given, "featureAngle");
+  const std::vector<FieldStroke> strokes = strokes_of(given["strokes"], object.surface.mesh.origin);
+  if (!strokes.empty()) options.anchors = stroke_anchors(object.surface, strokes);
+  return array_of(smooth_direction_field(object.surface, options));
 }
 
 val projected_field(const SurfaceObject& object, float x, float y, float z) {
-  return guarded([&] {
-    const DirectionField field = projected_direction_field(Vec3(x, y, z), object.surface.normals);
-    return array_of(std::span<const Vec3>(field));
-  });
+  return array_of(projected_direction_field(Vec3(x, y, z), object.surface.normals));
 }
 
-val curvature_field(const SurfaceObject& object, std::string direction) {
-  return guarded([&] {
-    const Surface& surface = object.surface;
-    const auto curvatures =
-        principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
-    const DirectionField field =
-        curvature_direction_field(curvatures, curvature_direction(direction));
-    return array_of(std::span<const Vec3>(field));
-  });
+val curvature_field(const SurfaceObject& object, const std::string& direction) {
+  const Surface& surface = object.surface;
+  const auto curvatures =
+      principal_curvatures(surface.mesh.positions, surface.normals, *surface.neighborhood);
+  return array_of(curvature_direction_field(curvatures, curvature_direction(direction)));
 }
 
 void check_count(const SurfaceObject& object, std::size_t count, const char* what) {
@@ -67,24 +56,18 @@ void check_count(const SurfaceObject& object, std::size_t count, const char* wha
               std::to_string(vertices) + " vertices");
 }
 
-val rotated_field(const SurfaceObject& object, val directions, float degrees) {
-  return guarded([&] {
-    const std::vector<Vec3> field = vectors_of(directions);
-    check_count(object, field.size(), "the field");
-    constexpr double kDegree = std::numbers::pi / 180;
-    const DirectionField turned = rotated(
-        field, object.surface.normals, static_cast<float>(static_cast<double>(degrees) * kDegree));
-    return array_of(std::span<const Vec3>(turned));
-  });
+val rotated_field(const SurfaceObject& object, const val& directions, float degrees) {
+  const std::vector<Vec3> field = vectors_of(directions);
+  check_count(object, field.size(), "the field");
+  constexpr double kDegree = std::numbers::pi / 180;
+  return array_of(rotated(field, object.surface.normals,
+                          static_cast<float>(static_cast<double>(degrees) * kDegree)));
 }
 
-val tangent_field(const SurfaceObject& object, val vectors) {
-  return guarded([&] {
-    const std::vector<Vec3> given = vectors_of(vectors);
-    check_count(object, given.size(), "the field");
-    const DirectionField field = tangent_directions(given, object.surface.normals);
-    return array_of(std::span<const Vec3>(field));
-  });
+val tangent_field(const SurfaceObject& object, const val& vectors) {
+  const std::vector<Vec3> given = vectors_of(vectors);
+  check_count(object, given.size(), "the field");
+  return array_of(tangent_directions(given, object.surface.normals));
 }
 
 }  // namespace
@@ -95,11 +78,11 @@ CurvatureDirection curvature_direction(const std::string& name) {
 
 void bind_fields() {
   using namespace emscripten;
-  function("smoothField", &smooth_field);
-  function("projectedField", &projected_field);
-  function("curvatureField", &curvature_field);
-  function("rotatedField", &rotated_field);
-  function("tangentField", &tangent_field);
+  function("smoothField", guarded<smooth_field>);
+  function("projectedField", guarded<projected_field>);
+  function("curvatureField", guarded<curvature_field>);
+  function("rotatedField", guarded<rotated_field>);
+  function("tangentField", guarded<tangent_field>);
 }
 
 }  // namespace brindle::web

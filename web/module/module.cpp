@@ -9,9 +9,7 @@ EMSCRIPTEN_BINDINGS(brindle) {
   brindle::web::bind_patterns();
   brindle::web::bind_animators();
 #if !defined(BRINDLE_STRIPES_ALONE)
-  brindle::web::bind_shapes();
-  brindle::web::bind_files();
-  brindle::web::bind_measured_fields();
+  brindle::web::bind_meshes();
   brindle::web::bind_lines();
   brindle::web::bind_cameras();
   brindle::web::bind_textures();

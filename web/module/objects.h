@@ -66,7 +66,6 @@ class GivenFrame {
   GivenFrame& operator=(const GivenFrame&) = delete;
 
   FrameInput input;
-  WaveSet waves() const;  ///< of its surface
 
  private:
   std::vector<Vec3> positions_, normals_, directions_;
@@ -83,9 +82,7 @@ void bind_surfaces();
 void bind_fields();
 void bind_patterns();
 void bind_animators();
-void bind_shapes();
-void bind_files();
-void bind_measured_fields();
+void bind_meshes();
 void bind_lines();
 void bind_cameras();
 void bind_textures();

@@ -8,13 +8,12 @@
 namespace brindle::web {
 namespace {
 
-std::shared_ptr<PatternObject> stripes(std::shared_ptr<SurfaceObject> surface, val directions,
-                                       val frequencies, val given) {
-  return guarded([&] {
-    StripePattern pattern = stripe_pattern(surface->surface, vectors_of(directions),
-                                           floats_of(frequencies), stripe_options(given));
-    return std::make_shared<PatternObject>(PatternObject{surface, std::move(pattern)});
-  });
+std::shared_ptr<PatternObject> stripes(const std::shared_ptr<SurfaceObject>& surface,
+                                       const val& directions, const val& frequencies,
+                                       const val& given) {
+  StripePattern pattern = stripe_pattern(surface->surface, vectors_of(directions),
+                                         floats_of(frequencies), stripe_options(given));
+  return std::make_shared<PatternObject>(PatternObject{surface, std::move(pattern)});
 }
 
 val metrics_of(const PatternObject& object) {
@@ -46,6 +45,11 @@ val metrics_of(const PatternObject& object) {
   return metrics;
 }
 
+val warnings_of(const PatternObject& object) {
+  const SurfaceObject& surface = *object.surface;
+  return array_of(pattern_warnings(surface.surface, object.pattern, words_for(surface)));
+}
+
 }  // namespace
 
 StripeOptions stripe_options(const val& given) {
@@ -67,7 +71,7 @@ val kinds_of(std::span<const CornerPhases> triangles) {
   for (const CornerPhases& corners : triangles) {
     kinds.push_back(static_cast<std::uint8_t>(corners.kind));
   }
-  return array_of(std::span<const std::uint8_t>(kinds));
+  return array_of(kinds);
 }
 
 void bind_patterns() {
@@ -78,22 +82,16 @@ void bind_patterns() {
       .function("kinds", optional_override(
                              [](const PatternObject& p) { return kinds_of(p.pattern.corners); }))
       .function("phases", optional_override([](const PatternObject& p) {
-                  return array_of(std::span<const Complex>(p.pattern.solution.z));
+                  return array_of(p.pattern.solution.z);
                 }))
       .function("directions", optional_override([](const PatternObject& p) {
-                  return array_of(std::span<const Vec3>(p.pattern.waves.directions));
+                  return array_of(p.pattern.waves.directions);
                 }))
       .function("frequencies", optional_override([](const PatternObject& p) {
-                  return array_of(std::span<const float>(p.pattern.waves.frequencies));
+                  return array_of(p.pattern.waves.frequencies);
                 }))
-      .function(
-          "warnings", optional_override([](const PatternObject& p) {
-            return guarded([&] {
-              const SurfaceObject& surface = *p.surface;
-              return array_of(pattern_warnings(surface.surface, p.pattern, words_for(surface)));
-            });
-          }));
-  function("stripes", &stripes);
+      .function("warnings", guarded<warnings_of>);
+  function("stripes", guarded<stripes>);
 }
 
 }  // namespace brindle::web

@@ -10,29 +10,22 @@
 namespace brindle::web {
 namespace {
 
-std::shared_ptr<SurfaceObject> surface_from_arrays(val positions, val triangles, bool repair,
-                                                   float crease_angle) {
-  return guarded([&] {
-    const Table places(positions, 3), corners(triangles, 3);
-    if (!repair) {
-      return surface_object(make_mesh(places.view(), corners.view()), crease_angle, {});
-    }
-    RepairedMesh repaired = make_repaired_mesh(places.view(), corners.view());
-    std::vector<std::string> notes;
-    add_lines(notes, describe(repaired.repair));
-    if (repaired.mesh.triangles.empty()) throw Error("no triangle is left after repairs");
-    auto object = surface_object(std::move(repaired.mesh), crease_angle, std::move(notes));
-    object->vertex_of_row = std::move(repaired.vertex_of_row);
-    return object;
-  });
+std::shared_ptr<SurfaceObject> surface_from_arrays(const val& positions, const val& triangles,
+                                                   bool repair, float crease_angle) {
+  const Table places(positions, 3), corners(triangles, 3);
+  if (!repair) {
+    return surface_object(make_mesh(places.view(), corners.view()), crease_angle, {});
+  }
+  RepairedMesh repaired = make_repaired_mesh(places.view(), corners.view());
+  std::vector<std::string> notes;
+  add_lines(notes, describe(repaired.repair));
+  if (repaired.mesh.triangles.empty()) throw Error("no triangle is left after repairs");
+  auto object = surface_object(std::move(repaired.mesh), crease_angle, std::move(notes));
+  object->vertex_of_row = std::move(repaired.vertex_of_row);
+  return object;
 }
 
 const Surface& of(const SurfaceObject& object) { return object.surface; }
-
-val triangles_of(const SurfaceObject& object) {
-  const std::vector<Triangle>& triangles = of(object).mesh.triangles;
-  return array_of(std::span<const std::uint32_t>(triangles.data()->data(), 3 * triangles.size()));
-}
 
 val origin_of(const SurfaceObject& object) {
   val list = val::array();
@@ -83,22 +76,22 @@ void bind_surfaces() {
                   return bounding_box(of(s).mesh).diagonal();
                 }))
       .function("positions", optional_override([](const SurfaceObject& s) {
-                  return array_of(std::span<const Vec3>(of(s).mesh.positions));
+                  return array_of(of(s).mesh.positions);
                 }))
-      .function("normals", optional_override([](const SurfaceObject& s) {
-                  return array_of(std::span<const Vec3>(of(s).normals));
-                }))
-      .function("vertexOfRow", optional_override([](const SurfaceObject& s) {
-                  return array_of(std::span<const std::uint32_t>(s.vertex_of_row));
-                }))
+      .function("normals",
+                optional_override([](const SurfaceObject& s) { return array_of(of(s).normals); }))
+      .function("vertexOfRow",
+                optional_override([](const SurfaceObject& s) { return array_of(s.vertex_of_row); }))
       .function("creaseVertices", optional_override([](const SurfaceObject& s) {
-                  return array_of(std::span<const std::uint32_t>(of(s).creases.copied));
+                  return array_of(of(s).creases.copied);
                 }))
       .function("notes",
                 optional_override([](const SurfaceObject& s) { return array_of(s.notes); }))
-      .function("triangles", &triangles_of)
+      .function("triangles", optional_override([](const SurfaceObject& s) {
+                  return array_of(of(s).mesh.triangles);
+                }))
       .function("origin", &origin_of);
-  function("surfaceFromArrays", &surface_from_arrays);
+  function("surfaceFromArrays", guarded<surface_from_arrays>);
 }
 
 }  // namespace brindle::web

@@ -97,6 +97,9 @@ val array_of(std::span<const Vec3> vectors) {
 val array_of(std::span<const Complex> numbers) {
   return copied(reinterpret_cast<const float*>(numbers.data()), 2 * numbers.size());
 }
+val array_of(std::span<const Triangle> triangles) {
+  return copied(reinterpret_cast<const Index*>(triangles.data()), 3 * triangles.size());
+}
 val array_of(std::span<const std::uint32_t> numbers) {
   return copied(numbers.data(), numbers.size());
 }

@@ -10,6 +10,7 @@
 #include <emscripten/val.h>
 
 #include "brindle/arrays.h"
+#include "brindle/mesh.h"
 #include "brindle/types.h"
 
 namespace brindle::web {
@@ -22,17 +23,24 @@ using emscripten::val;
 /// The message of the current exception.
 std::string message_of_exception();
 
-/// Returns the result of `work`; exceptions become BrindleError.
-template <class Work>
-auto guarded(const Work& work) -> decltype(work()) {
-  std::string message;
-  try {
-    return work();
-  } catch (...) {
-    message = message_of_exception();
+template <auto work>
+struct Guarded;
+template <class Result, class... Arguments, Result (*work)(Arguments...)>
+struct Guarded<work> {
+  static Result call(Arguments... arguments) {
+    std::string message;
+    try {
+      return work(static_cast<Arguments&&>(arguments)...);
+    } catch (...) {
+      message = message_of_exception();
+    }
+    raise(message);
   }
-  raise(message);
-}
+};
+
+/// A function as JavaScript calls it: its exceptions become BrindleError.
+template <auto work>
+inline constexpr auto guarded = &Guarded<work>::call;
 
 /// A table of numbers: a copy of a Float32Array, Float64Array, Int32Array or Uint32Array, which the
 /// JavaScript layer has checked.
@@ -65,6 +73,7 @@ void fill_array(const val& array, std::span<const float> numbers);
 val array_of(std::span<const float> numbers);
 val array_of(std::span<const Vec3> vectors);
 val array_of(std::span<const Complex> numbers);
+val array_of(std::span<const Triangle> triangles);
 val array_of(std::span<const std::uint32_t> numbers);
 val array_of(std::span<const std::uint8_t> numbers);
 val array_of(const std::vector<std::string>& words);
