@@ -109,6 +109,11 @@ def number(value: Any, what: str) -> float:
         raise TypeError(f"{what}: expected a number, got {type(value).__name__}") from error
 
 
+def numbers_given(**values: Any) -> dict[str, float]:
+    """Numbers by name, without those that are None."""
+    return {name: number(value, name) for name, value in values.items() if value is not None}
+
+
 def distance(value: Any, what: str) -> float:
     """A number of 0 or more, possibly infinite. Raises Error for others."""
     result = number(value, what)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (Arrays, Error, Floats, Indices, Projection, Result, Tiles, Up, flag,
-                         kept_property, number, path_of, placed, warn, whole_number, word)
+                         kept_property, number, numbers_given, path_of, placed, warn, whole_number, word)
 from ._interop import put_pattern
 from ._look import Drawn, picture_of, tile_png
 from ._options import Look
@@ -84,12 +84,12 @@ class Stripes(Drawn, Result):
     def frequency_change(self) -> Optional[dict[str, Any]]:
         """With ``slack``, metrics of the change of frequencies: ratios of chosen to requested
         ones, the share of vertices at the bounds, and so on."""
-        return self._core.frequency_change()
+        return self.report.get("frequency_change")
 
     @property
     def field_rotation(self) -> Optional[dict[str, float]]:
         """With ``winding``, how far it turned the field, and the energy before."""
-        return self._core.field_rotation()
+        return self.report.get("turned")
 
     @property
     def cancelled_branches(self) -> Optional[dict[str, float]]:
@@ -162,12 +162,8 @@ class Stripes(Drawn, Result):
         so many periods (0.5: the middle of the gaps). ``min_length``, ``resample`` (distance between
         points) and ``simplify`` (tolerance) are lengths.
         """
-        request: dict[str, Any] = {"join": flag(join, "join")}
-        for name, value in (("trim", trim), ("fair", fair), ("offset", offset), ("min_length", min_length),
-                            ("simplify", simplify), ("resample", resample)):
-            if value is not None:
-                request[name] = number(value, name)
-        made = _core.curves(self._core, request)
+        made = _core.curves(self._core, {"join": flag(join, "join"), **numbers_given(
+            trim=trim, fair=fair, offset=offset, min_length=min_length, simplify=simplify, resample=resample)})
         warn(made.warnings())
         return Curves(made, self)
 
@@ -406,7 +402,7 @@ class Samples(Drawn, Result):
         return {"samples": self.count, "doubles_left_out": self._core.doubles,
                 "branches_u": self.u.report.get("branches", 0),
                 "branches_v": self.v.report.get("branches", 0),
-                "nearest_neighbour": self._core.spacing()}
+                "nearest_neighbour": json.loads(self._core.spacing())}
 
     def write(self, path: Any, *, point_data: Optional[Mapping[str, ArrayLike]] = None) -> None:
         """Writes .csv, .ply or .vtp with positions on the mesh, directions and spacings,

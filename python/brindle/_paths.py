@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Error, kept_property, number, numbers_of, path_of, placed
+from ._arguments import (Error, kept_property, number, numbers_given, numbers_of, path_of, placed,
+                         whole_number)
 from ._outputs import Curves
 
 Order = Literal["nearest", "boustrophedon", "layers", "spiral"]
@@ -83,18 +84,16 @@ class Paths:
         """Writes .gcode, .dxf, .csv, .vtp, .ply or .obj, atomically. ``scale``: millimetres in a unit
         of length; ``place``: millimetres, the middle of the paths' base. Further numbers of the
         machine: ``thickness``, ``filament``, ``speed``, ``travel_speed``, ``lift``."""
-        options = _core.Machine()
         if gcode not in ("marlin", "plain"):
             raise Error(f"gcode: {gcode!r}; give marlin or plain")
-        options.extrudes = gcode == "marlin"
-        options.axes = axes
-        options.unit = number(scale, "scale")
-        if place is not None:
-            options.set_place(*numbers_of(place, "place", "x, y and z", 3))
-        for name, value in machine.items():
+        for name in machine:
             if name not in _NUMBERS:
                 raise TypeError(f"write() has no argument '{name}'; it has {', '.join(_NUMBERS)}")
-            setattr(options, name, number(value, name))
+        options: dict[str, Any] = {name: number(value, name)
+                                   for name, value in {"scale": scale, **machine}.items()}
+        options.update(plain=gcode == "plain", axes=whole_number(axes, "axes"))
+        if place is not None:
+            options["place"] = numbers_of(place, "place", "x, y and z", 3)
         self._core.write(path_of(path), options)
 
 
@@ -108,16 +107,13 @@ def paths(curves: Curves, *, order: Order = "nearest", width: Optional[float] = 
     ``least_radius``: curves are cut at tighter bends. ``least_length``: shorter ones are left out.
     ``cut_length``: marks this much of each path's end, for fibre. A spiral is one curve, as
     ``brindle.stripes(..., layout=Layout(winding=1))`` makes it. Lengths are in the units of the vertices."""
-    options = _core.PathOptions()
     stripes = curves.stripes
-    options.width = number(1 / stripes.frequency.mean(dtype=float) if width is None else width, "width")
-    if connect is not None:
-        if connect > 0 and (least_radius > 0 or order == "spiral"):
-            raise Error("connect: joins are sharp bends, and a spiral is one path; leave it out")
-        options.connect = number(connect, "connect")
-    options.least_radius = number(least_radius, "least_radius")
-    options.least_length = number(least_length, "least_length")
-    options.cut_length = number(cut_length, "cut_length")
-    core = curves._core
-    return Paths(_core.tool_paths(stripes.surface._core, core.local_points, curves.normals,
-                                  curves.offsets, curves.closed, order, options), curves)
+    if width is None:
+        width = 1 / stripes.frequency.mean(dtype=float)
+    if connect is not None and connect > 0 and (least_radius > 0 or order == "spiral"):
+        raise Error("connect: joins are sharp bends, and a spiral is one path; leave it out")
+    options = {"width": number(width, "width"), **numbers_given(connect=connect),
+               "least_radius": number(least_radius, "least_radius"),
+               "least_length": number(least_length, "least_length"),
+               "cut_length": number(cut_length, "cut_length")}
+    return Paths(_core.tool_paths(curves._core, order, options), curves)

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import (Error, Indices, Progress, Result, Tiles, flag, kept_property, number, numbers_of,
-                         path_of, placed)
+from ._arguments import (Error, Indices, Progress, Result, Tiles, flag, kept_property, number,
+                         numbers_given, numbers_of, path_of, placed)
 from ._options import Look
 from ._outputs import Texture
 
@@ -55,37 +55,28 @@ def relief(texture: Texture, tile: Any, height: float, *, tolerance: Optional[fl
     0: none). Lengths are in the units of the vertices."""
     if not isinstance(texture, Texture):
         raise TypeError(f"texture: expected brindle.Texture, got {type(texture).__name__}")
-    request = _core.ReliefRequest()
-    request.height = number(height, "height")
-    request.keep_flat = flag(keep_flat, "keep_flat")
-    if tolerance is not None:
-        request.tolerance = number(tolerance, "tolerance")
-    if fill_holes is not None:
-        request.fill_holes = number(fill_holes, "fill_holes")
-    if flag(cut, "cut"):
-        if inlay is not None:
-            raise Error("cut: has no effect together with inlay")
-        request.make_cut()
-    elif inlay is not None:
-        request.make_inlay(number(inlay, "inlay"))
+    given: dict[str, Any] = {"height": number(height, "height"), "keep_flat": flag(keep_flat, "keep_flat"),
+                             "cut": flag(cut, "cut"),
+                             **numbers_given(tolerance=tolerance, fill_holes=fill_holes, inlay=inlay)}
+    if cut and inlay is not None:
+        raise Error("cut: has no effect together with inlay")
     if only is not None:
-        _choose(request, texture, only)
-    positions, faces, report = _core.relief(texture._core, tile, Look(tiles=tiles).whole, request, progress)
+        given.update(_chosen(texture, only))
+    positions, faces, report = _core.relief(texture._core, tile, Look(tiles=tiles).whole, given, progress)
     return Relief(positions, faces, report, texture)
 
 
-def _choose(request: _core.ReliefRequest, texture: Texture, only: Any) -> None:
+def _chosen(texture: Texture, only: Any) -> dict[str, Any]:
     """Faces towards a direction, or by an array."""
     surface = texture.surface
     if not isinstance(only, str) and len(only) in (3, 4):
         x, y, z, degrees = (numbers_of(only, "only", "x, y, z and degrees", 3, 4) + [45.0])[:4]
         if x == y == z == 0:
             raise Error("only: expected a direction, got zero")
-        request.choose_towards(x, y, z, degrees)
-        return
+        return {"towards": (x, y, z, degrees)}
     weights = np.asarray(surface.array(only) if isinstance(only, str) else only, dtype=np.float32)
     counts = {len(one.vertices) for one in (surface, *texture._also_on)}
     if weights.ndim != 1 or len(weights) not in counts:
         raise Error(f"only: expected a direction or an array of one number for each of the "
                     f"{len(surface.vertices)} vertices")
-    request.choose_weights(weights)
+    return {"weights": weights}

@@ -7,11 +7,11 @@
 #include "brindle/error.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/saved.h"
-#include "brindle/smooth_field.h"
 #include "brindle/stripe_animator.h"
+#include "brindle/texture_animator.h"
+#include "brindle/texture_coordinates.h"
 #include "brindle/waves/parsed_words.h"
 #include "frame_waves.h"
-#include "given_options.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"
@@ -20,19 +20,30 @@ namespace brindle::python {
 namespace {
 
 // One frame at a time; concurrent calls are rejected.
-struct AnimatorData {
+template <class Animator>
+struct Animated {
   SurfacePointer surface;
-  StripeAnimator animator;
+  Animator animator;
   MovingNormals normals;
+  std::atomic<bool> busy{false};
+
+  Animated(SurfacePointer on, Animator with)
+      : surface(std::move(on)), animator(std::move(with)), normals(surface->surface) {}
+};
+
+template <class Data>
+void restart(Data& data) {
+  const OneAtATime alone(data.busy, "this animator");
+  data.animator.restart();
+}
+
+struct AnimatorData : Animated<StripeAnimator> {
+  using Animated::Animated;
   std::vector<float> frequencies;  // of the last frame, with slack
   double phase_step = 0;
   bool unchanged = false;
   FrameMilliseconds milliseconds;
   double topology_milliseconds = 0;
-  std::atomic<bool> busy{false};
-
-  AnimatorData(SurfacePointer on, StripeAnimator with)
-      : surface(std::move(on)), animator(std::move(with)), normals(surface->surface) {}
 };
 
 FrameSolver frame_solver(const std::string& name) {
@@ -105,57 +116,6 @@ py::array_t<Complex> frame(AnimatorData& data, py::handle directions, py::handle
   return phases;
 }
 
-struct FieldAnimatorData {
-  SurfacePointer surface;
-  SmoothFieldAnimator animator;
-  std::atomic<bool> busy{false};
-
-  FieldAnimatorData(SurfacePointer on, const SmoothFieldAnimatorOptions& options)
-      : surface(std::move(on)), animator(until_interrupted([&](const Progress& progress) {
-          return SmoothFieldAnimator(surface->surface, options, progress);
-        })) {}
-};
-
-py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle directions,
-                      py::handle weights, const py::object& progress) {
-  const OneAtATime alone(data.busy, "this animator");
-  refuse_masked(vertices, "vertices");
-  const Table numbers = table_of(vertices, "vertices");
-  const std::size_t count = numbers.is_number ? 1 : numbers.view.rows();
-  const Table ways = table_of(directions, "directions");
-  const Table strengths = table_of(weights, "weights");
-  for (const auto& [table, what] : {std::pair(&ways, "directions"), {&strengths, "weights"}}) {
-    if (!table->is_number) check_rows(table->array, count, what, "anchors (vertices)");
-  }
-  const std::vector<Vec3> vectors = vectors_of(ways.view, "directions");
-  const std::vector<float> weight = numbers_of(strengths.view, "weights");
-  const auto kind = numbers.array.dtype().kind();
-  if (kind == 'f' && numbers.view.rows() > 0) {
-    throw py::type_error("vertices: expected whole numbers");
-  }
-  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> numbers_64(
-      numbers.array);
-  if (numbers.array.ndim() > 1) {
-    throw Error("vertices: expected an array (k,), got one of " +
-                std::to_string(numbers.array.ndim()) + " dimensions");
-  }
-  const auto all = static_cast<std::int64_t>(data.surface->surface.mesh.vertex_count());
-  std::vector<FieldAnchor> anchors;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::int64_t vertex = numbers_64.data()[i];
-    if (vertex < 0 || vertex >= all) {
-      throw Error("vertices: " + std::to_string(vertex) + " is none of " + std::to_string(all) +
-                  ", numbered from 0");
-    }
-    anchors.push_back(
-        {static_cast<Index>(vertex), vectors[i], strengths.is_number ? weight.front() : weight[i]});
-  }
-  return owned(Job(progress).run([&](const Progress& reports) {
-    const std::span<const Vec3> field = data.animator.frame(anchors, reports);
-    return std::vector<Vec3>(field.begin(), field.end());
-  }));
-}
-
 std::unique_ptr<AnimatorData> sibling_of(AnimatorData& data) {
   const OneAtATime alone(data.busy, "this animator");
   return std::make_unique<AnimatorData>(data.surface, data.animator.sibling());
@@ -178,7 +138,80 @@ std::unique_ptr<AnimatorData> loaded_animator(const SurfacePointer& surface, con
   return data;
 }
 
-void bind_animator(py::module_& module) {
+constexpr const char* kOrientations[] = {"afresh", "kept", "continued", "shortened"};
+
+struct TextureAnimatorData : Animated<TextureAnimator> {
+  using Animated::Animated;
+  py::dict metrics;
+};
+
+std::unique_ptr<TextureAnimatorData> make_texture_animator(const SurfacePointer& surface,
+                                                           bool oriented, const py::dict& solver,
+                                                           float stiffness, py::handle slack,
+                                                           py::handle branch_penalty) {
+  TextureAnimatorOptions options;
+  const GivenOptions given(solver);
+  given("--sweeps", options.stripes.sweeps);
+  given("--cycles", options.stripes.cycles);
+  options.oriented = oriented;
+  options.stripes.lambda = stiffness;
+  options.stripes.slack = slack_of(slack, branch_penalty, surface->surface.mesh);
+  return std::make_unique<TextureAnimatorData>(surface, TextureAnimator(surface->surface, options));
+}
+
+py::tuple saved_texture_animator(TextureAnimatorData& data) {
+  const OneAtATime alone(data.busy, "this animator");
+  return py::make_tuple(py::bytes(saved_bytes(data.surface->surface, data.animator)), data.metrics);
+}
+
+std::unique_ptr<TextureAnimatorData> loaded_texture_animator(const SurfacePointer& surface,
+                                                             const py::bytes& bytes,
+                                                             py::dict metrics) {
+  auto data = std::make_unique<TextureAnimatorData>(
+      surface, texture_animator_of_bytes(static_cast<std::string_view>(bytes)).result);
+  data->metrics = std::move(metrics);
+  return data;
+}
+
+py::dict texture_metrics(const TextureFrameResult& result) {
+  const TexturePattern& pattern = result.pattern;
+  return py::dict(
+      "orientation"_a = kOrientations[static_cast<std::size_t>(result.orientation)],
+      "phase_step_u"_a = result.u.phase_step, "phase_step_v"_a = result.v.phase_step,
+      "branches_u"_a = pattern.u.quality.branches, "branches_v"_a = pattern.v.quality.branches,
+      "turned_edges"_a = pattern.seams.turned, "mirrored_edges"_a = pattern.seams.mirrored,
+      "unoriented_triangles"_a = pattern.seams.unoriented_triangles,
+      "angle_distortion_mean_deg"_a = pattern.quality.angle_mean_deg,
+      "area_distortion_mean"_a = pattern.quality.area_mean);
+}
+
+py::array texture_frame(TextureAnimatorData& data, py::handle directions, py::handle frequencies,
+                        py::handle positions, py::handle frequencies_v, py::handle normals,
+                        const py::object& progress) {
+  const OneAtATime alone(data.busy, "this animator");
+  const Mesh& mesh = data.surface->surface.mesh;
+  const FrameIn u(data.surface->surface, std::ref(data.normals), MovedNormals::computed, directions,
+                  frequencies, positions, normals);
+  TextureFrameInput input{u.input()};
+  input.normals = u.input().normals;
+  std::optional<FrequenciesIn> v;
+  if (!frequencies_v.is_none()) {
+    v.emplace(frequencies_v, mesh, "frequencies_v", u.input().directions);
+    input.frequencies_v = v->rows();
+  }
+  std::vector<float> uv;
+  std::optional<TextureFrameResult> result;
+  Job(progress).run([&](const Progress& reports) {
+    result.emplace(data.animator.frame(input, reports));
+    uv = corner_texture_coordinates(result->pattern.waves, result->pattern.phase_shift);
+  });
+  data.metrics = texture_metrics(*result);
+  return owned<float>(std::move(uv), {static_cast<py::ssize_t>(mesh.triangle_count()), 3, 2});
+}
+
+}  // namespace
+
+void bind_animators(py::module_& module) {
   py::class_<AnimatorData>(module, "Animator")
       .def(py::init(&make_animator), py::arg("surface").none(false), py::arg("solver"),
            py::arg("stiffness"), py::arg("edge_weights"), py::arg("slack"),
@@ -205,11 +238,7 @@ void bind_animator(py::module_& module) {
       .def("sibling", sibling_of)
       .def("saved", saved_animator)
       .def_static("loaded", loaded_animator)
-      .def("restart",
-           [](AnimatorData& data) {
-             const OneAtATime alone(data.busy, "this animator");
-             data.animator.restart();
-           })
+      .def("restart", restart<AnimatorData>)
       .def(
           "set_phases",
           [](AnimatorData& data, py::handle phases) {
@@ -217,21 +246,15 @@ void bind_animator(py::module_& module) {
             data.animator.set_last_phases(phases_of(phases, data.surface->surface.mesh, "phases"));
           },
           py::arg("phases"));
-}
-
-}  // namespace
-
-void bind_animators(py::module_& module) {
-  bind_animator(module);
-  py::class_<FieldAnimatorData>(module, "FieldAnimator")
-      .def(py::init([](const SurfacePointer& surface, int symmetry, float lambda, int sweeps) {
-             return std::make_unique<FieldAnimatorData>(
-                 surface, SmoothFieldAnimatorOptions{symmetry, lambda, sweeps});
-           }),
-           py::arg("surface").none(false), py::arg("symmetry"), py::arg("stiffness"),
-           py::arg("sweeps"))
-      .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"),
-           py::arg("progress"));
+  py::class_<TextureAnimatorData>(module, "TextureAnimator")
+      .def(py::init(&make_texture_animator), py::arg("surface").none(false), py::arg("oriented"),
+           py::arg("solver"), py::arg("stiffness"), py::arg("slack"), py::arg("avoid_branches"))
+      .def_readonly("metrics", &TextureAnimatorData::metrics)
+      .def("saved", saved_texture_animator)
+      .def_static("loaded", loaded_texture_animator)
+      .def("frame", texture_frame, py::arg("directions"), py::arg("frequencies"),
+           py::arg("positions"), py::arg("frequencies_v"), py::arg("normals"), py::arg("progress"))
+      .def("restart", restart<TextureAnimatorData>);
 }
 
 }  // namespace brindle::python

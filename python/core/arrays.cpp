@@ -22,17 +22,9 @@ std::optional<NumberType> number_type_of(const py::dtype& type) {
     if (size == 4) return NumberType::float32;
     return size == 8 ? std::optional(NumberType::float64) : std::nullopt;
   }
-  const bool is_signed = type.kind() == 'i';
-  switch (size) {
-    case 1:
-      return is_signed ? NumberType::int8 : NumberType::uint8;
-    case 2:
-      return is_signed ? NumberType::int16 : NumberType::uint16;
-    case 4:
-      return is_signed ? NumberType::int32 : NumberType::uint32;
-    default:
-      return is_signed ? NumberType::int64 : NumberType::uint64;
-  }
+  const int exponent = std::countr_zero(static_cast<unsigned>(size));
+  return static_cast<NumberType>(static_cast<int>(NumberType::int8) + 2 * exponent +
+                                 (type.kind() == 'i' ? 0 : 1));
 }
 
 py::dtype dtype_of(NumberType type) {

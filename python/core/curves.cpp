@@ -10,6 +10,7 @@
 #include "brindle/files.h"
 #include "brindle/line_drawing.h"
 #include "brindle/mesh_data.h"
+#include "brindle/recipe/mark_rows.h"
 #include "brindle/recipe/refusals.h"
 #include "brindle/recipe/report.h"
 #include "brindle/samples.h"
@@ -23,19 +24,6 @@
 namespace brindle::python {
 namespace {
 
-struct CurvesData {
-  SurfacePointer surface;
-  StripeCurves curves;
-  std::array<std::size_t, kCurveEndKinds> ends{};  // before short curves were left out
-  std::size_t short_curves = 0;                    // number left out
-  std::size_t jogs = 0;                            // edges at which moved curves have a jog
-  std::optional<StripeCurves> traced;              // all curves, if some were left out or reshaped
-  std::optional<Polylines> unshaped;               // the remaining curves, if they were reshaped
-
-  static constexpr int kMembers = 7;
-};
-using CurvesPointer = std::shared_ptr<CurvesData>;
-
 void check_not_negative(float value, const char* name) {
   if (value >= 0 && std::isfinite(value)) return;
   throw Error(std::string(name) + ": " + std::to_string(value) + "; give 0 or a length above");
@@ -45,9 +33,7 @@ void check_not_negative(float value, const char* name) {
 constexpr double kTraced = 0.7, kResampled = 0.5;
 
 struct CurveRequest {
-  bool join = false;
-  std::optional<float> trim;
-  float fair = 0;
+  CurveOptions traced;
   float offset = 0;
   float min_length = 0;
   std::optional<float> simplify, resample;
@@ -73,23 +59,19 @@ std::string warnings_of_curves(const CurvesData& data) {
   return data.curves.lines.count() > 0 ? "" : brindle::why_no_curves("u", data.short_curves);
 }
 
-CurveRequest request_of(const py::dict& given) {
+CurveRequest curve_request(const py::dict& options) {
+  const GivenOptions given(options);
   CurveRequest request;
-  const auto set = [&](const char* name, auto& field) {
-    if (given.contains(name)) field = py::cast<std::decay_t<decltype(field)>>(given[name]);
-  };
-  set("join", request.join);
-  set("trim", request.trim);
-  set("fair", request.fair);
-  set("offset", request.offset);
-  set("min_length", request.min_length);
-  set("simplify", request.simplify);
-  set("resample", request.resample);
+  visit_curves(request.traced, given);
+  given("--offset", request.offset);
+  given("--min-length", request.min_length);
+  given("--simplify", request.simplify);
+  given("--resample", request.resample);
   return request;
 }
 
 CurvesPointer curves(const StripesData& stripes, const py::dict& given) {
-  const CurveRequest request = request_of(given);
+  const CurveRequest request = curve_request(given);
   if (stripes.surface->is_points()) throw Error("curves need triangles; points have none");
   check_not_negative(request.min_length, "min_length");
   if (request.simplify) check_not_negative(*request.simplify, "simplify");
@@ -98,7 +80,7 @@ CurvesPointer curves(const StripesData& stripes, const py::dict& given) {
     auto made = std::make_shared<CurvesData>();
     made->surface = stripes.surface;
     const Surface& surface = stripes.surface->surface;
-    const CurveOptions options{request.join, request.trim, request.fair};
+    const CurveOptions& options = request.traced;
     const Progress tracing = progress.part(0, kTraced);
     if (request.offset == 0) {
       made->curves = stripe_curves(surface, stripes.pattern, options, tracing);
@@ -339,12 +321,11 @@ py::dict sample_columns(const SamplesData& data) {
                   "triangles"_a = owned(std::move(triangles)));
 }
 
-py::dict spacing_of(const SamplesData& data) {
+/// As text that Python parses, with the keys of reports.
+std::string spacing_of(const SamplesData& data) {
   const SampleSpacing spacing = until_interrupted(
       [&](const Progress& progress) { return measure_sample_spacing(data.samples, progress); });
-  return py::dict("measured"_a = spacing.samples, "mean"_a = spacing.mean,
-                  "deviation"_a = spacing.deviation,
-                  "isolated_double_share"_a = spacing.double_share);
+  return brindle::to_json(spacing).dump();
 }
 
 }  // namespace

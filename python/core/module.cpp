@@ -75,8 +75,7 @@ PYBIND11_MODULE(_core, module) {
   bind_paths(module);
   bind_loops(module);
   bind_animators(module);
-  bind_field_smoothing(module);
-  bind_texture_animator(module);
+  bind_field_animators(module);
   bind_pattern_frames(module);
   bind_files(module);
 }

@@ -1,6 +1,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <pybind11/numpy.h>
@@ -17,50 +18,45 @@
 namespace brindle::python {
 namespace {
 
-struct PathsData {
-  SurfacePointer surface;
-  ToolPaths paths;
-};
-
-template <class Number>
-using Packed = py::array_t<Number, py::array::c_style | py::array::forcecast>;
-
-/// Arrays of the package's own curves, which need no checks.
-Polylines lines_of_arrays(const SurfaceData& surface, const Packed<float>& points,
-                          const Packed<float>& normals, const Packed<std::int32_t>& offsets,
-                          const Packed<bool>& closed) {
-  Polylines lines;
-  lines.origin = surface.surface.mesh.origin;
-  const auto at = [](const Packed<float>& rows, py::ssize_t i) {
-    return Vec3(rows.at(i, 0), rows.at(i, 1), rows.at(i, 2));
-  };
-  for (py::ssize_t line = 0; line < closed.size(); ++line) {
-    for (py::ssize_t i = offsets.at(line); i < offsets.at(line + 1); ++i) {
-      lines.add(at(points, i), at(normals, i));
-    }
-    lines.end_line(closed.at(line));
-  }
-  return lines;
-}
-
-std::shared_ptr<PathsData> make_paths(const SurfacePointer& surface, const Packed<float>& points,
-                                      const Packed<float>& normals,
-                                      const Packed<std::int32_t>& offsets,
-                                      const Packed<bool>& closed, const std::string& order,
-                                      const ToolPathOptions& given) {
-  const Polylines lines = lines_of_arrays(*surface, points, normals, offsets, closed);
-  ToolPathOptions options = given;
-  options.order = static_cast<PathOrder>(choice("--order", order));
+std::shared_ptr<ToolPaths> make_paths(const CurvesData& curves, const std::string& order,
+                                      const py::dict& options) {
+  const GivenOptions given(options);
+  ToolPathOptions wanted;
+  wanted.order = static_cast<PathOrder>(choice("--order", order));
+  given("--width", wanted.width);
+  given("--connect", wanted.connect);
+  given("--least-radius", wanted.least_radius);
+  given("--least-length", wanted.least_length);
+  given("--cut-length", wanted.cut_length);
   return until_interrupted([&](const Progress& progress) {
-    return std::make_shared<PathsData>(
-        PathsData{surface, tool_paths(surface->surface.mesh, lines, options, progress)});
+    return std::make_shared<ToolPaths>(
+        tool_paths(curves.surface->surface.mesh, curves.curves.lines, wanted, progress));
   });
 }
 
-py::dict path_metrics(const PathsData& data) {
-  const ToolPathMetrics& metrics = data.paths.metrics;
+Machine machine_of(const py::dict& options) {
+  const GivenOptions given(options);
+  Machine machine;
+  bool is_plain = false;
+  std::optional<std::array<double, 3>> place;
+  given("--plain", is_plain);
+  given("--axes", machine.axes);
+  given("--scale", machine.unit);
+  given("--place", place);
+  given("--thickness", machine.thickness);
+  given("--filament", machine.filament);
+  given("--speed", machine.speed);
+  given("--travel-speed", machine.travel_speed);
+  given("--lift", machine.lift);
+  if (is_plain) machine.dialect = GcodeDialect::plain;
+  if (place) machine.place = Eigen::Vector3d(place->data());
+  return machine;
+}
+
+py::dict path_metrics(const ToolPaths& paths) {
+  const ToolPathMetrics& metrics = paths.metrics;
   py::dict result;
-  result["paths"] = data.paths.lines.count();
+  result["paths"] = paths.lines.count();
   result["curves"] = metrics.curves;
   result["bends_cut"] = metrics.bends_cut;
   result["left_out"] = metrics.left_out;
@@ -70,12 +66,11 @@ py::dict path_metrics(const PathsData& data) {
   result["travel"] = metrics.travel;
   result["travel_nearest"] = metrics.travel_nearest;
   result["least_radius"] = metrics.least_radius;
-  result["width"] = data.paths.width;
+  result["width"] = paths.width;
   return result;
 }
 
-py::dict path_columns(const PathsData& data) {
-  const ToolPaths& paths = data.paths;
+py::dict path_columns(const ToolPaths& paths) {
   const auto copied = [](auto rows) { return owned(std::move(rows)); };
   py::dict result;
   result["points"] = copied(paths.lines.points);
@@ -95,45 +90,20 @@ py::dict path_columns(const PathsData& data) {
 }  // namespace
 
 void bind_paths(py::module_& module) {
-  py::class_<ToolPathOptions>(module, "PathOptions")
-      .def(py::init<>())
-      .def_readwrite("width", &ToolPathOptions::width)
-      .def_readwrite("connect", &ToolPathOptions::connect)
-      .def_readwrite("least_radius", &ToolPathOptions::least_radius)
-      .def_readwrite("least_length", &ToolPathOptions::least_length)
-      .def_readwrite("cut_length", &ToolPathOptions::cut_length);
-  py::class_<Machine>(module, "Machine")
-      .def(py::init<>())
-      .def_property(
-          "extrudes", [](const Machine& m) { return m.dialect == GcodeDialect::marlin; },
-          [](Machine& m, bool extrudes) {
-            m.dialect = extrudes ? GcodeDialect::marlin : GcodeDialect::plain;
-          })
-      .def_readwrite("axes", &Machine::axes)
-      .def_readwrite("unit", &Machine::unit)
-      .def(
-          "set_place",
-          [](Machine& m, double x, double y, double z) { m.place = Eigen::Vector3d(x, y, z); },
-          py::arg("x"), py::arg("y"), py::arg("z"))
-      .def_readwrite("thickness", &Machine::thickness)
-      .def_readwrite("filament", &Machine::filament)
-      .def_readwrite("speed", &Machine::speed)
-      .def_readwrite("travel_speed", &Machine::travel_speed)
-      .def_readwrite("lift", &Machine::lift);
-  py::class_<PathsData, std::shared_ptr<PathsData>>(module, "Paths")
+  py::class_<ToolPaths, std::shared_ptr<ToolPaths>>(module, "Paths")
       .def("metrics", path_metrics)
       .def("columns", path_columns)
       .def(
           "write",
-          [](const PathsData& data, const std::string& path, const Machine& machine) {
+          [](const ToolPaths& paths, const std::string& path, const py::dict& machine) {
+            const Machine wanted = machine_of(machine);
             until_interrupted([&](const Progress& progress) {
-              write_tool_paths(path, data.paths, machine, progress);
+              write_tool_paths(path, paths, wanted, progress);
               return 0;
             });
           },
           py::arg("path"), py::arg("machine"));
-  module.def("tool_paths", make_paths, py::arg("surface"), py::arg("points"), py::arg("normals"),
-             py::arg("offsets"), py::arg("closed"), py::arg("order"), py::arg("options"));
+  module.def("tool_paths", make_paths, py::arg("curves"), py::arg("order"), py::arg("options"));
 }
 
 }  // namespace brindle::python

@@ -1,6 +1,7 @@
 /// Patterns and their inputs.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "brindle/branch_pairs.h"
 #include "brindle/cross_texture.h"
+#include "brindle/curves.h"
 #include "brindle/recipe/field_data.h"
 #include "brindle/recipe/report.h"
 #include "brindle/recipe/wave_report.h"
@@ -47,6 +49,9 @@ struct StripesData {
 };
 using StripesPointer = std::shared_ptr<StripesData>;
 
+StripesPointer stripes_data(const SurfacePointer& surface, StripePattern&& pattern,
+                            const brindle::PreparationMetrics& prepared, Solver solver);
+
 /// Texture coordinates along two stripe patterns, or along the waves of a cross field.
 struct TextureData {
   SurfacePointer surface;  ///< of the corners
@@ -64,6 +69,20 @@ struct TextureData {
   bool is_cross() const { return cover != nullptr; }
 };
 using TexturePointer = std::shared_ptr<TextureData>;
+
+/// Centre lines of stripes.
+struct CurvesData {
+  SurfacePointer surface;
+  StripeCurves curves;
+  std::array<std::size_t, kCurveEndKinds> ends{};  ///< before short curves were left out
+  std::size_t short_curves = 0;                    ///< number left out
+  std::size_t jogs = 0;                            ///< edges at which moved curves have a jog
+  std::optional<StripeCurves> traced;              ///< all, if some were left out or reshaped
+  std::optional<Polylines> unshaped;               ///< the remaining ones, if they were reshaped
+
+  static constexpr int kMembers = 7;
+};
+using CurvesPointer = std::shared_ptr<CurvesData>;
 
 /// Waves from arrays.
 struct WavesIn {
@@ -105,8 +124,7 @@ void bind_textures(py::module_& module);
 void bind_curves(py::module_& module);
 void bind_paths(py::module_& module);
 void bind_animators(py::module_& module);
-void bind_field_smoothing(py::module_& module);
-void bind_texture_animator(py::module_& module);
+void bind_field_animators(py::module_& module);
 void bind_pattern_frames(py::module_& module);
 void bind_loops(py::module_& module);
 void bind_files(py::module_& module);

@@ -17,7 +17,6 @@
 #include "brindle/recipe/wave_rows.h"
 #include "brindle/threads.h"
 #include "brindle/waves/parsed_words.h"
-#include "given_options.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "stored.h"
@@ -74,7 +73,6 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
                        const py::object& progress) {
   WavesIn in = waves_of_arrays(*surface, directions, count, frequency, origin);
   return Job(progress, solving.threads).run([&](const Progress& reports) {
-    auto made = std::make_shared<StripesData>();
     StripeOptions options = solving.stripes;
     std::optional<StyleBindings> followed;
     if (previous) {
@@ -85,12 +83,9 @@ StripesPointer stripes(const SurfacePointer& surface, py::handle directions, py:
       return pattern_of(surface->surface, std::move(in.waves),
                         {PatternKind::stripes, options, solving.fabrication}, reports);
     });
-    made->pattern = std::get<StripePattern>(std::move(pattern.of));
+    StripesPointer made = stripes_data(surface, std::get<StripePattern>(std::move(pattern.of)),
+                                       in.prepared, options.solver.solver);
     made->fabrication = std::move(pattern.fabrication);
-    made->surface = surface;
-    made->prepared = in.prepared;
-    made->solver = options.solver.solver;
-    made->threads = ThreadLimit::current();
     if (followed) {
       tell_step(*followed, *made);
       made->followed->field_turned_deg = origin.field_turned_deg;
@@ -118,11 +113,9 @@ StripesPointer stripes_from_phases(const SurfacePointer& surface, py::handle pha
     return solution;
   };
   return without_lock([&] {
-    auto made = std::make_shared<StripesData>();
-    made->pattern = stripe_pattern(surface->surface, std::move(in.waves), options);
-    made->surface = surface;
-    made->prepared = in.prepared;
-    made->threads = ThreadLimit::current();
+    StripesPointer made =
+        stripes_data(surface, stripe_pattern(surface->surface, std::move(in.waves), options),
+                     in.prepared, Solver::multilevel);
     copy_to_joined(*made);
     return made;
   });
@@ -211,27 +204,6 @@ std::string warnings_of(const StripesData& data, const std::string& source) {
                                   data.surface->surface.mesh.triangle_count());
 }
 
-py::object frequency_change_of(const StripesData& data) {
-  if (!data.pattern.frequency_change) return py::none();
-  const FrequencyChange& change = *data.pattern.frequency_change;
-  py::dict result("ratio_min"_a = change.ratio_min, "ratio_mean"_a = change.ratio_mean,
-                  "ratio_max"_a = change.ratio_max, "share_at_bounds"_a = change.share_at_bounds,
-                  "spacing_error_wanted_mean"_a = data.pattern.quality.spacing_error_wanted_mean,
-                  "sweeps"_a = change.sweeps, "residual"_a = change.residual);
-  if (data.pattern.quality.branches_in_avoided_area) {
-    result["branches_in_avoided_area"] = *data.pattern.quality.branches_in_avoided_area;
-  }
-  return result;
-}
-
-py::object field_rotation_of(const StripesData& data) {
-  const FabricationMetrics& made = data.fabrication;
-  if (made.windings_before.empty()) return py::none();
-  return py::dict("energy_before"_a = made.energy_before, "largest_deg"_a = made.largest_turn_deg,
-                  "mean_deg"_a = made.mean_turn_deg,
-                  "largest_frequency_change"_a = made.largest_frequency_change);
-}
-
 void bind_stripes(py::module_& module) {
   py::class_<StripesData, StripesPointer> type(module, "Stripes");
   bind_pickle(type);
@@ -250,8 +222,6 @@ void bind_stripes(py::module_& module) {
   type.def_readonly("surface", &StripesData::surface)
       .def_property_readonly("turn_deg",
                              [](const StripesData& data) { return data.prepared.turn_deg; })
-      .def("frequency_change", frequency_change_of)
-      .def("field_rotation", field_rotation_of)
       .def("cancelled_branches",
            [](const StripesData& data) {
              return cancelled_branches_of(data.fabrication.cancelled_branches);
@@ -269,6 +239,17 @@ void bind_stripes(py::module_& module) {
 }
 
 }  // namespace
+
+StripesPointer stripes_data(const SurfacePointer& surface, StripePattern&& pattern,
+                            const PreparationMetrics& prepared, Solver solver) {
+  auto made = std::make_shared<StripesData>();
+  made->surface = surface;
+  made->pattern = std::move(pattern);
+  made->prepared = prepared;
+  made->solver = solver;
+  made->threads = ThreadLimit::current();
+  return made;
+}
 
 py::object cancelled_branches_of(const std::optional<CancelledBranches>& merged) {
   if (!merged) return py::none();

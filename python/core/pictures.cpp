@@ -9,7 +9,6 @@
 #include "brindle/error.h"
 #include "brindle/render/parsed_words.h"
 #include "brindle/render/slice_refusal.h"
-#include "given_options.h"
 #include "job.h"
 #include "pattern_data.h"
 #include "words.h"

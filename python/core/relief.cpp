@@ -1,6 +1,7 @@
 // Reliefs of textures, for builds with OpenGL, which have the tiles.
 #include "brindle/relief.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "job.h"
 #include "pattern_data.h"
 #include "pictures.h"
+#include "words.h"
 
 namespace brindle::python {
 namespace {
@@ -25,6 +27,36 @@ struct ReliefRequest {
   bool keep_flat = false;
   std::optional<float> fill_holes;
 };
+
+ReliefRequest relief_request(const py::dict& options) {
+  using Numbers = py::array_t<float, py::array::c_style | py::array::forcecast>;
+  const GivenOptions given(options);
+  ReliefRequest request;
+  ReliefOptions& relief = request.options;
+  bool cut = false;
+  std::optional<float> inlay;
+  std::optional<std::array<float, 4>> towards;  // and the angle from there
+  std::optional<Numbers> weights;
+  given("--height", relief.height);
+  given("--tolerance", relief.tolerance);
+  given("--keep-flat", request.keep_flat);
+  given("--fill-holes", request.fill_holes);
+  given("--cut", cut);
+  given("--inlay", inlay);
+  given("--towards", towards);
+  given("--weights", weights);
+  if (cut) relief.kind = ReliefKind::cut;
+  if (inlay) {
+    relief.kind = ReliefKind::inlay;
+    relief.depth = *inlay;
+  }
+  if (towards) {
+    request.faces.towards = Vec3(towards->data());
+    request.faces.degrees = towards->back();
+  }
+  if (weights) request.faces.weights.assign(weights->data(), weights->data() + weights->size());
+  return request;
+}
 
 ReliefOptions options_of(const ReliefRequest& request, const TextureData& texture) {
   const Surface& surface = texture.surface->surface;
@@ -49,7 +81,8 @@ py::dict report_of(const Relief& relief) {
 
 /// Positions, triangles, and the report.
 py::tuple relief(const TextureData& texture, py::handle tile, std::optional<bool> whole,
-                 const ReliefRequest& request, const py::object& progress) {
+                 const py::dict& given, const py::object& progress) {
+  const ReliefRequest request = relief_request(given);
   const TextureTile chosen = tile_of(tile);
   Relief made = Job(progress).run([&](const Progress& reports) {
     const ReliefOptions options = options_of(request, texture);
@@ -70,38 +103,6 @@ py::tuple relief(const TextureData& texture, py::handle tile, std::optional<bool
 }  // namespace
 
 void bind_relief(py::module_& module) {
-  py::class_<ReliefRequest>(module, "ReliefRequest")
-      .def(py::init<>())
-      .def_readwrite("keep_flat", &ReliefRequest::keep_flat)
-      .def_readwrite("fill_holes", &ReliefRequest::fill_holes)
-      .def_property(
-          "height", [](const ReliefRequest& r) { return r.options.height; },
-          [](ReliefRequest& r, float height) { r.options.height = height; })
-      .def_property(
-          "tolerance", [](const ReliefRequest& r) { return r.options.tolerance; },
-          [](ReliefRequest& r, float tolerance) { r.options.tolerance = tolerance; })
-      .def(
-          "make_inlay",
-          [](ReliefRequest& r, float depth) {
-            r.options.kind = ReliefKind::inlay;
-            r.options.depth = depth;
-          },
-          py::arg("depth"))
-      .def("make_cut", [](ReliefRequest& r) { r.options.kind = ReliefKind::cut; })
-      .def(
-          "choose_towards",
-          [](ReliefRequest& r, float x, float y, float z, float degrees) {
-            r.faces.towards = Vec3(x, y, z);
-            r.faces.degrees = degrees;
-          },
-          py::arg("x"), py::arg("y"), py::arg("z"), py::arg("degrees"))
-      .def(
-          "choose_weights",
-          [](ReliefRequest& r,
-             const py::array_t<float, py::array::c_style | py::array::forcecast>& weights) {
-            r.faces.weights.assign(weights.data(), weights.data() + weights.size());
-          },
-          py::arg("weights"));
   module.def("relief", relief, py::arg("texture"), py::arg("tile"), py::arg("whole").none(true),
              py::arg("request"), py::arg("progress"));
 }

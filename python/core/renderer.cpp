@@ -152,13 +152,12 @@ py::tuple render_texture(const TextureData& texture, py::handle tile, std::optio
       drawing.broken_tiles = &*broken;
       warnings = brindle::tile_warning(*broken, drawing.mesh.triangle_count());
     }
+    const Overlay overlay = texture.is_cross() ? Overlay() : overlay_of(picture.view, *texture.u);
     if (!texture.is_cross()) {
-      const Overlay overlay = overlay_of(picture.view, *texture.u);
       drawing.waves = &texture.u->pattern.waves;
       drawing.z = texture.u->pattern.solution.z;
       drawing.triangle_colors = overlay.triangle_colors;
       drawing.marks = overlay.marks;
-      return render_picture(drawing, options_of(picture, drawing.mesh), progress);
     }
     return render_picture(drawing, options_of(picture, drawing.mesh), progress);
   }));

@@ -35,17 +35,6 @@ std::optional<FrequencyField> crossing_frequencies(const SurfaceData& surface, p
                                   mesh.vertex_count());
 }
 
-StripesPointer stripes_data(const SurfacePointer& surface, StripePattern&& pattern,
-                            const brindle::PreparationMetrics& prepared, Solver solver) {
-  auto made = std::make_shared<StripesData>();
-  made->surface = surface;
-  made->pattern = std::move(pattern);
-  made->prepared = prepared;
-  made->solver = solver;
-  made->threads = ThreadLimit::current();
-  return made;
-}
-
 TexturePointer texture(const SurfacePointer& surface, py::handle directions, py::handle count,
                        py::handle frequency, py::handle count_v, py::handle frequency_v,
                        bool oriented, const FieldOrigin& origin, const Solving& solving,

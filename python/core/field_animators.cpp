@@ -1,4 +1,4 @@
-// Smooths measured fields frame by frame.
+// Smooth fields, and measured fields, frame by frame.
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -16,6 +16,7 @@
 #include "brindle/measured_field.h"
 #include "brindle/recipe/json_text.h"
 #include "brindle/recipe/report.h"
+#include "brindle/smooth_field.h"
 #include "frame_waves.h"
 #include "job.h"
 #include "pattern_data.h"
@@ -23,6 +24,57 @@
 
 namespace brindle::python {
 namespace {
+
+struct FieldAnimatorData {
+  SurfacePointer surface;
+  SmoothFieldAnimator animator;
+  std::atomic<bool> busy{false};
+
+  FieldAnimatorData(SurfacePointer on, const SmoothFieldAnimatorOptions& options)
+      : surface(std::move(on)), animator(until_interrupted([&](const Progress& progress) {
+          return SmoothFieldAnimator(surface->surface, options, progress);
+        })) {}
+};
+
+py::array field_frame(FieldAnimatorData& data, py::handle vertices, py::handle directions,
+                      py::handle weights, const py::object& progress) {
+  const OneAtATime alone(data.busy, "this animator");
+  refuse_masked(vertices, "vertices");
+  const Table numbers = table_of(vertices, "vertices");
+  const std::size_t count = numbers.is_number ? 1 : numbers.view.rows();
+  const Table ways = table_of(directions, "directions");
+  const Table strengths = table_of(weights, "weights");
+  for (const auto& [table, what] : {std::pair(&ways, "directions"), {&strengths, "weights"}}) {
+    if (!table->is_number) check_rows(table->array, count, what, "anchors (vertices)");
+  }
+  const std::vector<Vec3> vectors = vectors_of(ways.view, "directions");
+  const std::vector<float> weight = numbers_of(strengths.view, "weights");
+  const auto kind = numbers.array.dtype().kind();
+  if (kind == 'f' && numbers.view.rows() > 0) {
+    throw py::type_error("vertices: expected whole numbers");
+  }
+  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> numbers_64(
+      numbers.array);
+  if (numbers.array.ndim() > 1) {
+    throw Error("vertices: expected an array (k,), got one of " +
+                std::to_string(numbers.array.ndim()) + " dimensions");
+  }
+  const auto all = static_cast<std::int64_t>(data.surface->surface.mesh.vertex_count());
+  std::vector<FieldAnchor> anchors;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t vertex = numbers_64.data()[i];
+    if (vertex < 0 || vertex >= all) {
+      throw Error("vertices: " + std::to_string(vertex) + " is none of " + std::to_string(all) +
+                  ", numbered from 0");
+    }
+    anchors.push_back(
+        {static_cast<Index>(vertex), vectors[i], strengths.is_number ? weight.front() : weight[i]});
+  }
+  return owned(Job(progress).run([&](const Progress& reports) {
+    const std::span<const Vec3> field = data.animator.frame(anchors, reports);
+    return std::vector<Vec3>(field.begin(), field.end());
+  }));
+}
 
 struct FieldSmoothingData {
   SurfacePointer surface;
@@ -115,7 +167,16 @@ std::string metrics_of_smoothing(FieldSmoothingData& data) {
 
 }  // namespace
 
-void bind_field_smoothing(py::module_& module) {
+void bind_field_animators(py::module_& module) {
+  py::class_<FieldAnimatorData>(module, "FieldAnimator")
+      .def(py::init([](const SurfacePointer& surface, int symmetry, float lambda, int sweeps) {
+             return std::make_unique<FieldAnimatorData>(
+                 surface, SmoothFieldAnimatorOptions{symmetry, lambda, sweeps});
+           }),
+           py::arg("surface").none(false), py::arg("symmetry"), py::arg("stiffness"),
+           py::arg("sweeps"))
+      .def("frame", field_frame, py::arg("vertices"), py::arg("directions"), py::arg("weights"),
+           py::arg("progress"));
   py::class_<FieldSmoothingData>(module, "FieldSmoothing")
       .def(py::init(&make_field_smoothing), py::arg("surface").none(false), py::arg("periods"),
            py::arg("symmetry"), py::arg("fill"), py::arg("singularities"),
