@@ -142,6 +142,25 @@ class Communicator {
   Traffic traffic_;
 };
 
+/// Collective. Sends every row to the rank `rank_of(row)`. There, `answer` maps the lists of all
+/// ranks to lists of answers, which are returned in the order of the rows. `ranks` has the `size`
+/// and `swap_lists` of a Communicator.
+template <class Ranks, class Row, class RankOf, class Answer>
+auto answers_to(Ranks& ranks, const std::vector<Row>& rows, const RankOf& rank_of,
+                const Answer& answer) {
+  std::vector<std::vector<Row>> asked(static_cast<std::size_t>(ranks.size()));
+  for (const Row& row : rows) asked[rank_of(row)].push_back(row);
+  const auto answers = ranks.swap_lists(answer(ranks.swap_lists(asked)));
+  std::vector<std::size_t> next(asked.size());
+  auto result = answers[0];
+  result.clear();
+  for (const Row& row : rows) {
+    const std::size_t rank = rank_of(row);
+    result.push_back(answers[rank][next[rank]++]);
+  }
+  return result;
+}
+
 /// Concatenates the lists that ranks have sent.
 template <class T>
 std::vector<T> joined(const std::vector<std::vector<std::byte>>& parts) {

@@ -6,12 +6,18 @@
 #include <utility>
 #include <vector>
 
+#include "brindle/array_field.h"
 #include "brindle/distributed_surface.h"
 #include "brindle/export.h"
 #include "brindle/mesh.h"
 #include "brindle/waves_of.h"
 
 namespace BRINDLE_EXPORT brindle {
+
+/// Collective. `frequencies_by` of array_field.h for the whole surface, at the vertices of the
+/// partition; the owner's number of a vertex counts. Throws Error on all ranks, as that does.
+FrequencyField frequencies_by(const DistributedSurface& surface, const DataArray& array,
+                              float frequency, const FrequencyRange& range = {});
 
 /// A partition as the surface of waves. Its functions are collective and return the results of a
 /// `WholeSurface` for the whole; the owner's values of a vertex count, and those of ghost triangles

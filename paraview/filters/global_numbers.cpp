@@ -20,11 +20,7 @@ constexpr double kRounding = 1e-5;
 constexpr std::uint64_t kUnshared = std::uint64_t{1} << 63;
 
 /// The identity of points: a position or an id.
-struct Key {
-  std::uint64_t first, second;
-
-  auto operator<=>(const Key&) const = default;
-};
+using Key = std::array<std::uint64_t, 2>;
 
 Key key_of(const Vec3& position) {
   std::array<std::uint64_t, 3> bits;
@@ -36,16 +32,6 @@ Key key_of(const Vec3& position) {
 }
 
 Key key_of(std::int64_t id) { return {static_cast<std::uint64_t>(id), 0}; }
-
-/// Distributes keys over ranks, also those of a lattice.
-std::uint64_t hash(const Key& key) {
-  std::uint64_t h = 0;
-  for (const std::uint64_t part : {key.first >> 32, key.first & 0xffffffffu, key.second}) {
-    h = (h ^ part) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
-  }
-  return h;
-}
 
 struct Labelled {
   Key key;
@@ -72,18 +58,10 @@ std::vector<std::vector<std::uint64_t>> lowest(const std::vector<std::vector<Lab
 template <class Thing>
 std::vector<std::uint64_t> lowest_labels(const Ranks& ranks, std::span<const Thing> things,
                                          std::span<const std::uint64_t> labels) {
-  std::vector<std::vector<Labelled>> told(static_cast<std::size_t>(ranks.size()));
-  std::vector<std::size_t> knows;  // by rank
-  for (std::size_t p = 0; p < things.size(); ++p) {
-    const Key key = key_of(things[p]);
-    knows.push_back(hash(key) % told.size());
-    told[knows.back()].push_back({key, labels[p]});
-  }
-  const auto answers = ranks.swap_lists(lowest(ranks.swap_lists(told)));
-  std::vector<std::size_t> next(told.size());
-  std::vector<std::uint64_t> result;
-  for (const std::size_t rank : knows) result.push_back(answers[rank][next[rank]++]);
-  return result;
+  std::vector<Labelled> rows;
+  for (std::size_t p = 0; p < things.size(); ++p) rows.push_back({key_of(things[p]), labels[p]});
+  return answers_to(
+      ranks, rows, [&](const Labelled& row) { return ranks.rank_of(row.key); }, lowest);
 }
 
 struct IdPlace {

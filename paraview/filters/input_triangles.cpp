@@ -11,7 +11,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataGeometryFilter.h>
-#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkDataSetSurfaceFilter.h>
@@ -21,8 +20,8 @@
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "outputs.h"
-#include "vtk_arrays.h"
+#include "blocks.h"
+#include "vtk_data.h"
 
 namespace brindle::paraview {
 namespace {
@@ -72,21 +71,13 @@ std::vector<std::uint8_t> ghosts_of(vtkPolyData& triangles) {
   return ghosts;
 }
 
-bool has_ghosts(vtkDataObject* leaf) {
-  auto* data = vtkDataSet::SafeDownCast(leaf);
-  return data != nullptr && data->GetCellGhostArray() != nullptr;
-}
-
 /// The same data without ghost flags.
 vtkSmartPointer<vtkDataSet> without_ghosts(vtkDataSet& data) {
   vtkNew<vtkUnsignedCharArray> flags;
   flags->SetName(vtkDataSetAttributes::GhostArrayName());
   flags->SetNumberOfValues(data.GetNumberOfCells());
   flags->Fill(0);
-  auto copy = vtkSmartPointer<vtkDataSet>::Take(data.NewInstance());
-  copy->ShallowCopy(&data);
-  copy->GetCellData()->AddArray(flags);
-  return copy;
+  return with_flags(data, flags);
 }
 
 /// Triangles, and the cell number of the polygon of each.
@@ -127,23 +118,12 @@ void take_strips_apart(vtkCellArray& strips, Index first_cell, CutCells& cut) {
 }  // namespace
 
 vtkSmartPointer<vtkDataObject> with_ghosts_of_all(vtkDataObject* input) {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
-  if (blocks == nullptr) return input;
-  bool any = false;
-  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
-    any = any || has_ghosts(block->GetCurrentDataObject());
-  }
-  if (!any) return input;
-  auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(blocks->NewInstance());
-  copy->CopyStructure(blocks);
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
-    vtkDataObject* leaf = block->GetCurrentDataObject();
-    auto* data = vtkDataSet::SafeDownCast(leaf);
-    const bool lacks = data != nullptr && !has_ghosts(leaf);
-    copy->SetDataSet(block, lacks ? without_ghosts(*data).Get() : leaf);
-  }
-  return copy;
+  const auto has_ghosts = [](vtkDataSet* block) { return block->GetCellGhostArray() != nullptr; };
+  if (std::ranges::none_of(blocks_of(input), has_ghosts)) return input;
+  return with_blocks(input, [&](vtkDataSet& block) -> vtkSmartPointer<vtkDataSet> {
+    if (has_ghosts(&block)) return &block;
+    return without_ghosts(block);
+  });
 }
 
 vtkSmartPointer<vtkPolyData> polygons_of(vtkDataObject* input, vtkAlgorithm* owner) {

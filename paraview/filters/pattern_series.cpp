@@ -28,21 +28,15 @@ bool everywhere(const PatternSurface& surface, bool holds) {
   return ranks_of(surface).every(holds);
 }
 
-/// The identity of a vertex over time: id or position, and index among its copies.
-struct VertexKey {
-  std::uint64_t first, second;
-
-  auto operator<=>(const VertexKey&) const = default;
-};
-
-std::uint64_t hash(const VertexKey& key) {
-  std::uint64_t h = 0;
-  for (const std::uint64_t part : {key.first >> 32, key.first & 0xffffffffu, key.second}) {
-    h = (h ^ part) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
-  }
-  return h;
+/// The result of `work` with either animator, which there is.
+template <class Animators, class Work>
+auto of_animator(Animators& animators, const Work& work) {
+  auto* over_ranks = std::get_if<DistributedStripeAnimator>(&animators);
+  return over_ranks != nullptr ? work(*over_ranks) : work(std::get<StripeAnimator>(animators));
 }
+
+/// The identity of a vertex over time: id or position, and index among its copies.
+using VertexKey = std::array<std::uint64_t, 2>;
 
 /// 0 for the first of the vertices split at creases.
 std::vector<std::uint64_t> copy_numbers(const Surface& surface) {
@@ -82,7 +76,7 @@ std::vector<KnownWave> known_waves(const Ranks& ranks, std::span<const VertexKey
   std::vector<std::vector<KnownWave>> told(static_cast<std::size_t>(ranks.size()));
   for (std::size_t v = 0; v < keys.size(); ++v) {
     const Vec3& d = directions[v];
-    told[hash(keys[v]) % told.size()].push_back(
+    told[ranks.rank_of(keys[v])].push_back(
         {keys[v], {d.x(), d.y(), d.z()}, {z[v].real(), z[v].imag()}});
   }
   std::vector<KnownWave> known;
@@ -118,21 +112,17 @@ std::vector<Complex> phases_elsewhere(const PatternSurface& last, const StripePa
     return std::vector<Complex>(waves.positions.size());
   }
   const std::vector<VertexKey> known = keys_of(last, pattern.waves.positions, by_id);
-  const std::vector<VertexKey> asked = keys_of(surface, waves.positions, by_id);
   const std::vector<KnownWave> of_ranks =
       known_waves(ranks, known, pattern.waves.directions, pattern.solution.z);
-  const auto size = static_cast<std::size_t>(ranks.size());
-  std::vector<std::vector<VertexKey>> questions(size);
-  for (const VertexKey& key : asked) questions[hash(key) % size].push_back(key);
-  const auto answers = ranks.swap_lists(answered(of_ranks, ranks.swap_lists(questions)));
+  const std::vector<KnownWave> found = answers_to(
+      ranks, keys_of(surface, waves.positions, by_id),
+      [&](const VertexKey& key) { return ranks.rank_of(key); },
+      [&](const auto& questions) { return answered(of_ranks, questions); });
   WaveSet before = waves;
   std::vector<Complex> z;
-  std::vector<std::size_t> next(size);
-  for (std::size_t v = 0; v < asked.size(); ++v) {
-    const std::size_t rank = hash(asked[v]) % size;
-    const KnownWave& wave = answers[rank][next[rank]++];
-    before.directions[v] = Vec3(wave.direction.data());
-    z.emplace_back(wave.z[0], wave.z[1]);
+  for (std::size_t v = 0; v < found.size(); ++v) {
+    before.directions[v] = Vec3(found[v].direction.data());
+    z.emplace_back(found[v].z[0], found[v].z[1]);
   }
   return matched_phases({surface.surface->mesh, before, z}, waves);
 }
@@ -163,12 +153,12 @@ const StripePattern& PatternSeries::next(const PatternSurface& surface, WaveSet 
   try {
     // A restarted animator would keep the aggregates of its first frame.
     if (!fitting || !follows) start(surface, options);
-    if (last) set_last_phases(*last);
+    if (last) of_animator(animator_, [&](auto& animator) { animator.set_last_phases(*last); });
     surface_ = surface;
     solve(std::move(waves), progress);
     patterns_followed_ += follows && (fitting || last) ? 1 : 0;
   } catch (...) {
-    forget();
+    animator_ = {};
     throw;
   }
   return pattern_;
@@ -192,10 +182,6 @@ std::optional<std::vector<Complex>> PatternSeries::phases_to_follow(const Patter
   return last;
 }
 
-void PatternSeries::set_last_phases(std::span<const Complex> z) {
-  ranks_animator_ ? ranks_animator_->set_last_phases(z) : animator_->set_last_phases(z);
-}
-
 bool PatternSeries::fits(const PatternSurface& surface, const SeriesOptions& options) const {
   return has_animator() && options == options_ && same_connectivity(surface_, surface);
 }
@@ -208,52 +194,38 @@ bool PatternSeries::has_pattern_of(const WaveSet& waves) const {
 }
 
 void PatternSeries::start(const PatternSurface& surface, const SeriesOptions& options) {
-  forget();
+  DistributedOptions frames;
+  frames.slack = options.slack;
+  frames.lambda = options.lambda;
   if (surface.piece) {
-    DistributedOptions frames;
-    frames.slack = options.slack;
-    frames.lambda = options.lambda;
-    ranks_animator_.emplace(surface.piece->surface(), frames);
+    animator_.emplace<DistributedStripeAnimator>(surface.piece->surface(), frames);
   } else {
-    AnimatorOptions frames;
-    frames.slack = options.slack;
-    frames.lambda = options.lambda;
-    animator_.emplace(*surface.surface, frames);
+    animator_.emplace<StripeAnimator>(*surface.surface, frames);
   }
   options_ = options;
   ++solvers_made_;
 }
 
-void PatternSeries::forget() {
-  animator_.reset();
-  ranks_animator_.reset();
-}
-
 void PatternSeries::solve(WaveSet waves, const Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
-  const FrameResult frame = solve_frame(waves, progress);
+  const FrameInput input{waves.positions, waves.directions, waves.frequencies};
+  const FrameResult frame =
+      of_animator(animator_, [&](auto& animator) { return animator.frame(input, progress); });
   solve_milliseconds_ = milliseconds_since(begin);
-  StripePattern made = pattern_of_frame(frame, std::move(waves), energy(), PhaseShiftKind::aligned);
-  measure(made);
+  const double energy = of_animator(animator_, [](auto& animator) { return animator.energy(); });
+  StripePattern made = pattern_of_frame(frame, std::move(waves), energy, PhaseShiftKind::aligned);
+  // Corner phases, also of ghosts.
+  made.corners = corner_phases(surface_.surface->mesh.triangles, made.waves, made.solution.z,
+                               made.phase_shift);
+  made.quality = quality_of(made);
   pattern_ = std::move(made);
 }
 
-FrameResult PatternSeries::solve_frame(const WaveSet& waves, const Progress& progress) {
-  const FrameInput input{waves.positions, waves.directions, waves.frequencies};
-  return ranks_animator_ ? ranks_animator_->frame(input, progress)
-                         : animator_->frame(input, progress);
-}
-
-double PatternSeries::energy() const {
-  return ranks_animator_ ? ranks_animator_->energy() : animator_->energy();
-}
-
-/// Computes corner phases, also of ghosts, and the global quality.
-void PatternSeries::measure(StripePattern& made) const {
-  const Mesh& mesh = surface_.surface->mesh;
-  made.corners = corner_phases(mesh.triangles, made.waves, made.solution.z, made.phase_shift);
-  made.quality = ranks_animator_ ? ranks_animator_->measure().quality
-                                 : measure_quality(mesh, made.waves, made.corners);
+/// Of the whole surface.
+PatternQuality PatternSeries::quality_of(const StripePattern& made) const {
+  const auto* over_ranks = std::get_if<DistributedStripeAnimator>(&animator_);
+  if (over_ranks != nullptr) return over_ranks->measure().quality;
+  return measure_quality(surface_.surface->mesh, made.waves, made.corners);
 }
 
 }  // namespace brindle::paraview

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
+#include <variant>
 #include <vector>
 
 #include <brindle/distributed_stripes.h>
@@ -73,20 +73,16 @@ class PatternSeries {
   bool fits(const PatternSurface& surface, const SeriesOptions& options) const;
   bool has_pattern_of(const WaveSet& waves) const;
   void start(const PatternSurface& surface, const SeriesOptions& options);
-  void forget();
-  bool has_animator() const { return animator_ || ranks_animator_; }
-  void set_last_phases(std::span<const Complex> z);
+  bool has_animator() const { return animator_.index() != 0; }
   std::optional<std::vector<Complex>> phases_to_follow(const PatternSurface& surface,
                                                        const WaveSet& waves) const;
   void solve(WaveSet waves, const Progress& progress);
-  FrameResult solve_frame(const WaveSet& waves, const Progress& progress);
-  double energy() const;
-  void measure(StripePattern& made) const;
+  PatternQuality quality_of(const StripePattern& made) const;
 
   PatternSurface surface_;
   SeriesOptions options_;
-  std::optional<StripeAnimator> animator_;
-  std::optional<DistributedStripeAnimator> ranks_animator_;  ///< of pieces
+  /// None before the first pattern; the last one is for pieces.
+  std::variant<std::monostate, StripeAnimator, DistributedStripeAnimator> animator_;
   StripePattern pattern_;
   int solvers_made_ = 0;
   int patterns_followed_ = 0;

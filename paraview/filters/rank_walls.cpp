@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkGenericCell.h>
@@ -20,6 +17,8 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include "blocks.h"
+
 namespace brindle::paraview {
 namespace {
 
@@ -28,19 +27,14 @@ constexpr const char* kSolid = "brindle_has_volume";
 /// Identifies a face by the three lowest numbers of its vertices.
 using Face = std::array<std::uint64_t, 3>;
 
-std::uint64_t hash(const Face& face) {
-  std::uint64_t h = 0;
-  for (const std::uint64_t number : face) {
-    h = (h ^ number) * 0x9e3779b97f4a7c15u;
-    h ^= h >> 29;
-  }
-  return h;
-}
+struct CellFaces {
+  std::vector<vtkIdType> cells;
+  std::vector<Face> faces;  ///< one per cell
+};
 
-/// Own faces of solids, without ghosts, and their cell numbers.
-std::vector<std::pair<vtkIdType, Face>> own_faces(vtkPolyData& surface,
-                                                  std::span<const std::uint64_t> numbers) {
-  std::vector<std::pair<vtkIdType, Face>> faces;
+/// Own faces of solids, without ghosts.
+CellFaces own_faces(vtkPolyData& surface, std::span<const std::uint64_t> numbers) {
+  CellFaces own;
   vtkUnsignedCharArray* flags = surface.GetCellGhostArray();
   auto* solid = vtkUnsignedCharArray::SafeDownCast(surface.GetCellData()->GetArray(kSolid));
   vtkNew<vtkIdList> corners;
@@ -57,9 +51,10 @@ std::vector<std::pair<vtkIdType, Face>> own_faces(vtkPolyData& surface,
       vertices.push_back(numbers[static_cast<std::size_t>(corners->GetId(k))]);
     }
     std::ranges::sort(vertices);
-    faces.push_back({cell, {vertices[0], vertices[1], vertices[2]}});
+    own.cells.push_back(cell);
+    own.faces.push_back({vertices[0], vertices[1], vertices[2]});
   }
-  return faces;
+  return own;
 }
 
 /// Whether each face of all lists occurs twice, on any ranks.
@@ -94,9 +89,8 @@ int dimension_of(int cell_type, vtkGenericCell& cell) {
   return cell.GetCellDimension();
 }
 
-bool has_cells_without_volume(vtkDataObject* leaf) {
-  auto* data = vtkDataSet::SafeDownCast(leaf);
-  if (data == nullptr || data->GetNumberOfCells() == 0) return false;
+bool has_cells_without_volume(vtkDataSet* data) {
+  if (data->GetNumberOfCells() == 0) return false;
   vtkNew<vtkGenericCell> cell;
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   if (grid == nullptr) return dimension_of(data->GetCellType(0), *cell) < 3;
@@ -114,59 +108,32 @@ vtkSmartPointer<vtkDataSet> marked(vtkDataSet& data) {
   for (vtkIdType i = 0; i < data.GetNumberOfCells(); ++i) {
     solid->InsertNextValue(dimension_of(data.GetCellType(i), *cell) == 3 ? 1 : 0);
   }
-  auto copy = vtkSmartPointer<vtkDataSet>::Take(data.NewInstance());
-  copy->ShallowCopy(&data);
-  copy->GetCellData()->AddArray(solid);
-  return copy;
+  return with_flags(data, solid);
 }
 
 }  // namespace
 
 bool is_grid(vtkDataObject* data) {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
-  if (blocks == nullptr) return vtkPolyData::SafeDownCast(data) == nullptr;
-  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
-    if (vtkPolyData::SafeDownCast(block->GetCurrentDataObject()) != nullptr) return false;
-  }
-  return true;
+  return std::ranges::none_of(blocks_of(data), [](vtkDataSet* block) {
+    return vtkPolyData::SafeDownCast(block) != nullptr;
+  });
 }
 
 vtkSmartPointer<vtkDataObject> with_solids_marked(vtkDataObject* input) {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
-  if (blocks == nullptr) {
-    if (!has_cells_without_volume(input)) return input;
-    return marked(*vtkDataSet::SafeDownCast(input));
-  }
-  bool any = false;
-  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
-    any = any || has_cells_without_volume(block->GetCurrentDataObject());
-  }
-  if (!any) return input;
-  auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(blocks->NewInstance());
-  copy->CopyStructure(blocks);
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
-    auto* data = vtkDataSet::SafeDownCast(block->GetCurrentDataObject());
-    if (data != nullptr) copy->SetDataSet(block, marked(*data));
-  }
-  return copy;
+  if (std::ranges::none_of(blocks_of(input), has_cells_without_volume)) return input;
+  return with_blocks(input, marked);
 }
 
 vtkSmartPointer<vtkPolyData> without_walls(vtkSmartPointer<vtkPolyData> surface,
                                            std::span<const std::uint64_t> numbers,
                                            const Ranks& ranks) {
-  std::vector<std::pair<vtkIdType, Face>> faces;
-  ranks.throw_on_all([&] { faces = own_faces(*surface, numbers); });
-  std::vector<std::vector<Face>> told(static_cast<std::size_t>(ranks.size()));
-  for (const auto& [cell, face] : faces) told[hash(face) % told.size()].push_back(face);
-  const auto answers = ranks.swap_lists(are_shared(ranks.swap_lists(told)));
-
-  std::vector<std::size_t> next(told.size());
+  CellFaces own;
+  ranks.throw_on_all([&] { own = own_faces(*surface, numbers); });
+  const std::vector<std::uint8_t> shared = answers_to(
+      ranks, own.faces, [&](const Face& face) { return ranks.rank_of(face); }, are_shared);
   std::vector<vtkIdType> walls;
-  for (const auto& [cell, face] : faces) {
-    const std::size_t knows = hash(face) % told.size();
-    if (answers[knows][next[knows]++] != 0) walls.push_back(cell);
+  for (std::size_t i = 0; i < shared.size(); ++i) {
+    if (shared[i] != 0) walls.push_back(own.cells[i]);
   }
   return without_cells(*surface, walls);
 }

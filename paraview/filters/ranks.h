@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <brindle/communicator.h>
@@ -51,6 +53,10 @@ class Ranks {
     if (alone()) return to;
     return communicator_->swap_lists(to);
   }
+
+  /// The rank to ask (`answers_to`) about something with these numbers: spread over ranks, also for
+  /// those of a lattice.
+  std::size_t rank_of(std::span<const std::uint64_t> numbers) const;
 
   /// Ends all ranks, after an error that one rank cannot share.
   [[noreturn]] void abort() const;

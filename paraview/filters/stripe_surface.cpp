@@ -12,7 +12,7 @@
 #include <brindle/texture_coordinates.h>
 #include <brindle/texture_pattern.h>
 
-#include "vtk_arrays.h"
+#include "vtk_data.h"
 
 namespace brindle::paraview {
 namespace {
@@ -82,8 +82,7 @@ void set_branches(std::vector<DataArray>& arrays, const TexturedMesh& textured,
 std::vector<float> branches_at_vertices(const InputSurface& input, const StripePattern& pattern) {
   std::vector<float> flags = brindle::branches_at_vertices(input.surface->mesh, pattern.corners);
   if (!input.piece) return flags;
-  input.piece->owners().sum(std::span(flags));
-  for (float& flag : flags) flag = std::min(flag, 1.0f);
+  input.piece->greatest(std::span(flags));
   return flags;
 }
 

@@ -20,9 +20,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "global_numbers.h"
-#include "outputs.h"
 #include "rank_walls.h"
-#include "vtk_arrays.h"
+#include "vtk_data.h"
 
 namespace brindle::paraview {
 namespace {
@@ -285,6 +284,17 @@ DataArray InputSurface::array_of_triangles(const std::string& name) const {
 DataArray InputSurface::cells_to_points(const DataArray& rows) const {
   return piece ? piece->cells_to_points(surface->mesh, rows)
                : brindle::cells_to_points(surface->mesh, rows);
+}
+
+void InputSurface::carry_to_places(std::span<const TrianglePoint> places,
+                                   vtkDataSetAttributes& points) const {
+  std::vector<RowBlend> of_points, of_cells;
+  for (const TrianglePoint& place : places) {
+    of_points.push_back({points_of_triangle[place.triangle], place.barycentric});
+    of_cells.push_back(whole_row(cell_of_triangle[place.triangle]));
+  }
+  carry(*triangles->GetPointData(), of_points, points);
+  carry(*triangles->GetCellData(), of_cells, points);
 }
 
 /// One row per vertex or triangle. Ranks without rows may lack the array.

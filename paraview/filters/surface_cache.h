@@ -4,12 +4,14 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <brindle/creases.h>
 #include <brindle/data_arrays.h>
 #include <brindle/mesh.h>
+#include <brindle/polylines.h>
 #include <brindle/surface.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -21,6 +23,7 @@
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataObject;
+class vtkDataSetAttributes;
 class vtkPolyData;
 
 namespace brindle::paraview {
@@ -61,6 +64,10 @@ struct InputSurface {
 
   /// Collective. Rows of triangles, averaged at the vertices.
   DataArray cells_to_points(const DataArray& rows) const;
+
+  /// Adds the arrays with a row per place on the triangles, interpolated point arrays and then cell
+  /// arrays, except for names already taken.
+  void carry_to_places(std::span<const TrianglePoint> places, vtkDataSetAttributes& points) const;
 
  private:
   DataArray rows_of_piece(const std::string& name, bool of_points) const;

@@ -96,7 +96,8 @@ struct vtkBrindleFilter::State {
   /// Collective. The last time's field on this surface, or empty at the start of a series.
   brindle::DirectionField remembered(const bp::PatternSurface& surface,
                                      const bp::WaveSettings& settings, const Step& step) {
-    if (settings.memory == 0 || settings.smoothing == 0 || memory.surface.surface == nullptr)
+    const brindle::FieldSmoothingOptions& smoothing = settings.request.smoothing;
+    if (smoothing.memory == 0 || smoothing.periods == 0 || memory.surface.surface == nullptr)
       return {};
     if (step.repeats && memory.surface.surface == surface.surface) return memory.before;
     if (!step.goes_on || !bp::same_connectivity_everywhere(memory.surface, surface)) return {};
@@ -104,6 +105,27 @@ struct vtkBrindleFilter::State {
     if (memory.seen.size() != before.mesh.vertex_count()) return {};  // there were no data
     return brindle::matched_directions({before.mesh, before.normals, memory.seen},
                                        *surface.surface);
+  }
+
+  static void set_smoothing(const vtkBrindleFilter& filter, brindle::WaveRequest& request) {
+    brindle::FieldSmoothingOptions& field = request.smoothing;
+    field.periods = number(filter.FieldSmoothing);
+    field.fill = request.frequency_smoothing.fill = number(filter.FillPeriods);
+    field.symmetry = filter.FieldArrows ? 1 : 2;
+    field.memory = number(filter.TemporalSmoothing);
+    if (filter.FieldSingularities >= 0) {
+      field.singularities = static_cast<std::size_t>(filter.FieldSingularities);
+    }
+    request.frequency_smoothing.periods = number(filter.FrequencySmoothing);
+    const auto check_periods = [](float periods, const std::string& name) {
+      if (periods >= 0 && periods <= 100) return;
+      throw Error(name + " must be a number of periods from 0 to 100");
+    };
+    check_periods(field.periods, "Field Smoothing");
+    check_periods(request.frequency_smoothing.periods, "Frequency Smoothing");
+    if (!std::isfinite(field.memory) || field.memory < 0) {
+      throw Error("Temporal Smoothing must be 0 or above");
+    }
   }
 
   /// The filter's properties. Throws Error for an invalid angle or anchor; other numbers are
@@ -115,27 +137,17 @@ struct vtkBrindleFilter::State {
         static_cast<brindle::CurvatureDirection>(filter.CurvatureDirection);
     settings.tensor_axis = static_cast<brindle::TensorAxis>(filter.TensorAxis);
     for (int i = 0; i < 3; ++i) settings.direction[i] = number(filter.Direction[i]);
-    settings.smoothing = number(filter.FieldSmoothing);
-    settings.frequency_smoothing = number(filter.FrequencySmoothing);
-    settings.memory = number(filter.TemporalSmoothing);
-    settings.fill = number(filter.FillPeriods);
-    settings.arrows = filter.FieldArrows;
-    settings.singularities = filter.FieldSingularities;
-    const auto check_periods = [](float periods, const std::string& name) {
-      if (periods >= 0 && periods <= 100) return;
-      throw Error(name + " must be a number of periods from 0 to 100");
-    };
-    check_periods(settings.smoothing, "Field Smoothing");
-    check_periods(settings.frequency_smoothing, "Frequency Smoothing");
-    if (!std::isfinite(settings.memory) || settings.memory < 0) {
-      throw Error("Temporal Smoothing must be 0 or above");
+    set_smoothing(filter, settings.request);
+    if (settings.field != bp::FieldSource::array) settings.request.smoothing.periods = 0;
+    settings.request.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
+    if (!std::isfinite(settings.request.turn_deg)) {
+      throw Error("Rotate must be a finite number of degrees");
     }
-    settings.turn_deg = number(filter.Rotate) + (filter.Along ? 90.0f : 0.0f);
-    if (!std::isfinite(settings.turn_deg)) throw Error("Rotate must be a finite number of degrees");
     if (!std::isfinite(filter.TimeAnchor) || filter.TimeAnchor < 0) {
       throw Error("Time Anchor must be 0 or above");
     }
     settings.frequency_source = static_cast<bp::FrequencySource>(filter.FrequencySource);
+    if (!settings.needs_frequency_array()) settings.request.frequency_smoothing.periods = 0;
     settings.stripes = number(filter.Stripes);
     settings.frequency = number(filter.Frequency);
     settings.spacing = number(filter.Spacing);
@@ -261,7 +273,7 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   bp::WaveSettings settings;
   run.ranks.throw_on_all([&] { settings = State::settings_of(*this); });
   ChosenArray vectors, frequencies, weights;
-  const bool is_seen = settings.smoothing > 0 && settings.field == bp::FieldSource::array;
+  const bool is_seen = settings.request.smoothing.periods > 0;
   if (settings.field == bp::FieldSource::array) {
     const auto order = static_cast<brindle::TensorOrder>(this->TensorOrder);
     vectors = chosen_array(*this, 0, *run.input, is_seen, order);
@@ -284,9 +296,9 @@ bool vtkBrindleFilter::Prepare(vtkDataObject* input, Run& run) {
   run.metrics.turned_apart = waves.turned_apart;
   run.metrics.smoothing = waves.smoothing;
   state.memory = {std::move(waves.seen_field), std::move(last), run.surface()};
-  run.turn_deg = settings.turn_deg;
+  run.turn_deg = settings.request.turn_deg;
   run.metrics.waves = bp::wave_metrics(run.surface(), run.waves);
-  run.metrics.measured = settings.field == bp::FieldSource::array && settings.smoothing == 0;
+  run.metrics.measured = settings.field == bp::FieldSource::array && !is_seen;
   run.options = {number(this->Slack), number(this->TimeAnchor)};
   run.series = &state.series;
   state.last_time = time;

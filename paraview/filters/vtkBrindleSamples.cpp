@@ -19,9 +19,7 @@
 #include <vtkPolyData.h>
 
 #include "filter_run.h"
-#include "outputs.h"
-#include "surface_places.h"
-#include "vtk_arrays.h"
+#include "vtk_data.h"
 
 using brindle::make_data_array;
 using brindle::Sample;
@@ -99,7 +97,7 @@ void fill(const bp::InputSurface& input, const std::vector<Sample>& samples, vtk
                                       input.surface->mesh.origin));
   output->SetVerts(vertex_cells(samples.size()));
   add_sample_arrays(samples, *output->GetPointData());
-  bp::carry_to_places(input, places_of(samples), *output->GetPointData());
+  input.carry_to_places(places_of(samples), *output->GetPointData());
 }
 
 }  // namespace

@@ -11,9 +11,8 @@
 #include <vtkPolyData.h>
 
 #include "filter_run.h"
-#include "outputs.h"
 #include "stripe_surface.h"
-#include "vtk_arrays.h"
+#include "vtk_data.h"
 
 namespace bp = brindle::paraview;
 

@@ -1,11 +1,11 @@
 #include "vtkBrindleStripesRepresentation.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <locale>
 #include <sstream>
+#include <vector>
 
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkImageData.h>
@@ -17,6 +17,8 @@
 #include <vtkShaderProperty.h>
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
+
+#include "blocks.h"
 
 namespace {
 
@@ -30,18 +32,9 @@ bool has_coordinates(vtkDataSet* data) {
 
 /// Whether all visible blocks have them.
 bool all_have_coordinates(vtkDataObject* data) {
-  if (auto* single = vtkDataSet::SafeDownCast(data)) return has_coordinates(single);
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
-  if (blocks == nullptr) return false;
-  bool any = false;
-  const auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem()) {
-    auto* part = vtkDataSet::SafeDownCast(block->GetCurrentDataObject());
-    if (part == nullptr || part->GetNumberOfPoints() == 0) continue;
-    if (!has_coordinates(part)) return false;
-    any = true;
-  }
-  return any;
+  std::vector<vtkDataSet*> visible = brindle::paraview::blocks_of(data);
+  std::erase_if(visible, [](vtkDataSet* block) { return block->GetNumberOfPoints() == 0; });
+  return !visible.empty() && std::ranges::all_of(visible, has_coordinates);
 }
 
 /// After surface colours: the mean of stripes over the pixel. Its integral from 0 to u is `width`

@@ -35,13 +35,7 @@ struct WaveSettings {
   CurvatureDirection curvature_direction = CurvatureDirection::maximum;
   TensorAxis tensor_axis = TensorAxis::major;
   Vec3 direction = Vec3::UnitZ();  ///< of FieldSource::direction
-  float smoothing = 0;             ///< smoothing length of an array, in periods; 0: none
-  float fill = 2;                  ///< distance over which holes in an array are filled, in periods
-  bool arrows = false;             ///< vectors of an array have signs
-  int singularities = -1;          ///< largest number to keep; below 0: all
-  float memory = 0;                ///< weight of the last time's field
-  float frequency_smoothing = 0;   ///< the same smoothing for an array of frequencies
-  float turn_deg = 0;              ///< about the normals, counter-clockwise seen from their tips
+  WaveRequest request;             ///< smoothing of arrays, and the turn about the normals
   FrequencySource frequency_source = FrequencySource::along_diagonal;
   float stripes = 40;
   float frequency = 1;
@@ -56,7 +50,7 @@ struct WaveSettings {
   }
 };
 
-/// The directions of FieldSource::smooth and ::curvature, before `turn_deg`; with a partition,
+/// The directions of FieldSource::smooth and ::curvature, before they are turned; with a partition,
 /// collective, and those of the whole surface. They start from the directions `last`, one per
 /// vertex (`SmoothFieldOptions::last`), on all ranks or on none.
 DirectionField made_directions(const Surface& surface, const WaveSettings& settings,

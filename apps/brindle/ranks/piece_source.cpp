@@ -9,7 +9,6 @@
 #include "brindle/distributed/surface/rank_surface.h"
 #include "brindle/distributed_pattern.h"
 #include "brindle/files.h"
-#include "brindle/waves/frequency_parts.h"
 #include "ranks/piece_rows.h"
 #include "ranks/request.h"
 
@@ -216,16 +215,7 @@ TensorField PieceSource::tensor_field(const DataArray& tensors, TensorAxis axis)
 
 FrequencyField PieceSource::frequencies_by(const DataArray& values, float frequency,
                                            const FrequencyRange& range) const {
-  NumberExtent extent;
-  ranks_.throw_on_all([&] { extent = extent_of(values, used_own()); });
-  for (const NumberExtent& other : ranks_.all(extent)) {
-    extent.lowest = std::min(extent.lowest, other.lowest);
-    extent.highest = std::max(extent.highest, other.highest);
-  }
-  FrequencyField frequencies;
-  ranks_.throw_on_all(
-      [&] { frequencies = brindle::frequencies_by(values, extent, frequency, range); });
-  return frequencies;
+  return brindle::frequencies_by(surface_, values, frequency, range);
 }
 
 WaveMetrics PieceSource::measure(const WaveSet& waves) const {

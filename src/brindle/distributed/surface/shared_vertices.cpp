@@ -49,24 +49,6 @@ std::size_t place_hash(const Place& place) {
   return hash_of(bits);
 }
 
-/// Sends every row to the rank `rank_of(row)`. There, `answer` maps the lists of all ranks to lists
-/// of answers, which are returned in the order of the rows.
-template <class Row, class RankOf, class Answer>
-auto answers_to(Communicator& ranks, const std::vector<Row>& rows, const RankOf& rank_of,
-                const Answer& answer) {
-  std::vector<std::vector<Row>> asked(static_cast<std::size_t>(ranks.size()));
-  for (const Row& row : rows) asked[rank_of(row)].push_back(row);
-  const auto answers = ranks.swap_lists(answer(ranks.swap_lists(asked)));
-  std::vector<std::size_t> next(asked.size());
-  auto result = answers[0];
-  result.clear();
-  for (const Row& row : rows) {
-    const std::size_t rank = rank_of(row);
-    result.push_back(answers[rank][next[rank]++]);
-  }
-  return result;
-}
-
 /// The rank that owns each number, list by list.
 std::vector<std::vector<int>> first_ranks(const std::vector<std::vector<Mention>>& asked) {
   std::vector<std::tuple<std::uint64_t, std::uint64_t, int>> known;

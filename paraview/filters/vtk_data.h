@@ -1,18 +1,25 @@
-/// Converts arrays between VTK and the library.
+/// Converts arrays, points and cells between VTK and the library.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <brindle/arrays.h>
 #include <brindle/data_arrays.h>
+#include <brindle/quality.h>
 #include <brindle/types.h>
+#include <brindle/wave_metrics.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+class vtkCellArray;
 class vtkDataArray;
 class vtkDataSetAttributes;
+class vtkFieldData;
+class vtkPoints;
+class vtkPolyData;
 
 namespace brindle::paraview {
 
@@ -34,5 +41,21 @@ void carry(vtkDataSetAttributes& from, std::span<const RowBlend> blends, vtkData
 
 /// A blend of one row.
 inline RowBlend whole_row(Index row) { return {{row, row, row}, {1, 0, 0}}; }
+
+/// A blend per row.
+std::vector<RowBlend> whole_rows(std::span<const Index> rows);
+
+/// A point per blend of the points of `from`, in their type.
+vtkSmartPointer<vtkPoints> blended_points(vtkPolyData& from, std::span<const RowBlend> blends);
+
+/// Points relative to an origin, in the type of those of `from`.
+vtkSmartPointer<vtkPoints> placed_points(vtkPolyData& from, std::span<const Vec3> points,
+                                         const Eigen::Vector3d& origin);
+
+vtkSmartPointer<vtkCellArray> triangle_cells(std::span<const std::array<Index, 3>> triangles);
+
+/// Adds branches, angle_error_mean_deg, spacing_error_mean, edges_per_period_min and
+/// edges_per_period_median of a whole pattern.
+void add_metrics(const PatternQuality& quality, const WaveMetrics& waves, vtkFieldData& data);
 
 }  // namespace brindle::paraview
