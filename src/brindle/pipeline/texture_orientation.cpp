@@ -16,6 +16,17 @@
 namespace brindle {
 namespace {
 
+constexpr EdgeAgreement kUAlike = 1;
+constexpr EdgeAgreement kVAlike = 2;
+constexpr EdgeAgreement kNoAgreement = 4;  ///< a triangle without orientation
+
+/// Agreement of two neighbouring triangles. 1: their waves point the same way; -1: one has to be
+/// flipped; 0: flipping does not help.
+struct TriangleLink {
+  Index neighbor;
+  float coupling;
+};
+
 /// Tie-breaking anchor of a triangle: summed over a component, far below one seam edge.
 constexpr float kAsItStands = 1e-7f;
 
@@ -139,8 +150,9 @@ std::vector<std::uint8_t> turns_of_blocks(const Blocks& blocks,
   return turned;
 }
 
-}  // namespace
-
+/// Triangles to flip (1) so that as many neighbours as possible agree. `links` stores each link in
+/// the rows of both triangles. Large meshes are solved in blocks first, then triangle by triangle
+/// around the remaining seams. Throws Cancelled if `progress` asks for it.
 std::vector<std::uint8_t> agreeing_turns(const CompressedRows<TriangleLink>& links,
                                          const Progress& progress) {
   constexpr std::size_t kFew = 100'000;
@@ -152,8 +164,6 @@ std::vector<std::uint8_t> agreeing_turns(const CompressedRows<TriangleLink>& lin
   const std::vector<std::uint8_t> near = near_seams(links, turned, kStepsAround);
   return turns_of_blocks(grow_blocks(links, links.size(), near), links, progress.part(0.5, 1));
 }
-
-namespace {
 
 /// A seam is recomputed when it exceeds its shortest length by this factor plus a few edges.
 constexpr double kTooLong = 1.2;
@@ -189,7 +199,7 @@ CompressedRows<TriangleLink> links_of(std::size_t triangle_count, std::span<cons
 /// The seam node of every vertex. A seam costs nothing along the boundary and around triangles
 /// without orientation, so their vertices share a node.
 std::vector<Index> seam_nodes(std::span<const Triangle> triangles,
-                              std::span<const std::uint8_t> oriented,
+                              std::span<const CornerSigns> signs,
                               std::span<const SharedEdge> edges) {
   Index count = 0;
   for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
@@ -204,7 +214,7 @@ std::vector<Index> seam_nodes(std::span<const Triangle> triangles,
   MergedSets sets(count);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t c = 0; c < 3; ++c) {
-      if (oriented[t] && shared[3 * t + c]) continue;
+      if (!is_unoriented(signs[t]) && shared[3 * t + c]) continue;
       sets.merge(triangles[t][c], triangles[t][(c + 1) % 3]);
     }
   }
@@ -231,8 +241,7 @@ std::vector<SeamEdge> seam_edges(std::span<const Triangle> triangles,
   return result;
 }
 
-}  // namespace
-
+/// Agreement of all shared edges, from the corner signs.
 void agreements(std::span<const CornerSigns> signs, std::span<const SharedEdge> edges,
                 std::vector<EdgeAgreement>& result) {
   result.resize(edges.size());
@@ -243,34 +252,19 @@ void agreements(std::span<const CornerSigns> signs, std::span<const SharedEdge> 
       const bool u = turns_u(of_a, a % 3) == turns_u(of_b, b % 3);
       const bool v = turns_v(of_a, a % 3) == turns_v(of_b, b % 3);
       const int alike = (u ? kUAlike : 0) | (v ? kVAlike : 0);
-      result[e] = static_cast<EdgeAgreement>((of_a | of_b) & kUnoriented ? kNoAgreement : alike);
+      result[e] = static_cast<EdgeAgreement>(
+          is_unoriented(of_a) || is_unoriented(of_b) ? kNoAgreement : alike);
     }
   });
 }
 
-void turn_agreements(std::span<const std::uint8_t> turned, std::span<const SharedEdge> edges,
-                     std::span<EdgeAgreement> agreement) {
-  parallel_for(edges.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      if (agreement[e] == kNoAgreement) continue;
-      if (turned[edges[e].from[0] / 3] == turned[edges[e].from[1] / 3]) continue;
-      agreement[e] ^= kUAlike | kVAlike;
-    }
-  });
-}
-
-std::vector<std::uint8_t> oriented_triangles(std::span<const CornerSigns> signs) {
-  std::vector<std::uint8_t> oriented(signs.size());
-  ranges::transform(signs, oriented.begin(), [](CornerSigns s) {
-    return static_cast<std::uint8_t>((s & kUnoriented) == 0);
-  });
-  return oriented;
-}
-
-TextureSeams texture_seams(std::span<const std::uint8_t> oriented,
+/// Counts the seams; skips edges of triangles without orientation.
+TextureSeams texture_seams(std::span<const CornerSigns> signs,
                            std::span<const EdgeAgreement> agreement) {
   TextureSeams seams;
-  for (const std::uint8_t is : oriented) seams.unoriented_triangles += is == 0;
+  for (const CornerSigns of_triangle : signs) {
+    seams.unoriented_triangles += is_unoriented(of_triangle);
+  }
   for (const EdgeAgreement alike : agreement) {
     seams.turned += alike == 0;
     seams.mirrored += alike == kUAlike || alike == kVAlike;
@@ -278,35 +272,43 @@ TextureSeams texture_seams(std::span<const std::uint8_t> oriented,
   return seams;
 }
 
-std::vector<std::uint8_t> shortening_turns(std::span<const Triangle> triangles,
-                                           std::span<const std::uint8_t> oriented,
-                                           std::span<const SharedEdge> edges,
-                                           std::span<const EdgeAgreement> agreement,
-                                           const Progress& progress) {
+/// Flips that shorten the seam of these signs and their agreement.
+std::vector<std::uint8_t> seam_turns(std::span<const Triangle> triangles,
+                                     std::span<const CornerSigns> signs,
+                                     std::span<const SharedEdge> edges,
+                                     std::span<const EdgeAgreement> agreement,
+                                     const Progress& progress = {}) {
   progress.report(0);
-  const std::vector<Index> nodes = seam_nodes(triangles, oriented, edges);
+  const std::vector<Index> nodes = seam_nodes(triangles, signs, edges);
   progress.report(0.3);
   const std::vector<SeamEdge> between = seam_edges(triangles, edges, agreement, nodes);
   progress.report(0.4);
   return shortening_turns(between, nodes.size(), triangles.size(), progress.part(0.4, 1));
 }
 
+/// Triangles to flip (1; U and V together) for a short seam; the seam is empty if the field is
+/// orientable. Triangles are nodes of a phase graph with phases +i (keep) and -i (flip) whose
+/// energy counts seam edges. The multilevel solver's seam is then replaced by shortest paths
+/// (`shortening_turns`). Of two opposite solutions, each connected component takes the one that
+/// keeps most triangles. `edges` are shared by `triangles`.
 std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
-                                          std::span<const std::uint8_t> oriented,
+                                          std::vector<CornerSigns> signs,
                                           std::span<const SharedEdge> edges,
-                                          std::span<const EdgeAgreement> agreement,
+                                          std::vector<EdgeAgreement> agreement,
                                           const Progress& progress) {
   JobStages stages(progress, {{"orientation", 4}, {"seams", 2}});
   std::vector<std::uint8_t> turned =
       agreeing_turns(links_of(triangles.size(), edges, agreement), stages.begin("orientation"));
   const Progress shortening = stages.begin("seams");
-  std::vector<EdgeAgreement> after(agreement.begin(), agreement.end());
-  turn_agreements(turned, edges, after);
+  turn_signs(turned, signs);
+  agreements(signs, edges, agreement);
   shortening.report(0.1);
-  const auto shorter = shortening_turns(triangles, oriented, edges, after, shortening.part(0.1, 1));
+  const auto shorter = seam_turns(triangles, signs, edges, agreement, shortening.part(0.1, 1));
   for (std::size_t t = 0; t < turned.size(); ++t) turned[t] ^= shorter[t];
   return turned;
 }
+
+}  // namespace
 
 TextureOrientation::TextureOrientation(std::span<const Triangle> triangles)
     : triangles_(triangles),
@@ -365,7 +367,7 @@ FrameOrientation TextureOrientation::orient(std::span<const Vec3> u, bool as_giv
     ranges::fill(turned_, std::uint8_t{0});
     if (!is_first) result = FrameOrientation::continued;
   } else if (is_first) {
-    turned_ = orienting_turns(triangles_, oriented_triangles(signs_), edges_, agreement_, progress);
+    turned_ = orienting_turns(triangles_, signs_, edges_, agreement_, progress);
   } else {
     result = FrameOrientation::continued;
     follow_neighbors(continue_last());
@@ -401,7 +403,8 @@ std::vector<Index> TextureOrientation::continue_last() {
 void TextureOrientation::follow_neighbors(std::vector<Index> undecided) {
   if (undecided.empty()) return;
   if (edges_of_.size() == 0) edges_of_ = edges_by_triangle(triangles_.size(), edges_);
-  std::vector<std::uint8_t> decided = oriented_triangles(signs_);
+  std::vector<std::uint8_t> decided(signs_.size());
+  ranges::transform(signs_, decided.begin(), [](CornerSigns s) { return !is_unoriented(s); });
   for (const Index t : undecided) decided[t] = 0;
   while (!undecided.empty()) {
     std::vector<Index> left;
@@ -443,9 +446,8 @@ bool TextureOrientation::shorten() {
   shortest_ = std::min(shortest_, seams_.turned);
   const auto allowed = static_cast<std::size_t>(kTooLong * static_cast<double>(shortest_));
   if (seams_.turned <= allowed + kFewEdges) return false;
-  const auto turns = shortening_turns(triangles_, oriented_triangles(signs_), edges_, agreement_);
+  const auto turns = seam_turns(triangles_, shown_, edges_, agreement_);
   for (std::size_t t = 0; t < turned_.size(); ++t) turned_[t] ^= turns[t];
-  agreements(signs_, edges_, agreement_);
   show();
   shortest_ = seams_.turned;
   return true;
@@ -453,10 +455,10 @@ bool TextureOrientation::shorten() {
 
 /// Updates everything that depends on signs and flips.
 void TextureOrientation::show() {
-  turn_agreements(turned_, edges_, agreement_);
   shown_ = signs_;
   turn_signs(turned_, shown_);
-  seams_ = texture_seams(oriented_triangles(signs_), agreement_);
+  agreements(shown_, edges_, agreement_);
+  seams_ = texture_seams(shown_, agreement_);
   if (last_directions_.empty()) shortest_ = seams_.turned;
 }
 

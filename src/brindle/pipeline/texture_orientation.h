@@ -17,61 +17,9 @@
 
 namespace brindle {
 
-// Flips triangles until neighbours are oriented consistently.
-
-/// Agreement of two neighbouring triangles. 1: their waves point the same way; -1: one has to be
-/// flipped; 0: flipping does not help.
-struct TriangleLink {
-  Index neighbor;
-  float coupling;
-};
-
-/// Triangles to flip (1) so that as many neighbours as possible agree. `links` stores each link in
-/// the rows of both triangles. Large meshes are solved in blocks first, then triangle by triangle
-/// around the remaining seams. Throws Cancelled if `progress` asks for it.
-std::vector<std::uint8_t> agreeing_turns(const CompressedRows<TriangleLink>& links,
-                                         const Progress& progress = {});
-
 /// Which waves agree across a shared edge: both triangles have the same waves at its vertices, up
 /// to sign.
 using EdgeAgreement = std::uint8_t;
-inline constexpr EdgeAgreement kUAlike = 1;
-inline constexpr EdgeAgreement kVAlike = 2;
-inline constexpr EdgeAgreement kNoAgreement = 4;  ///< a triangle without orientation
-
-/// Agreement of all shared edges, from the corner signs.
-void agreements(std::span<const CornerSigns> signs, std::span<const SharedEdge> edges,
-                std::vector<EdgeAgreement>& result);
-
-/// Updates agreements after flipping the triangles with a 1.
-void turn_agreements(std::span<const std::uint8_t> turned, std::span<const SharedEdge> edges,
-                     std::span<EdgeAgreement> agreement);
-
-/// Triangles to flip (1; U and V together) for a short seam; the seam is empty if the field is
-/// orientable. Triangles are nodes of a phase graph with phases +i (keep) and -i (flip) whose
-/// energy counts seam edges. The multilevel solver's seam is then replaced by shortest paths
-/// (`shortening_turns`). Of two opposite solutions, each connected component takes the one that
-/// keeps most triangles. `edges` are shared by `triangles`; triangles with a 0 in `oriented` have
-/// no orientation.
-std::vector<std::uint8_t> orienting_turns(std::span<const Triangle> triangles,
-                                          std::span<const std::uint8_t> oriented,
-                                          std::span<const SharedEdge> edges,
-                                          std::span<const EdgeAgreement> agreement,
-                                          const Progress& progress = {});
-
-/// Its second half alone: flips that shorten a seam.
-std::vector<std::uint8_t> shortening_turns(std::span<const Triangle> triangles,
-                                           std::span<const std::uint8_t> oriented,
-                                           std::span<const SharedEdge> edges,
-                                           std::span<const EdgeAgreement> agreement,
-                                           const Progress& progress = {});
-
-/// 1 for triangles with an orientation.
-std::vector<std::uint8_t> oriented_triangles(std::span<const CornerSigns> signs);
-
-/// Counts the seams; skips edges of triangles without orientation.
-TextureSeams texture_seams(std::span<const std::uint8_t> oriented,
-                           std::span<const EdgeAgreement> agreement);
 
 /// The orientation of a texture from frame to frame. A static pattern is a first frame.
 class TextureOrientation {
