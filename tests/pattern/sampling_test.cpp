@@ -7,7 +7,6 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
-#include <random>
 #include <set>
 #include <string>
 
@@ -40,7 +39,7 @@ struct Crossed {
   }
   std::vector<Sample> samples() const {
     const LiftedWaves u(pattern(false)), w(pattern(true));
-    return wave_samples(surface.mesh, surface.normals, sampled_waves(u), sampled_waves(w));
+    return wave_samples(u, w);
   }
 };
 
@@ -221,27 +220,6 @@ TEST(WaveSamples, DoNotCareWhichWayDirectionsPointNorForThreads) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].position, after[i].position);
     EXPECT_EQ(before[i].triangle, after[i].triangle);
-  }
-}
-
-TEST(WaveSamples, TakeWavesOfCornersToo) {
-  // What a cross field has: every triangle may borrow other waves of its vertices.
-  const Crossed crossed = solved(wavy_surface("torus,resolution=48", Vec3(0.2f, 0.3f, 1), 30));
-  TextureWaves corners = texture_waves(crossed.surface.mesh.triangles, crossed.surface.waves,
-                                       crossed.z_u, crossed.v, crossed.z_v);
-  std::mt19937 random(2);
-  for (CornerWaves& triangle : corners.u) {
-    for (CornerWave& corner : triangle) {
-      if (random() % 2) corner = flipped(corner);
-    }
-  }
-  const std::vector<Sample> expected = crossed.samples();
-  const std::vector<Sample> samples = wave_samples(crossed.surface.mesh, crossed.surface.normals,
-                                                   sampled_waves(crossed.surface.mesh, corners.u),
-                                                   sampled_waves(crossed.surface.mesh, corners.v));
-  ASSERT_EQ(samples.size(), expected.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    EXPECT_EQ(samples[i].position, expected[i].position);
   }
 }
 

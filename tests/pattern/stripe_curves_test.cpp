@@ -16,6 +16,7 @@
 #include "brindle/files.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/solver.h"
+#include "lifted_corners.h"
 #include "phase_graphs.h"
 #include "test_meshes.h"
 
@@ -23,6 +24,7 @@ namespace brindle {
 namespace {
 
 using testing_support::flip_half;
+using testing_support::lifted_triangle;
 using testing_support::wavy_surface;
 using testing_support::WavySurface;
 

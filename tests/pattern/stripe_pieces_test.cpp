@@ -8,9 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "brindle/base/elementary.h"
+#include "lifted_corners.h"
 
 namespace brindle {
 namespace {
+
+using testing_support::lifted_triangle;
 
 using Corners = std::array<CornerWave, 3>;
 

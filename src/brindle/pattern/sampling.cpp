@@ -17,6 +17,7 @@
 #include "brindle/geometry/measures.h"
 #include "brindle/mesh_data.h"
 #include "brindle/points/point_tree.h"
+#include "brindle/texture_waves.h"
 
 namespace brindle {
 namespace {
@@ -126,18 +127,21 @@ std::pair<Vec3, float> blended(const CornerWaves& corners, const Vec3& barycentr
   return {direction.stableNormalized(), frequency};
 }
 
+CornerWaves corner_waves_of(const LiftedWaves& waves, std::size_t t) {
+  const WavePattern& pattern = waves.pattern();
+  return corner_waves(pattern.mesh.triangles[t], pattern.waves, pattern.z);
+}
+
 class Sampler {
  public:
-  Sampler(const Mesh& mesh, std::span<const Vec3> normals, const SampledWaves& u,
-          const SampledWaves& v)
-      : mesh_(mesh), normals_(normals), u_(u), v_(v) {}
+  Sampler(const LiftedWaves& u, const LiftedWaves& v) : u_(u), v_(v) {}
 
   void begin_block() { crossings_ = 0; }
 
   void sample(std::size_t t, std::vector<Sample>& samples) {
-    const LiftedTriangle lifted_u = u_.lifted(t);
+    const LiftedTriangle lifted_u = u_.triangle(t);
     if (!has_lines(lifted_u)) return;
-    const LiftedTriangle lifted_v = v_.lifted(t);
+    const LiftedTriangle lifted_v = v_.triangle(t);
     if (!has_lines(lifted_v)) return;
     crossings_ += line_count(lifted_u) * line_count(lifted_v);
     if (crossings_ > kMostCrossings) throw_too_many();
@@ -167,21 +171,24 @@ class Sampler {
   }
 
   Sample make(std::size_t t, const Vec3& barycentric) const {
-    const Triangle& corners = mesh_.triangles[t];
+    const Mesh& mesh = u_.pattern().mesh;
+    const Triangle& corners = mesh.triangles[t];
     Sample sample;
     sample.triangle = static_cast<Index>(t);
     sample.barycentric = barycentric;
-    const Vec3& first = mesh_.positions[corners[0]];
+    const Vec3& first = mesh.positions[corners[0]];
     sample.position = first;
     sample.normal = Vec3::Zero();
     for (int m = 0; m < 3; ++m) {
-      sample.position += barycentric[m] * (mesh_.positions[corners[m]] - first);
-      const Vec3& normal = normals_[corners[m]];
+      sample.position += barycentric[m] * (mesh.positions[corners[m]] - first);
+      const Vec3& normal = u_.pattern().normals[corners[m]];
       sample.normal += (sample.normal.dot(normal) < 0 ? -1 : 1) * barycentric[m] * normal;
     }
     sample.normal.stableNormalize();
-    const auto [direction_u, frequency_u] = blended(u_.corners(t), barycentric, sample.normal);
-    const auto [direction_v, frequency_v] = blended(v_.corners(t), barycentric, sample.normal);
+    const auto [direction_u, frequency_u] =
+        blended(corner_waves_of(u_, t), barycentric, sample.normal);
+    const auto [direction_v, frequency_v] =
+        blended(corner_waves_of(v_, t), barycentric, sample.normal);
     sample.direction_u = direction_u;
     sample.direction_v = direction_v;
     sample.spacing_u = 1 / frequency_u;
@@ -189,10 +196,8 @@ class Sampler {
     return sample;
   }
 
-  const Mesh& mesh_;
-  std::span<const Vec3> normals_;
-  const SampledWaves& u_;
-  const SampledWaves& v_;
+  const LiftedWaves& u_;
+  const LiftedWaves& v_;
   std::vector<StripePiece> pieces_;
   std::vector<Segment> segments_u_, segments_v_;
   double crossings_ = 0;  // upper bound in this block
@@ -203,14 +208,15 @@ float mean_frequency(const CornerWaves& corners) {
 }
 
 /// Checks memory for as many samples as a perfect grid on the surface would have.
-void check_memory(const Mesh& mesh, const SampledWaves& u, const SampledWaves& v) {
+void check_memory(const LiftedWaves& u, const LiftedWaves& v) {
+  const Mesh& mesh = u.pattern().mesh;
   const auto count =
       parallel_sum<double>(mesh.triangle_count(), [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t t = begin; t < end; ++t) {
           sum += static_cast<double>(triangle_area(mesh, mesh.triangles[t])) *
-                 static_cast<double>(mean_frequency(u.corners(t))) *
-                 static_cast<double>(mean_frequency(v.corners(t)));
+                 static_cast<double>(mean_frequency(corner_waves_of(u, t))) *
+                 static_cast<double>(mean_frequency(corner_waves_of(v, t)));
         }
         return sum;
       });
@@ -254,34 +260,18 @@ struct SpacingSums {
 
 }  // namespace
 
-SampledWaves sampled_waves(const LiftedWaves& waves) {
-  return {[&waves](std::size_t t) { return waves.triangle(t); },
-          [&waves](std::size_t t) {
-            const WavePattern& pattern = waves.pattern();
-            return corner_waves(pattern.mesh.triangles[t], pattern.waves, pattern.z);
-          }};
-}
-
-SampledWaves sampled_waves(const Mesh& mesh, std::span<const CornerWaves> corners,
-                           PhaseShiftKind kind) {
-  return {[&mesh, corners, kind](std::size_t t) {
-            return lifted_triangle(mesh.triangles[t], corners[t], kind);
-          },
-          [corners](std::size_t t) { return corners[t]; }};
-}
-
-std::vector<Sample> wave_samples(const Mesh& mesh, std::span<const Vec3> normals,
-                                 const SampledWaves& u, const SampledWaves& v,
+std::vector<Sample> wave_samples(const LiftedWaves& u, const LiftedWaves& v,
                                  const Progress& progress) {
-  check_memory(mesh, u, v);
-  const std::size_t blocks = (mesh.triangle_count() + kBlock - 1) / kBlock;
+  check_memory(u, v);
+  const std::size_t triangles = u.pattern().mesh.triangle_count();
+  const std::size_t blocks = (triangles + kBlock - 1) / kBlock;
   std::vector<std::vector<Sample>> parts(blocks);
   parallel_for(
       blocks, progress,
       [&](std::size_t begin, std::size_t end) {
-        Sampler sampler(mesh, normals, u, v);
+        Sampler sampler(u, v);
         for (std::size_t block = begin; block < end; ++block) {
-          const std::size_t last = std::min((block + 1) * kBlock, mesh.triangle_count());
+          const std::size_t last = std::min((block + 1) * kBlock, triangles);
           sampler.begin_block();
           for (std::size_t t = block * kBlock; t < last; ++t) sampler.sample(t, parts[block]);
         }

@@ -251,8 +251,6 @@ void reach_inside(LiftedTriangle& triangle) {
   }
 }
 
-bool has_wave(const CornerWave& corner) { return !corner.wave.direction.isZero(0); }
-
 }  // namespace
 
 CornerWave canonical(const CornerWave& corner) {
@@ -303,24 +301,6 @@ LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns,
   }
   result.kind = result.branch_index == 0 ? TriangleKind::regular : TriangleKind::branch;
   return result;
-}
-
-LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<CornerWave, 3>& corners,
-                               PhaseShiftKind kind) {
-  if (!std::all_of(corners.begin(), corners.end(), has_wave)) return {};
-  std::array<CornerWave, 3> own;
-  std::array<Turns, 3> turns{};
-  std::array<EdgeLift, 3> edges;
-  for (int m = 0; m < 3; ++m) {
-    own[m] = canonical(corners[m]);
-    turns[m] = turns_after_peak(own[m].z);
-  }
-  for (int m = 0; m < 3; ++m) {
-    const int next = (m + 1) % 3;
-    const auto [a, b] = triangle[m] < triangle[next] ? std::pair(m, next) : std::pair(next, m);
-    edges[m] = lift_edge(own[a], turns[a], own[b], turns[b], kind);
-  }
-  return lifted_triangle(triangle, turns, edges);
 }
 
 double crossing_position(Turns from, Turns to, Index number) {

@@ -54,11 +54,6 @@ struct LiftedTriangle {
 LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<Turns, 3>& turns,
                                const std::array<EdgeLift, 3>& edges);
 
-/// From the corners' waves alone: a vertex may have a different wave in each triangle (cross
-/// fields). Two triangles agree along an edge if their waves there are equal up to reversal.
-LiftedTriangle lifted_triangle(const Triangle& triangle, const std::array<CornerWave, 3>& corners,
-                               PhaseShiftKind kind = PhaseShiftKind::aligned);
-
 /// One end of a piece. Sides 0 to 2 are the triangle's edges; where the triangle is a singularity
 /// of the field, sides 3 to 5 are the cuts from its corners to the barycentre.
 struct PieceEnd {

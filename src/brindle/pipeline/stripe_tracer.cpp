@@ -87,8 +87,7 @@ std::vector<Sample> StripeTracer::crossings(const StripePattern& u, const Stripe
   }
   const LiftedWaves lifted_u(state_->waves_of(u), progress.part(0, 0.2));
   const LiftedWaves lifted_v(state_->waves_of(v), progress.part(0.2, 0.4));
-  return wave_samples(surface.mesh, surface.normals, sampled_waves(lifted_u),
-                      sampled_waves(lifted_v), progress.part(0.4, 1));
+  return wave_samples(lifted_u, lifted_v, progress.part(0.4, 1));
 }
 
 namespace {
