@@ -148,20 +148,6 @@ Complex SlicedCouplings::reflecting_at(const SlicedLayout& layout, Index slice,
   return 0;
 }
 
-void SlicedCouplings::set_reflecting(const SlicedLayout& layout, Index slice,
-                                     const ReflectingCoupling& coupling) {
-  ReflectingCoupling* const first =
-      reflecting.get() + std::size_t{layout.column_begin[slice]} * kLanes;
-  ReflectingCoupling* const last = first + reflecting_count[slice];
-  ReflectingCoupling* const at = std::find_if(
-      first, last, [&](const ReflectingCoupling& other) { return other.entry >= coupling.entry; });
-  if (at == last || at->entry != coupling.entry) {
-    std::move_backward(at, last, last + 1);
-    ++reflecting_count[slice];
-  }
-  *at = coupling;
-}
-
 namespace {
 
 /// Loads the direct couplings of one row; returns whether there are reflecting ones.

@@ -133,8 +133,6 @@ struct SlicedCouplings {
   }
   /// B of an entry; zero if there is none.
   Complex reflecting_at(const SlicedLayout& layout, Index slice, std::size_t entry) const;
-  /// Sets B of an entry, at its place in the slice's list.
-  void set_reflecting(const SlicedLayout& layout, Index slice, const ReflectingCoupling& coupling);
   /// Appends to the list of a slice; entries must ascend.
   void append_reflecting(const SlicedLayout& layout, Index slice,
                          const ReflectingCoupling& coupling) {
