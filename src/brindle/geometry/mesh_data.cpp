@@ -14,8 +14,8 @@
 #include "brindle/base/axis_mean.h"
 #include "brindle/base/parallel.h"
 #include "brindle/error.h"
+#include "brindle/geometry/nearest_place.h"
 #include "brindle/geometry/topology.h"
-#include "brindle/nearest.h"
 
 namespace brindle {
 namespace {
@@ -82,21 +82,6 @@ void axis_of_cells(std::span<const Index> cells, std::span<const double> weights
 }
 
 constexpr std::size_t kSearchGrain = 256;  // a search takes longer than other work per vertex
-
-/// Calls `take(v, point)` for all vertices of `to`, in coordinates of `from`.
-template <class Take>
-void for_each_vertex_near(const Mesh& from, const Mesh& to, const Progress& progress,
-                          const Take& take) {
-  const Eigen::Vector3d shift = to.origin - from.origin;
-  parallel_for(
-      to.vertex_count(), progress,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-          take(v, Eigen::Vector3d(to.positions[v].cast<double>() + shift));
-        }
-      },
-      kSearchGrain);
-}
 
 /// Expands `rows`, one per point found, to all points; NaN for the others.
 DataArray spread(const DataArray& rows, const NearbyRows& nearby) {
@@ -165,32 +150,25 @@ NearbyRows nearby_rows(const Mesh& from, const Mesh& to, double max_distance,
                        const Progress& progress) {
   if (from.positions.empty()) throw Error("a mesh without vertices has nothing to carry over");
   JobStages stages(progress, {{"nearest places", 1}, {"look up", 1}});
-  const Progress building = stages.begin("nearest places");
+  const NearestPlace places(from, stages.begin("nearest places"));
   NearbyRows rows;
   rows.vertices.resize(to.vertex_count(), {{0, 0, 0}, {1, 0, 0}});
   rows.found.resize(to.vertex_count(), 0);
-  if (from.triangles.empty()) {
-    const NearestVertex nearest(from, building);
-    for_each_vertex_near(
-        from, to, stages.begin("look up"), [&](std::size_t v, const Eigen::Vector3d& point) {
-          const std::optional<VertexNearby> found = nearest.nearest(point, max_distance);
-          if (!found) return;
-          rows.vertices[v] = {{found->vertex, found->vertex, found->vertex}, {1, 0, 0}};
+  if (!from.triangles.empty()) rows.triangles.resize(to.vertex_count(), 0);
+  const Eigen::Vector3d shift = to.origin - from.origin;
+  parallel_for(
+      to.vertex_count(), stages.begin("look up"),
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+          const Eigen::Vector3d point = to.positions[v].cast<double>() + shift;
+          const std::optional<NearbyPlace> found = places.nearest(point, max_distance);
+          if (!found) continue;
+          rows.vertices[v] = {found->corners, found->barycentric};
+          if (found->triangle) rows.triangles[v] = *found->triangle;
           rows.found[v] = 1;
-        });
-    stages.finish();
-    return rows;
-  }
-  rows.triangles.resize(to.vertex_count(), 0);
-  const NearestOnMesh nearest(from, building);
-  for_each_vertex_near(
-      from, to, stages.begin("look up"), [&](std::size_t v, const Eigen::Vector3d& point) {
-        const std::optional<PointOnMesh> found = nearest.nearest(point, max_distance);
-        if (!found) return;
-        rows.vertices[v] = {from.triangles[found->triangle], found->barycentric};
-        rows.triangles[v] = found->triangle;
-        rows.found[v] = 1;
-      });
+        }
+      },
+      kSearchGrain);
   stages.finish();
   return rows;
 }

@@ -14,7 +14,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/fragment_phase.h"
-#include "brindle/nearest.h"
+#include "brindle/geometry/nearest_place.h"
 #include "brindle/phase_shift.h"
 #include "brindle/waves/direction_graph.h"
 
@@ -56,31 +56,6 @@ CornerWave alike(const CornerWave& corner, const Vec3& direction) {
   return direction.dot(corner.wave.direction) < 0 ? flipped(corner) : corner;
 }
 
-/// Finds places of the last surface: in triangles, or at vertices of a point cloud.
-class LastPlaces {
- public:
-  explicit LastPlaces(const Mesh& mesh, const Progress& progress = {}) {
-    mesh.triangles.empty() ? static_cast<void>(vertices_.emplace(mesh, progress))
-                           : static_cast<void>(triangles_.emplace(mesh, progress));
-  }
-
-  /// What one of the functions makes of the nearest place, if one is within `max_distance`.
-  template <class Result, class InTriangle, class AtVertex>
-  std::optional<Result> near(const Eigen::Vector3d& point, double max_distance,
-                             const InTriangle& in_triangle, const AtVertex& at_vertex) const {
-    if (triangles_) {
-      const auto place = triangles_->nearest(point, max_distance);
-      return place ? std::optional<Result>(in_triangle(*place)) : std::nullopt;
-    }
-    const auto found = vertices_->nearest(point, max_distance);
-    return found ? std::optional<Result>(at_vertex(found->vertex)) : std::nullopt;
-  }
-
- private:
-  std::optional<NearestOnMesh> triangles_;
-  std::optional<NearestVertex> vertices_;
-};
-
 /// Position and wave of a nearest-point query.
 struct Source {
   CornerWave corner;  ///< zero direction: nothing was found
@@ -89,13 +64,12 @@ struct Source {
 
 /// The wave interpolated at a point of a triangle. If a corner has no wave, the wave of the corner
 /// with the largest barycentric weight among those with one.
-Source source_in(const LastPattern& last, const PointOnMesh& place) {
-  const Triangle& triangle = last.mesh.triangles[place.triangle];
+Source source_in(const LastPattern& last, const NearbyPlace& place) {
   std::array<CornerWave, 3> corners;
   std::optional<std::size_t> best;
   bool all = true;
   for (std::size_t m = 0; m < 3; ++m) {
-    corners[m] = wave_at(last, triangle[m]);
+    corners[m] = wave_at(last, place.corners[m]);
     if (!has_wave(corners[m])) {
       all = false;
     } else if (!best || place.barycentric[m] > place.barycentric[*best]) {
@@ -113,16 +87,10 @@ Source source_in(const LastPattern& last, const PointOnMesh& place) {
   return {{{place.position.cast<float>(), wave.direction, wave.frequency}, wave.z}, place.position};
 }
 
-/// The nearest wave of the last pattern, at a vertex if it has no triangles.
-std::optional<Source> source_near(const LastPattern& last, const LastPlaces& places,
-                                  const Eigen::Vector3d& point) {
-  return places.near<Source>(
-      point, std::numeric_limits<double>::infinity(),
-      [&](const PointOnMesh& place) { return source_in(last, place); },
-      [&](Index vertex) {
-        const CornerWave corner = wave_at(last, vertex);
-        return Source{corner, corner.wave.position.cast<double>()};
-      });
+/// The wave of the last pattern at a place.
+Source source_at(const LastPattern& last, const NearbyPlace& place) {
+  if (place.triangle) return source_in(last, place);
+  return {wave_at(last, place.corners[0]), place.position};
 }
 
 /// The source's phase moved to `point`, for a wave along `direction`; 0 beyond `max_periods`.
@@ -136,26 +104,43 @@ Complex led_phase(const Source& source, const Eigen::Vector3d& point, const Vec3
   return corner.z * elementary::polar(1.0f, phase_shift(PhaseShiftKind::aligned, from, to).radians);
 }
 
+/// Maps vertices of a surface to those of the last one.
+class Counterparts {
+ public:
+  Counterparts(const std::string& what, std::size_t count, std::size_t last_count,
+               std::span<const Index> numbers)
+      : numbers_(numbers) {
+    const std::size_t matched = numbers.empty() ? last_count : numbers.size();
+    if (count != matched) {
+      throw Error(what + ": " + std::to_string(count) + " vertices cannot be matched with " +
+                  std::to_string(matched) + " by number");
+    }
+    const auto bad = ranges::find_if(
+        numbers, [&](Index from) { return from != kNoCounterpart && from >= last_count; });
+    if (bad == numbers.end()) return;
+    throw Error(what + ": vertex " + std::to_string(bad - numbers.begin()) +
+                " is matched with vertex " + std::to_string(*bad) + " of " +
+                std::to_string(last_count));
+  }
+
+  /// `kNoCounterpart` if there is none.
+  Index of(Index vertex) const { return numbers_.empty() ? vertex : numbers_[vertex]; }
+
+ private:
+  std::span<const Index> numbers_;
+};
+
 }  // namespace
 
 std::vector<Complex> matched_phases(const LastPattern& last, const WaveSet& waves,
                                     std::span<const Index> counterparts) {
   check_sizes(last);
   const std::size_t count = checked_size(waves);
-  const std::size_t last_count = last.z.size();
-  if (counterparts.empty() ? count != last_count : counterparts.size() != count) {
-    throw Error("carried phases: " + std::to_string(count) + " vertices cannot be matched with " +
-                std::to_string(counterparts.empty() ? last_count : counterparts.size()) +
-                " by number");
-  }
+  const Counterparts matched("carried phases", count, last.z.size(), counterparts);
   std::vector<Complex> z(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Index from = counterparts.empty() ? static_cast<Index>(i) : counterparts[i];
+  for (Index i = 0; i < count; ++i) {
+    const Index from = matched.of(i);
     if (from == kNoCounterpart) continue;
-    if (from >= last_count) {
-      throw Error("carried phases: vertex " + std::to_string(i) + " is matched with vertex " +
-                  std::to_string(from) + " of " + std::to_string(last_count));
-    }
     const CornerWave corner = wave_at(last, from);
     const Vec3& direction = waves.directions[i];
     if (has_wave(corner) && direction != Vec3::Zero()) z[i] = alike(corner, direction).z;
@@ -172,7 +157,7 @@ std::vector<Complex> carried_phases(const LastPattern& last, const Mesh& mesh, c
                 " vertices, but there are " + std::to_string(count) + " waves");
   }
   JobStages stages(progress, {{"nearest places", 1}, {"look up", 1}});
-  const LastPlaces places(last.mesh, stages.begin("nearest places"));
+  const NearestPlace places(last.mesh, stages.begin("nearest places"));
   const Eigen::Vector3d shift = mesh.origin - last.mesh.origin;
   std::vector<Complex> z(count);
   parallel_for(
@@ -182,9 +167,11 @@ std::vector<Complex> carried_phases(const LastPattern& last, const Mesh& mesh, c
           const Vec3& direction = waves.directions[i];
           if (direction == Vec3::Zero()) continue;
           const Eigen::Vector3d point = waves.positions[i].cast<double>() + shift;
-          const auto source = source_near(last, places, point);
-          if (!source || !has_wave(source->corner)) continue;
-          z[i] = led_phase(*source, point, direction, waves.frequencies[i], max_periods);
+          const auto place = places.nearest(point);
+          if (!place) continue;
+          const Source source = source_at(last, *place);
+          if (!has_wave(source.corner)) continue;
+          z[i] = led_phase(source, point, direction, waves.frequencies[i], max_periods);
         }
       },
       kLookupGrain);
@@ -236,32 +223,6 @@ Complex in_basis(const Vec3& vector, const TangentBasis& basis) {
   return {vector.dot(basis.x), vector.dot(basis.y)};
 }
 
-/// Maps vertices of a surface to those of the last one.
-class Counterparts {
- public:
-  Counterparts(const LastField& last, const Surface& surface, std::span<const Index> numbers)
-      : numbers_(numbers) {
-    const std::size_t count = surface.mesh.vertex_count(), last_count = last.mesh.vertex_count();
-    const std::size_t matched = numbers.empty() ? last_count : numbers.size();
-    if (count != matched) {
-      throw Error("carried field: " + std::to_string(count) + " vertices cannot be matched with " +
-                  std::to_string(matched) + " by number");
-    }
-    const auto bad = ranges::find_if(
-        numbers, [&](Index from) { return from != kNoCounterpart && from >= last_count; });
-    if (bad == numbers.end()) return;
-    throw Error("carried field: vertex " + std::to_string(bad - numbers.begin()) +
-                " is matched with vertex " + std::to_string(*bad) + " of " +
-                std::to_string(last_count));
-  }
-
-  /// `kNoCounterpart` if there is none.
-  Index of(Index vertex) const { return numbers_.empty() ? vertex : numbers_[vertex]; }
-
- private:
-  std::span<const Index> numbers_;
-};
-
 /// Rotation of a vertex's neighbours about it, from the old tangent basis to the new one.
 struct Turn {
   Complex direct = 0;     ///< sum of conj(a) b over edges a that became b
@@ -308,8 +269,8 @@ Vec3 turned_along(const Turn& turn, const Vec3& direction, const Vec3& last_norm
 
 /// The field inside a triangle, interpolated with symmetry N. Returns the direction nearest to that
 /// of the corner with the largest barycentric weight (among those with a direction).
-Vec3 direction_in(const LastField& last, const PointOnMesh& place, int symmetry) {
-  const Triangle& triangle = last.mesh.triangles[place.triangle];
+Vec3 direction_in(const LastField& last, const NearbyPlace& place, int symmetry) {
+  const Triangle& triangle = place.corners;
   std::optional<std::size_t> best;
   for (std::size_t m = 0; m < 3; ++m) {
     if (last.directions[triangle[m]].isZero(0)) continue;
@@ -333,7 +294,8 @@ Vec3 direction_in(const LastField& last, const PointOnMesh& place, int symmetry)
 DirectionField matched_directions(const LastField& last, const Surface& surface,
                                   std::span<const Index> counterparts) {
   check_field(last);
-  const Counterparts matched(last, surface, counterparts);
+  const Counterparts matched("carried field", surface.mesh.vertex_count(), last.mesh.vertex_count(),
+                             counterparts);
   DirectionField directions(surface.mesh.vertex_count(), Vec3::Zero());
   parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
     for (Index i = static_cast<Index>(begin); i < end; ++i) {
@@ -352,13 +314,12 @@ DirectionField carried_directions(const LastField& last, const Surface& surface,
   check_field(last);
   check_symmetry(symmetry);
   if (!(max_distance > 0)) throw Error("carried field: the largest distance must be above 0");
-  const LastPlaces places(last.mesh);
-  const auto direction_near = [&](const Eigen::Vector3d& point) {
-    const auto found = places.near<Vec3>(
-        point, max_distance,
-        [&](const PointOnMesh& place) { return direction_in(last, place, symmetry); },
-        [&](Index vertex) { return Vec3(last.directions[vertex]); });
-    return found.value_or(Vec3::Zero());
+  const NearestPlace places(last.mesh);
+  const auto direction_near = [&](const Eigen::Vector3d& point) -> Vec3 {
+    const auto place = places.nearest(point, max_distance);
+    if (!place) return Vec3::Zero();
+    return place->triangle ? direction_in(last, *place, symmetry)
+                           : last.directions[place->corners[0]];
   };
   const Eigen::Vector3d shift = surface.mesh.origin - last.mesh.origin;
   DirectionField directions(surface.mesh.vertex_count(), Vec3::Zero());

@@ -12,7 +12,7 @@
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
 #include "brindle/geometry/measures.h"
-#include "brindle/nearest.h"
+#include "brindle/geometry/nearest_place.h"
 #include "brindle/waves/direction_graph.h"
 
 namespace brindle {
@@ -93,42 +93,11 @@ std::vector<StrokeStep> steps_along(const FieldStroke& stroke) {
   return steps;
 }
 
-/// The place of a step on the surface, and the vertices from which its neighbourhood is searched.
-struct StepPlace {
-  Vec3 position = Vec3::Zero();
-  std::array<Index, 3> corners{};
-  double distance = 0;
-};
-
-/// Nearest places on a surface with or without triangles.
-class NearSurface {
- public:
-  NearSurface(const Surface& surface, const Progress& progress) : mesh_(surface.mesh) {
-    if (mesh_.triangles.empty()) {
-      vertices_.emplace(mesh_, progress);
-    } else {
-      triangles_.emplace(mesh_, progress);
-    }
-  }
-
-  StepPlace place(const Vec3d& point) const {
-    const Vec3d relative = point - mesh_.origin;
-    if (!triangles_) {
-      const auto found = vertices_->nearest(relative);
-      if (!found) throw Error("strokes need a surface with vertices");
-      const Index v = found->vertex;
-      return {mesh_.positions[v], {v, v, v}, found->distance};
-    }
-    const auto found = triangles_->nearest(relative);
-    if (!found) throw Error("strokes need a surface");
-    return {found->position.cast<float>(), mesh_.triangles[found->triangle], found->distance};
-  }
-
- private:
-  const Mesh& mesh_;
-  std::optional<NearestOnMesh> triangles_;
-  std::optional<NearestVertex> vertices_;
-};
+NearbyPlace place_near(const NearestPlace& places, const Vec3d& point) {
+  const auto found = places.nearest(point);
+  if (!found) throw Error("strokes need a surface with vertices");
+  return *found;
+}
 
 /// Sums over the steps of one stroke at the vertices in their reach.
 class StrokeReach {
@@ -140,7 +109,7 @@ class StrokeReach {
 
   /// Spreads over the neighbourhood, which excludes places that are near in space but far along the
   /// surface, like the other side of a sheet.
-  void add(const StrokeStep& step, const StepPlace& place, float radius) {
+  void add(const StrokeStep& step, const NearbyPlace& place, float radius) {
     ++visit_;
     queue_.clear();
     for (const Index corner : place.corners) {
@@ -175,8 +144,8 @@ class StrokeReach {
     float nearest = 0;  ///< the largest weight of one step
   };
 
-  float distance(Index v, const StepPlace& place) const {
-    return (surface_.mesh.positions[v] - place.position).norm();
+  float distance(Index v, const NearbyPlace& place) const {
+    return (surface_.mesh.positions[v] - place.position.cast<float>()).norm();
   }
 
   void visit(Index v, const StrokeStep& step, float d, float radius) {
@@ -215,10 +184,10 @@ class StrokeReach {
 }
 
 /// Checks points first: a line that leaves the surface between them is another mistake.
-void check_near(const FieldStroke& stroke, const std::string& name, const NearSurface& surface,
-                double allowed) {
+void check_near(const FieldStroke& stroke, const std::string& name, const NearestPlace& places,
+                const Vec3d& origin, double allowed) {
   for (std::size_t i = 0; i < stroke.points.size(); ++i) {
-    const double distance = surface.place(stroke.points[i]).distance;
+    const double distance = place_near(places, stroke.points[i] - origin).distance;
     if (distance <= allowed) continue;
     refuse_far(name + ": point " + std::to_string(i), distance, allowed,
                "move it, raise the radius, or use the coordinates and units of the mesh");
@@ -242,17 +211,17 @@ std::vector<FieldAnchor> stroke_anchors(const Surface& surface,
   std::vector<FieldAnchor> anchors;
   if (strokes.empty()) return anchors;
   JobStages stages(progress, {{"nearest places", 3}, {"strokes", 1}});
-  const NearSurface near(surface, stages.begin("nearest places"));
+  const NearestPlace places(surface.mesh, stages.begin("nearest places"));
   const Progress reaching = stages.begin("strokes");
   StrokeReach reach(surface);
   const double diagonal = bounding_box(surface.mesh).diagonal();
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const FieldStroke& stroke = strokes[i];
     const double allowed = allowed_distance(stroke, diagonal);
-    check_near(stroke, name_of(i), near, allowed);
+    check_near(stroke, name_of(i), places, surface.mesh.origin, allowed);
     for (const StrokeStep& step : steps_along(stroke)) {
       reaching.report(static_cast<double>(i) / static_cast<double>(strokes.size()));
-      const StepPlace place = near.place(step.position);
+      const NearbyPlace place = place_near(places, step.position - surface.mesh.origin);
       if (place.distance > allowed) {
         refuse_far(name_of(i) + ": the line between two of its points", place.distance, allowed,
                    "add points between them that lie on the surface");
