@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include "brindle/base/elementary.h"
+#include "brindle/base/graph.h"
 #include "brindle/base/parallel.h"
 #include "brindle/base/standard.h"
 #include "brindle/error.h"
@@ -416,35 +417,24 @@ class Splitter {
  private:
   void split_vertex(Index v) {
     const std::span<const Index> around = found_.around(v);
-    sector_.resize(around.size());
-    std::iota(sector_.begin(), sector_.end(), Index{0});
+    MergedSets sectors(around.size());  // of triangles around
     for_each_edge(mesh_, v, around, [&](std::span<const Spoke> edge) {
       for (std::size_t i = 0; i < edge.size(); ++i) {
         for (std::size_t j = i + 1; j < edge.size(); ++j) {
           if (found_.goes_on(edge[i].half_edge, edge[j].half_edge, edge.size())) {
-            merge(edge[i].number, edge[j].number);
+            sectors.merge(edge[i].number, edge[j].number);
           }
         }
       }
     });
-    copy_sectors(v, around);
-  }
-
-  Index first_of(Index n) const {
-    while (sector_[n] != n) n = sector_[n];
-    return n;
-  }
-
-  void merge(Index a, Index b) {
-    const Index first = first_of(a), second = first_of(b);
-    sector_[std::max(first, second)] = std::min(first, second);
+    copy_sectors(v, around, sectors);
   }
 
   /// The first triangle's sector keeps the vertex.
-  void copy_sectors(Index v, std::span<const Index> around) {
+  void copy_sectors(Index v, std::span<const Index> around, MergedSets& sectors) {
     copy_.assign(around.size(), v);
     for (Index n = 1; n < around.size(); ++n) {
-      const Index first = first_of(n);
+      const Index first = sectors.of(n);
       if (first == n) {
         copy_[n] = static_cast<Index>(mesh_.vertex_count());
         mesh_.positions.push_back(Vec3(mesh_.positions[v]));
@@ -483,7 +473,6 @@ class Splitter {
   const CreaseFinder& found_;
   Creases result_;
   std::vector<MovedCorner> moved_;  ///< applied last: the search needs the triangles unchanged
-  std::vector<Index> sector_;       ///< by triangle around: an earlier one of its sector, or itself
   std::vector<Index> copy_;
 };
 
