@@ -13,25 +13,6 @@
 namespace brindle {
 namespace {
 
-/// A reflecting coupling of an edge.
-struct EdgeReflection {
-  Index edge;
-  Complex b;
-};
-
-template <class T>
-void append(std::vector<std::byte>& bytes, std::span<const T> values) {
-  const auto more = std::as_bytes(values);
-  bytes.insert(bytes.end(), more.begin(), more.end());
-}
-
-/// Takes `values.size()` values from the front.
-template <class T>
-void take(std::span<const std::byte>& bytes, std::span<T> values) {
-  std::ranges::copy(bytes.first(values.size_bytes()), std::as_writable_bytes(values).begin());
-  bytes = bytes.subspan(values.size_bytes());
-}
-
 /// The entry of a neighbour in a row of the layout.
 Index entry_of(const SlicedLayout& layout, Index row_slot, Index neighbor_slot) {
   std::size_t entry = layout.first_entry(row_slot);
@@ -87,71 +68,47 @@ void GatheredLevels::add_entries(std::span<const Index> degrees, std::span<const
   }
 }
 
-/// Direct couplings per edge, a flag for anchors, anchors per node, then reflecting couplings.
-void GatheredLevels::pack(const Level& level) {
+void GatheredLevels::gather_couplings(Communicator& ranks, const Level& level) {
   const SlicedLayout& layout = level.layout();
   const SlicedCouplings& couplings = level.couplings;
-  std::vector<Complex> direct, anchors;
+  const bool anchored = ranks.any(!couplings.anchor.empty());
   const auto own = static_cast<Index>(own_z_.size());
+  std::vector<Complex> direct, anchors, all_direct, all_anchors;
   for (Index node = 0; node < own; ++node) {
-    std::size_t entry = layout.first_entry(layout.slot_of[node]);
+    const Index slot = layout.slot_of[node];
+    std::size_t entry = layout.first_entry(slot);
     for (std::size_t k = 0; k < adjacency_->of(node).size(); ++k, entry += kLanes) {
       direct.push_back(couplings.direct_at(entry));
     }
-    if (!couplings.anchor.empty()) anchors.push_back(couplings.anchor[layout.slot_of[node]]);
+    anchors.push_back(couplings.anchor.empty() ? Complex(0) : couplings.anchor[slot]);
   }
-  std::vector<EdgeReflection> reflections;
+  std::vector<ReflectingCoupling> reflecting, all_reflecting;  // by edge
   for (Index slice = 0; slice < layout.slice_count(); ++slice) {
     for (const auto& [entry, b] : couplings.reflecting_of(layout, slice)) {
       const Index node = layout.node_at[slice * kLanes + entry % kLanes];
       if (node >= own) continue;
-      reflections.push_back(
-          {adjacency_->offsets[node] + entry / kLanes - layout.column_begin[slice], b});
+      const Index edge = adjacency_->offsets[node] + entry / kLanes - layout.column_begin[slice];
+      reflecting.push_back({edges_.first(ranks.rank()) + edge, b});
     }
   }
-  const std::uint8_t anchored = couplings.anchor.empty() ? 0 : 1;
-  packed_.clear();
-  append(packed_, std::span<const Complex>(direct));
-  append(packed_, std::span(&anchored, 1));
-  append(packed_, std::span<const Complex>(anchors));
-  append(packed_, std::span<const EdgeReflection>(reflections));
+  edges_.gather(std::span<const Complex>(direct), all_direct);
+  if (anchored) nodes_.gather(std::span<const Complex>(anchors), all_anchors);
+  PartsOnFirst(ranks, reflecting.size())
+      .gather(std::span<const ReflectingCoupling>(reflecting), all_reflecting);
+  if (ranks.rank() == 0) load_first(all_direct, all_anchors, std::move(all_reflecting));
 }
 
-/// Unpacks a rank's data; reflecting couplings are only collected.
-void GatheredLevels::load(std::span<const std::byte> packed, int rank,
-                          std::vector<ReflectingCoupling>& reflecting) {
+/// `reflecting` has the numbers of edges for those of entries.
+void GatheredLevels::load_first(std::span<const Complex> direct, std::span<const Complex> anchors,
+                                std::vector<ReflectingCoupling> reflecting) {
   const SlicedLayout& layout = hierarchy_.levels[0].layout();
   SlicedCouplings& couplings = hierarchy_.levels[0].couplings;
-  const Index first_edge = edges_.first(rank), first_node = nodes_.first(rank);
-  std::vector<Complex> direct(edges_.first(rank + 1) - first_edge), anchors;
-  take(packed, std::span(direct));
-  for (std::size_t e = 0; e < direct.size(); ++e) {
-    couplings.set_direct(entry_of_[first_edge + e], direct[e]);
-  }
-  std::uint8_t anchored = 0;
-  take(packed, std::span(&anchored, 1));
-  anchors.resize(anchored ? nodes_.first(rank + 1) - first_node : 0);
-  take(packed, std::span(anchors));
-  if (anchored && couplings.anchor.empty()) couplings.anchor.resize(layout.slot_count());
+  for (std::size_t e = 0; e < direct.size(); ++e) couplings.set_direct(entry_of_[e], direct[e]);
+  couplings.anchor.assign(anchors.empty() ? 0 : layout.slot_count(), Complex(0));
   for (std::size_t n = 0; n < anchors.size(); ++n) {
-    couplings.anchor[layout.slot_of[first_node + n]] = anchors[n];
+    couplings.anchor[layout.slot_of[n]] = anchors[n];
   }
-  std::vector<EdgeReflection> reflections(packed.size() / sizeof(EdgeReflection));
-  take(packed, std::span(reflections));
-  for (const auto& [edge, b] : reflections) {
-    reflecting.push_back({entry_of_[first_edge + edge], b});
-  }
-}
-
-void GatheredLevels::gather_couplings(Communicator& ranks, const Level& level) {
-  pack(level);
-  const auto parts = ranks.gather(packed_);
-  if (ranks.rank() != 0) return;
-  const SlicedLayout& layout = hierarchy_.levels[0].layout();
-  SlicedCouplings& couplings = hierarchy_.levels[0].couplings;
-  couplings.anchor.clear();
-  std::vector<ReflectingCoupling> reflecting;
-  for (int r = 0; r < ranks.size(); ++r) load(parts[static_cast<std::size_t>(r)], r, reflecting);
+  for (ReflectingCoupling& coupling : reflecting) coupling.entry = entry_of_[coupling.entry];
   std::ranges::sort(reflecting, {}, &ReflectingCoupling::entry);
   std::ranges::fill(couplings.reflecting_count, Index{0});
   Index slice = 0;

@@ -39,15 +39,13 @@ class GatheredLevels {
  private:
   void lay_out(Communicator& ranks, const RankGraph& graph);
   void add_entries(std::span<const Index> degrees, std::span<const Index> neighbors);
-  void pack(const Level& level);
-  void load(std::span<const std::byte> packed, int rank,
-            std::vector<ReflectingCoupling>& reflecting);
   void gather_couplings(Communicator& ranks, const Level& level);
+  void load_first(std::span<const Complex> direct, std::span<const Complex> anchors,
+                  std::vector<ReflectingCoupling> reflecting);
   void scatter(Level& level);
 
   std::shared_ptr<const Adjacency> adjacency_;  ///< of own nodes
   PartsOnFirst nodes_, edges_;
-  std::vector<std::byte> packed_;
   std::vector<Complex> own_z_;
   // On rank 0 only.
   Hierarchy hierarchy_;

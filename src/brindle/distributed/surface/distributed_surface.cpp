@@ -39,14 +39,6 @@ void check_origins(Communicator& ranks, const Eigen::Vector3d& origin) {
   }
 }
 
-/// A triangle that is sent to other ranks.
-struct GhostTriangle {
-  std::uint64_t number;  ///< global
-  std::array<std::uint64_t, 3> id;
-  std::array<int, 3> owner;
-  std::array<std::array<float, 3>, 3> position;
-};
-
 /// A vertex of another rank.
 struct ForeignVertex {
   int owner;
@@ -70,7 +62,7 @@ class SurfaceMaker {
     own_triangles_ = piece_.mesh.triangle_count();
     made_.triangle_numbers = piece_.triangle_ids;
     if (!have_triangle_ids(ranks_, piece_)) piece_.triangle_ids = ranks_.numbers_of(own_triangles_);
-    if (ranks_.size() > 1) hear_of_triangles();
+    if (ranks_.size() > 1) hear_of_triangles(ranks_, piece_, owner_);
     number_vertices();
     made_.graph.halo = halo_of(ghosts_, made_.graph.own);
     made_.rest = halo_of(rest_, made_.graph.own + static_cast<Index>(ghosts_.size()));
@@ -112,54 +104,6 @@ class SurfaceMaker {
       for (const Index v : triangle) used[v] = 1;
     }
     return used;
-  }
-
-  /// Sends triangles to the owners of their vertices, and appends the received ones.
-  void hear_of_triangles() {
-    std::vector<std::vector<GhostTriangle>> outgoing(static_cast<std::size_t>(ranks_.size()));
-    for (std::size_t t = 0; t < own_triangles_; ++t) tell(t, outgoing);
-    const auto incoming = ranks_.swap_lists(outgoing);
-    std::unordered_map<std::uint64_t, Index> vertex_of;
-    for (Index v = 0; v < piece_.vertex_ids.size(); ++v) vertex_of[piece_.vertex_ids[v]] = v;
-    for (const auto& from_rank : incoming) {
-      for (const GhostTriangle& triangle : from_rank) append(triangle, vertex_of);
-    }
-  }
-
-  void tell(std::size_t t, std::vector<std::vector<GhostTriangle>>& outgoing) const {
-    const Triangle& corners = piece_.mesh.triangles[t];
-    GhostTriangle triangle;
-    triangle.number = piece_.triangle_ids[t];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Vec3& p = piece_.mesh.positions[corners[c]];
-      triangle.id[c] = piece_.vertex_ids[corners[c]];
-      triangle.owner[c] = owner_[corners[c]];
-      triangle.position[c] = {p.x(), p.y(), p.z()};
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int owner = triangle.owner[c];
-      const auto before = triangle.owner.begin() + static_cast<std::ptrdiff_t>(c);
-      if (owner == ranks_.rank() || std::find(triangle.owner.begin(), before, owner) != before) {
-        continue;
-      }
-      outgoing[static_cast<std::size_t>(owner)].push_back(triangle);
-    }
-  }
-
-  void append(const GhostTriangle& triangle, std::unordered_map<std::uint64_t, Index>& vertex_of) {
-    Triangle corners;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto next = static_cast<Index>(owner_.size());
-      const auto [place, is_new] = vertex_of.emplace(triangle.id[c], next);
-      corners[c] = place->second;
-      if (!is_new) continue;
-      const auto& [x, y, z] = triangle.position[c];
-      piece_.mesh.positions.emplace_back(x, y, z);
-      piece_.vertex_ids.push_back(triangle.id[c]);
-      owner_.push_back(triangle.owner[c]);
-    }
-    piece_.mesh.triangles.push_back(corners);
-    piece_.triangle_ids.push_back(triangle.number);
   }
 
   /// Own vertices, then ghosts, then the rest.

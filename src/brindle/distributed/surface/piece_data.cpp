@@ -20,25 +20,19 @@
 namespace brindle {
 namespace {
 
-struct SentCell {
-  std::uint64_t number;  ///< global; 0 for unnumbered triangles
-  std::array<std::uint64_t, 3> ids;
-  std::array<std::array<float, 3>, 3> positions;
-};
-
 /// Transfers rows of triangles to vertices; owners receive all triangles of theirs.
 class CellMeans {
  public:
   CellMeans(Communicator& ranks, const SurfacePiece& piece, const DataArray& cells)
-      : ranks_(ranks), piece_(piece), columns_(static_cast<std::size_t>(cells.components)) {
-    const std::vector<std::uint8_t> used(piece.vertex_ids.size(), 1);
+      : ranks_(ranks),
+        around_(piece),
+        vertices_(piece.vertex_ids.size()),
+        columns_(static_cast<std::size_t>(cells.components)),
+        rows_(doubles_of(cells.view())) {
+    const std::vector<std::uint8_t> used(vertices_, 1);
     owner_ = find_owners(ranks, piece.vertex_ids, used);
-    for (Index v = 0; v < piece.vertex_ids.size(); ++v) vertex_of_[piece.vertex_ids[v]] = v;
-    around_.positions = piece.mesh.positions;
-    around_.triangles = piece.mesh.triangles;
-    numbers_ = piece.triangle_ids;
-    numbers_.resize(piece.mesh.triangle_count());
-    rows_ = doubles_of(cells.view());
+    for (Index v = 0; v < vertices_; ++v) vertex_of_[piece.vertex_ids[v]] = v;
+    around_.triangle_ids.resize(piece.mesh.triangle_count());  // 0 for unnumbered triangles
   }
 
   DataArray means(const std::string& name) {
@@ -52,68 +46,33 @@ class CellMeans {
 
  private:
   void hear() {
-    std::vector<std::vector<SentCell>> cells(static_cast<std::size_t>(ranks_.size()));
-    std::vector<std::vector<double>> rows(cells.size());
-    for (std::size_t t = 0; t < piece_.mesh.triangle_count(); ++t) {
-      std::array<int, 3> owners;
-      for (std::size_t c = 0; c < 3; ++c) owners[c] = owner_[piece_.mesh.triangles[t][c]];
-      std::ranges::sort(owners);
-      const auto end = std::unique(owners.begin(), owners.end());
-      for (auto o = owners.begin(); o != end; ++o) {
-        if (*o == ranks_.rank()) continue;
-        const auto to = static_cast<std::size_t>(*o);
-        cells[to].push_back(sent(t));
+    std::vector<std::vector<double>> rows;
+    for (const std::vector<Index>& triangles : hear_of_triangles(ranks_, around_, owner_)) {
+      std::vector<double>& sent = rows.emplace_back();
+      for (const Index t : triangles) {
         const auto row = std::span(rows_).subspan(t * columns_, columns_);
-        rows[to].insert(rows[to].end(), row.begin(), row.end());
+        sent.insert(sent.end(), row.begin(), row.end());
       }
-    }
-    for (const auto& list : ranks_.swap_lists(cells)) {
-      for (const SentCell& cell : list) append(cell);
     }
     for (const auto& list : ranks_.swap_lists(rows)) {
       rows_.insert(rows_.end(), list.begin(), list.end());
     }
   }
 
-  SentCell sent(std::size_t t) const {
-    SentCell cell;
-    cell.number = piece_.triangle_ids.empty() ? 0 : piece_.triangle_ids[t];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index v = piece_.mesh.triangles[t][c];
-      const Vec3& p = piece_.mesh.positions[v];
-      cell.ids[c] = piece_.vertex_ids[v];
-      cell.positions[c] = {p.x(), p.y(), p.z()};
-    }
-    return cell;
-  }
-
-  void append(const SentCell& cell) {
-    Triangle triangle;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto next = static_cast<Index>(around_.positions.size());
-      const auto [place, is_new] = vertex_of_.emplace(cell.ids[c], next);
-      triangle[c] = place->second;
-      const auto& [x, y, z] = cell.positions[c];
-      if (is_new) around_.positions.emplace_back(x, y, z);
-    }
-    around_.triangles.push_back(triangle);
-    numbers_.push_back(cell.number);
-  }
-
   /// Valid at own vertices, all of whose triangles are known.
   DataArray own_means(const std::string& name) const {
-    std::vector<Index> order(around_.triangles.size());
+    std::vector<Index> order(around_.mesh.triangle_count());
     std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::stable_sort(order, {}, [&](Index t) { return numbers_[t]; });
-    Mesh mesh{around_.positions, {}, {}};
-    for (const Index t : order) mesh.triangles.push_back(around_.triangles[t]);
+    std::ranges::stable_sort(order, {}, [&](Index t) { return around_.triangle_ids[t]; });
+    Mesh mesh{around_.mesh.positions, {}, {}};
+    for (const Index t : order) mesh.triangles.push_back(around_.mesh.triangles[t]);
     const DataArray rows = make_data_array(name, static_cast<int>(columns_), rows_);
     return cells_to_points(mesh, rows_of(rows, order));
   }
 
   DataArray everywhere(const DataArray& own, const ArrayView& rows) const {
     std::vector<double> numbers = doubles_of(rows);
-    numbers.resize(piece_.vertex_ids.size() * columns_);
+    numbers.resize(vertices_ * columns_);
     ask(numbers);
     return make_data_array(own.name, own.components, numbers);
   }
@@ -122,9 +81,9 @@ class CellMeans {
   void ask(std::vector<double>& numbers) const {
     std::vector<std::vector<std::uint64_t>> asked(static_cast<std::size_t>(ranks_.size()));
     std::vector<std::vector<Index>> vertices(asked.size());
-    for (Index v = 0; v < owner_.size(); ++v) {
+    for (Index v = 0; v < vertices_; ++v) {
       if (owner_[v] == ranks_.rank()) continue;
-      asked[static_cast<std::size_t>(owner_[v])].push_back(piece_.vertex_ids[v]);
+      asked[static_cast<std::size_t>(owner_[v])].push_back(around_.vertex_ids[v]);
       vertices[static_cast<std::size_t>(owner_[v])].push_back(v);
     }
     std::vector<std::vector<double>> answers;
@@ -144,13 +103,12 @@ class CellMeans {
   }
 
   Communicator& ranks_;
-  const SurfacePiece& piece_;
+  SurfacePiece around_;   ///< the partition, then received triangles
+  std::size_t vertices_;  ///< of the partition
   std::size_t columns_;
+  std::vector<double> rows_;
   std::vector<int> owner_;
   std::unordered_map<std::uint64_t, Index> vertex_of_;
-  Mesh around_;  ///< of the partition, then received ones
-  std::vector<std::uint64_t> numbers_;
-  std::vector<double> rows_;
 };
 
 /// Of partitions without ghosts.

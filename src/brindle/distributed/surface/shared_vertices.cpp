@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -17,20 +18,10 @@
 namespace brindle {
 namespace {
 
-struct Mention {
-  std::uint64_t id;
-  std::uint64_t unused;  // 0 if a triangle uses it: used vertices take precedence
-};
-
 using Place = std::array<float, 3>;
 
 /// Positive and negative zero are the same position.
 Place place_of(const Vec3& p) { return {p.x() + 0.0f, p.y() + 0.0f, p.z() + 0.0f}; }
-
-struct PlacedRow {
-  Place place;
-  std::uint64_t number;
-};
 
 /// A hash of some bits.
 std::size_t hash_of(std::span<const std::uint64_t> bits) {
@@ -42,46 +33,34 @@ std::size_t hash_of(std::span<const std::uint64_t> bits) {
   return static_cast<std::size_t>(mixed);
 }
 
-std::size_t place_hash(const Place& place) {
-  std::array<std::uint64_t, 3> bits;
-  std::ranges::transform(place, bits.begin(),
-                         [](float x) { return std::bit_cast<std::uint32_t>(x); });
-  return hash_of(bits);
-}
+/// A row with a number, for `lowest_numbers`.
+template <std::size_t N>
+struct KeyedRow {
+  std::array<std::uint64_t, N> key;
+  std::uint64_t number;
 
-/// The rank that owns each number, list by list.
-std::vector<std::vector<int>> first_ranks(const std::vector<std::vector<Mention>>& asked) {
-  std::vector<std::tuple<std::uint64_t, std::uint64_t, int>> known;
-  for (std::size_t r = 0; r < asked.size(); ++r) {
-    for (const auto& [id, unused] : asked[r]) known.emplace_back(id, unused, static_cast<int>(r));
-  }
-  std::ranges::sort(known);
-  std::vector<std::vector<int>> answers(asked.size());
-  for (std::size_t r = 0; r < asked.size(); ++r) {
-    for (const Mention& mention : asked[r]) {
-      const auto first = std::ranges::lower_bound(known, std::tuple(mention.id, 0ul, 0));
-      answers[r].push_back(std::get<2>(*first));
-    }
-  }
-  return answers;
-}
+  auto order() const { return std::tie(key, number); }
+};
 
-/// For every row, the lowest number at its position, list by list.
-std::vector<std::vector<std::uint64_t>> lowest_numbers(
-    const std::vector<std::vector<PlacedRow>>& asked) {
-  std::vector<std::pair<Place, std::uint64_t>> known;
-  for (const auto& rows : asked) {
-    for (const PlacedRow& row : rows) known.emplace_back(row.place, row.number);
-  }
-  std::ranges::sort(known);
-  std::vector<std::vector<std::uint64_t>> answers(asked.size());
-  for (std::size_t r = 0; r < asked.size(); ++r) {
-    for (const PlacedRow& row : asked[r]) {
-      answers[r].push_back(
-          std::ranges::lower_bound(known, std::pair(row.place, std::uint64_t{0}))->second);
+/// For every row, the lowest number of all ranks' rows with the same key.
+template <std::size_t N>
+std::vector<std::uint64_t> lowest_numbers(Communicator& ranks,
+                                          const std::vector<KeyedRow<N>>& rows) {
+  using Row = KeyedRow<N>;
+  const auto size = static_cast<std::size_t>(ranks.size());
+  const auto rank_of = [size](const Row& row) { return hash_of(row.key) % size; };
+  return answers_to(ranks, rows, rank_of, [](const std::vector<std::vector<Row>>& asked) {
+    std::vector<Row> known;
+    for (const auto& list : asked) known.insert(known.end(), list.begin(), list.end());
+    std::ranges::sort(known, {}, &Row::order);
+    std::vector<std::vector<std::uint64_t>> answers(asked.size());
+    for (std::size_t r = 0; r < asked.size(); ++r) {
+      for (const Row& row : asked[r]) {
+        answers[r].push_back(std::ranges::lower_bound(known, row.key, {}, &Row::key)->number);
+      }
     }
-  }
-  return answers;
+    return answers;
+  });
 }
 
 struct LabelledRow {
@@ -113,22 +92,76 @@ std::vector<int> find_owners(Communicator& ranks, std::span<const std::uint64_t>
                              std::span<const std::uint8_t> used) {
   const auto size = static_cast<std::size_t>(ranks.size());
   if (size == 1) return std::vector<int>(ids.size(), 0);
-  std::vector<Mention> mentions;
-  for (std::size_t v = 0; v < ids.size(); ++v) mentions.push_back({ids[v], used[v] ? 0u : 1u});
-  return answers_to(
-      ranks, mentions, [&](const Mention& mention) { return mention.id % size; }, first_ranks);
+  std::vector<KeyedRow<1>> mentions;  // used vertices take precedence
+  for (std::size_t v = 0; v < ids.size(); ++v) {
+    mentions.push_back({{ids[v]}, (used[v] ? 0 : size) + static_cast<std::size_t>(ranks.rank())});
+  }
+  std::vector<int> owners;
+  for (const std::uint64_t number : lowest_numbers(ranks, mentions)) {
+    owners.push_back(static_cast<int>(number % size));
+  }
+  return owners;
+}
+
+std::vector<std::vector<Index>> hear_of_triangles(Communicator& ranks, SurfacePiece& piece,
+                                                  std::vector<int>& owner) {
+  struct SentTriangle {
+    std::uint64_t number;  // global
+    std::array<std::uint64_t, 3> id;
+    std::array<int, 3> owner;
+    std::array<Place, 3> position;
+  };
+  std::vector<std::vector<SentTriangle>> outgoing(static_cast<std::size_t>(ranks.size()));
+  std::vector<std::vector<Index>> told(outgoing.size());
+  for (Index t = 0; t < piece.mesh.triangle_count(); ++t) {
+    SentTriangle triangle{piece.triangle_ids[t], {}, {}, {}};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Index v = piece.mesh.triangles[t][c];
+      const Vec3& p = piece.mesh.positions[v];
+      triangle.id[c] = piece.vertex_ids[v];
+      triangle.owner[c] = owner[v];
+      triangle.position[c] = {p.x(), p.y(), p.z()};
+    }
+    const auto& owners = triangle.owner;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const bool again = (c > 0 && owners[c] == owners[0]) || (c > 1 && owners[c] == owners[1]);
+      if (owners[c] == ranks.rank() || again) continue;
+      outgoing[static_cast<std::size_t>(owners[c])].push_back(triangle);
+      told[static_cast<std::size_t>(owners[c])].push_back(t);
+    }
+  }
+  std::unordered_map<std::uint64_t, Index> vertex_of;
+  for (Index v = 0; v < piece.vertex_ids.size(); ++v) vertex_of[piece.vertex_ids[v]] = v;
+  for (const auto& from_rank : ranks.swap_lists(outgoing)) {
+    for (const SentTriangle& triangle : from_rank) {
+      Triangle& corners = piece.mesh.triangles.emplace_back();
+      piece.triangle_ids.push_back(triangle.number);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto next = static_cast<Index>(owner.size());
+        const auto [place, is_new] = vertex_of.emplace(triangle.id[c], next);
+        corners[c] = place->second;
+        if (!is_new) continue;
+        const auto& [x, y, z] = triangle.position[c];
+        piece.mesh.positions.emplace_back(x, y, z);
+        piece.vertex_ids.push_back(triangle.id[c]);
+        owner.push_back(triangle.owner[c]);
+      }
+    }
+  }
+  return told;
 }
 
 std::vector<std::uint64_t> numbers_by_place(Communicator& ranks, std::span<const Vec3> positions) {
-  const auto size = static_cast<std::size_t>(ranks.size());
   std::vector<std::uint64_t> numbers = ranks.numbers_of(positions.size());
-  std::vector<PlacedRow> placed;
+  std::vector<KeyedRow<3>> placed;
   for (std::size_t row = 0; row < positions.size(); ++row) {
-    if (positions[row].allFinite()) placed.push_back({place_of(positions[row]), numbers[row]});
+    if (!positions[row].allFinite()) continue;
+    KeyedRow<3>& made = placed.emplace_back();
+    made.number = numbers[row];
+    std::ranges::transform(place_of(positions[row]), made.key.begin(),
+                           [](float x) { return std::bit_cast<std::uint32_t>(x); });
   }
-  const std::vector<std::uint64_t> lowest = answers_to(
-      ranks, placed, [&](const PlacedRow& row) { return place_hash(row.place) % size; },
-      lowest_numbers);
+  const std::vector<std::uint64_t> lowest = lowest_numbers(ranks, placed);
   for (std::size_t row = 0, next = 0; row < positions.size(); ++row) {
     if (positions[row].allFinite()) numbers[row] = lowest[next++];
   }
@@ -153,34 +186,6 @@ std::optional<TornVertex> find_torn_vertex(Communicator& ranks, std::span<const 
   if (lowest.id == kNoVertex) return std::nullopt;
   return lowest;
 }
-
-namespace {
-
-/// The global numbers of a triangle's corners, ascending.
-using CornerIds = std::array<std::uint64_t, 3>;
-
-/// Marks triangles that equal an earlier one in any list.
-std::vector<std::vector<std::uint8_t>> are_repeated(
-    const std::vector<std::vector<CornerIds>>& lists) {
-  struct Sent {
-    CornerIds ids;
-    std::size_t list, row;
-    auto key() const { return std::tie(ids, list, row); }
-  };
-  std::vector<Sent> known;
-  std::vector<std::vector<std::uint8_t>> answers;
-  for (std::size_t r = 0; r < lists.size(); ++r) {
-    answers.emplace_back(lists[r].size());
-    for (std::size_t i = 0; i < lists[r].size(); ++i) known.push_back({lists[r][i], r, i});
-  }
-  std::ranges::sort(known, {}, &Sent::key);
-  for (std::size_t k = 1; k < known.size(); ++k) {
-    if (known[k].ids == known[k - 1].ids) answers[known[k].list][known[k].row] = 1;
-  }
-  return answers;
-}
-
-}  // namespace
 
 void check_piece(const SurfacePiece& piece) {
   check_mesh(piece.mesh);
@@ -210,20 +215,20 @@ void check_piece(const SurfacePiece& piece) {
 std::vector<std::uint8_t> repeated_triangles(const SurfacePiece& piece, MPI_Comm communicator) {
   Communicator ranks(communicator);
   ranks.throw_on_all([&] { check_piece(piece); });
-  std::vector<CornerIds> own;
+  std::vector<KeyedRow<3>> own;        // the global numbers of a triangle's corners, ascending
   std::vector<std::size_t> triangles;  // of `own`
   for (std::size_t t = 0; t < piece.mesh.triangle_count(); ++t) {
     if (!piece.ghost_triangles.empty() && piece.ghost_triangles[t] != 0) continue;
-    CornerIds& ids = own.emplace_back();
+    auto& ids = own.emplace_back().key;
     for (std::size_t c = 0; c < 3; ++c) ids[c] = piece.vertex_ids[piece.mesh.triangles[t][c]];
     std::ranges::sort(ids);
     triangles.push_back(t);
   }
-  const auto size = static_cast<std::size_t>(ranks.size());
-  const std::vector<std::uint8_t> answers = answers_to(
-      ranks, own, [&](const CornerIds& ids) { return hash_of(ids) % size; }, are_repeated);
+  const std::vector<std::uint64_t> numbers = ranks.numbers_of(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) own[i].number = numbers[i];
+  const std::vector<std::uint64_t> lowest = lowest_numbers(ranks, own);
   std::vector<std::uint8_t> repeated(piece.mesh.triangle_count());
-  for (std::size_t i = 0; i < own.size(); ++i) repeated[triangles[i]] = answers[i];
+  for (std::size_t i = 0; i < own.size(); ++i) repeated[triangles[i]] = lowest[i] != numbers[i];
   return repeated;
 }
 

@@ -19,6 +19,11 @@ namespace brindle {
 std::vector<int> find_owners(Communicator& ranks, std::span<const std::uint64_t> ids,
                              std::span<const std::uint8_t> used);
 
+/// Sends all triangles, which need numbers, to the other owners of their vertices, and appends the
+/// received ones with their vertices and owners. Returns the triangles sent to each rank.
+std::vector<std::vector<Index>> hear_of_triangles(Communicator& ranks, SurfacePiece& piece,
+                                                  std::vector<int>& owner);
+
 /// Numbers for rows without: the index, over all ranks, of the first row at exactly the same
 /// position. Rows with positions that are not finite are distinct.
 std::vector<std::uint64_t> numbers_by_place(Communicator& ranks, std::span<const Vec3> positions);
