@@ -161,16 +161,4 @@ auto answers_to(Ranks& ranks, const std::vector<Row>& rows, const RankOf& rank_o
   return result;
 }
 
-/// Concatenates the lists that ranks have sent.
-template <class T>
-std::vector<T> joined(const std::vector<std::vector<std::byte>>& parts) {
-  std::vector<T> result;
-  for (const std::vector<std::byte>& part : parts) {
-    const std::size_t before = result.size();
-    result.resize(before + part.size() / sizeof(T));
-    std::ranges::copy(part, std::as_writable_bytes(std::span(result).subspan(before)).begin());
-  }
-  return result;
-}
-
 }  // namespace brindle

@@ -171,15 +171,14 @@ class Joiner {
     for (std::size_t line = 0; line < own.lines.count(); ++line) {
       counts.push_back(own.lines.points_of(line).size());
     }
-    all_.lines.points = joined<Vec3>(gathered(ranks, own.lines.points));
-    all_.lines.normals = joined<Vec3>(gathered(ranks, own.lines.normals));
-    all_.lines.closed = joined<std::uint8_t>(gathered(ranks, own.lines.closed));
-    for (const std::uint64_t count : joined<std::uint64_t>(gathered(ranks, counts))) {
+    all_.lines.points = gathered(ranks, own.lines.points);
+    all_.lines.normals = gathered(ranks, own.lines.normals);
+    all_.lines.closed = gathered(ranks, own.lines.closed);
+    for (const std::uint64_t count : gathered(ranks, counts)) {
       all_.lines.offsets.push_back(all_.lines.offsets.back() + static_cast<Index>(count));
     }
-    all_.ends = joined<std::array<CurveEnd, 2>>(gathered(ranks, own.ends));
-    all_.borders =
-        joined<std::array<std::optional<BorderCrossing>, 2>>(gathered(ranks, own.borders));
+    all_.ends = gathered(ranks, own.ends);
+    all_.borders = gathered(ranks, own.borders);
     for (std::size_t line = 0; line < all_.borders.size(); ++line) {
       for (std::size_t e = 0; e < 2; ++e) {
         if (all_.borders[line][e]) at_[*all_.borders[line][e]].push_back({line, e});
@@ -207,9 +206,10 @@ class Joiner {
   using LineEnd = std::pair<std::size_t, std::size_t>;
 
   template <class T>
-  static std::vector<std::vector<std::byte>> gathered(Communicator& ranks,
-                                                      const std::vector<T>& own) {
-    return ranks.gather(std::as_bytes(std::span(own)));
+  static std::vector<T> gathered(Communicator& ranks, const std::vector<T>& own) {
+    std::vector<T> all;
+    PartsOnFirst(ranks, own.size()).gather(std::span<const T>(own), all);
+    return all;
   }
 
   void follow(LineEnd from, bool open, StripeCurves& result) {

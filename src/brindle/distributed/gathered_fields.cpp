@@ -20,20 +20,15 @@ namespace {
 std::vector<FieldAnchor> anchors_of_whole(const GatheredSurface& whole,
                                           std::span<const FieldAnchor> of_piece) {
   const RankSurface& piece = whole.piece();
-  std::vector<FieldAnchor> own;
+  std::vector<FieldAnchor> own, all;
   for (FieldAnchor anchor : of_piece) {
     anchor.vertex = piece.vertex_of_piece[anchor.vertex];
-    if (anchor.vertex < piece.graph.own) own.push_back(anchor);
+    if (anchor.vertex >= piece.graph.own) continue;
+    anchor.vertex = whole.row_of(anchor.vertex);
+    own.push_back(anchor);
   }
-  std::vector<FieldAnchor> all;
-  int rank = 0;
-  for (const auto& of_rank : piece.ranks->gather(std::as_bytes(std::span(own)))) {
-    for (FieldAnchor anchor : joined<FieldAnchor>({of_rank})) {
-      anchor.vertex = whole.vertex_of(rank, anchor.vertex);
-      all.push_back(anchor);
-    }
-    ++rank;
-  }
+  PartsOnFirst(*piece.ranks, own.size()).gather(std::span<const FieldAnchor>(own), all);
+  for (FieldAnchor& anchor : all) anchor.vertex = whole.vertex_of_row(anchor.vertex);
   return all;
 }
 

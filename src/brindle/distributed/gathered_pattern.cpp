@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/distributed/parts_on_first.h"
 #include "brindle/error.h"
 #include "brindle/stripe_tracer.h"
 
@@ -185,22 +186,6 @@ PieceCurves received(const std::vector<SentLine>& lines, const std::vector<SentP
   return result;
 }
 
-/// Which of all ranks' samples are kept, list by list.
-std::vector<std::vector<std::uint8_t>> kept_samples(
-    const std::vector<std::vector<std::byte>>& lists, float share) {
-  std::vector<Sample> all = joined<Sample>(lists);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].triangle = static_cast<Index>(i);
-  std::vector<std::vector<std::uint8_t>> kept;
-  for (const auto& bytes : lists) kept.emplace_back(bytes.size() / sizeof(Sample), 0);
-  drop_doubles(all, share);
-  std::size_t list = 0, first = 0;
-  for (const Sample& sample : all) {
-    while (sample.triangle - first >= kept[list].size()) first += kept[list++].size();
-    kept[list][sample.triangle - first] = 1;
-  }
-  return kept;
-}
-
 }  // namespace
 
 StripePattern gathered_pattern(const GatheredSurface& whole, const PiecePattern& pattern) {
@@ -287,12 +272,16 @@ std::size_t drop_doubles(const DistributedSurface& surface, std::vector<Sample>&
                          float share) {
   Communicator& ranks = *surface.rank_surface().ranks;
   if (ranks.size() == 1) return drop_doubles(samples, share);
-  const auto lists = ranks.gather(std::as_bytes(std::span<const Sample>(samples)));
-  std::vector<std::vector<std::uint8_t>> kept(static_cast<std::size_t>(ranks.size()));
+  const PartsOnFirst parts(ranks, samples.size());
+  std::vector<Sample> all;
+  parts.gather(std::span<const Sample>(samples), all);
+  std::vector<std::uint8_t> kept(all.size()), own(samples.size());
   ranks.throw_on_all([&] {
-    if (ranks.rank() == 0) kept = kept_samples(lists, share);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].triangle = static_cast<Index>(i);
+    if (ranks.rank() == 0) drop_doubles(all, share);
+    for (const Sample& sample : all) kept[sample.triangle] = 1;
   });
-  const std::vector<std::uint8_t> own = ranks.swap_lists(kept)[0];
+  parts.scatter(std::span<const std::uint8_t>(kept), std::span(own));
   std::size_t left = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (own[i]) samples[left++] = samples[i];
@@ -304,7 +293,9 @@ std::size_t drop_doubles(const DistributedSurface& surface, std::vector<Sample>&
 
 std::vector<Sample> gathered_samples(const DistributedSurface& surface,
                                      std::span<const Sample> samples) {
-  return joined<Sample>(surface.rank_surface().ranks->gather(std::as_bytes(samples)));
+  std::vector<Sample> all;
+  PartsOnFirst(*surface.rank_surface().ranks, samples.size()).gather(samples, all);
+  return all;
 }
 
 }  // namespace brindle

@@ -43,8 +43,9 @@ class GatheredSurface {
   const Surface& surface() const { return surface_; }
   /// The global numbers of its vertices, ascending.
   std::span<const std::uint64_t> ids() const { return ids_; }
-  /// The vertex of a rank's own vertex.
-  Index vertex_of(int rank, Index own) const { return vertex_of_row_[vertices_.first(rank) + own]; }
+  /// The row of an own vertex among those of all ranks and, on rank 0, the vertex of a row.
+  Index row_of(Index own) const { return vertices_.first(piece_.ranks->rank()) + own; }
+  Index vertex_of_row(Index row) const { return vertex_of_row_[row]; }
 
   /// On rank 0, the owners' rows of vertices of partitions; empty elsewhere.
   template <class T>
