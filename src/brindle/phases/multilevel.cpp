@@ -73,17 +73,13 @@ void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress
   }
 }
 
-std::vector<JobStage> multilevel_stages() {
-  return {{"couple", 3}, {"hierarchy", 5}, {"descent", 1}, {"cycles", 3}};
-}
-
 PhaseSolution solve_multilevel(const Adjacency& adjacency,
                                const std::function<void(Level& finest)>& couple,
                                const SolverOptions& options, std::span<const Complex> start,
                                const Progress& progress,
                                const std::function<void(std::span<Complex> z)>& finish) {
   check_solver_options(options);
-  JobStages stages(progress, multilevel_stages());
+  JobStages stages(progress, {{"couple", 3}, {"hierarchy", 5}, {"descent", 1}, {"cycles", 3}});
   Hierarchy hierarchy = finest_level(adjacency, stages.begin("couple"));
   couple(hierarchy.levels[0]);
   coarsen(hierarchy, stages.begin("hierarchy"));

@@ -68,9 +68,6 @@ void correct(Hierarchy& hierarchy, SweepPlan plan, bool has_finest = true,
 /// The energy does not rise. Overwrites gauges and coarse couplings, until the next `renew`.
 void run_cycles(Hierarchy& hierarchy, SweepPlan plan, int cycles, const Progress& progress);
 
-/// The stages of `solve_multilevel`: "couple", "hierarchy", "descent" and "cycles".
-std::vector<JobStage> multilevel_stages();
-
 /// The whole solver without a phase graph: `couple` sets the couplings of the finest level. A
 /// nonempty `start`, one unit number per node, replaces the descent before the cycles. `finish`
 /// changes the phases (by node) before their energy is measured. `solve_milliseconds` exclude

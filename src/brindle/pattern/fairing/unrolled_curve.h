@@ -36,7 +36,6 @@ class UnrolledCurve {
                 std::span<const float> frequencies);
 
   bool closed() const { return closed_; }
-  std::size_t segment_count() const { return segments_.size(); }
   double length() const { return length_; }
   double periods() const { return periods_.back(); }
   double periods_at(std::size_t segment, double share) const {
