@@ -168,8 +168,9 @@ void run_cross_texture(State& state, const Subject& subject) {
 constexpr float kSlack = 0.25f;
 
 int solve(RelaxedFrequencySolver& relaxed, const FrameInput& frame) {
-  relaxed.solve({frame.positions, frame.directions, frame.frequencies});
-  relaxed.keep();
+  const FrequencyInput input = {frame.positions, frame.directions, frame.frequencies};
+  relaxed.solve(input);
+  relaxed.keep(input);
   return relaxed.change().sweeps;
 }
 

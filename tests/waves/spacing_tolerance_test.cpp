@@ -234,22 +234,22 @@ TEST(RelaxedFrequencies, IsTheSameForEveryNumberOfThreads) {
 TEST(RelaxedFrequencies, KeepsOnlyWhatWasFound) {
   auto s = wavy_surface("torus,resolution=40", kAxis, 20);
   RelaxedFrequencySolver once(relaxed_setting(surface_of(s), 0.2f)), again = once.sibling();
-  again.keep();  // nothing
+  again.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});  // nothing
   const auto next = [&](RelaxedFrequencySolver& relaxed) {
     relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
-    relaxed.keep();
+    relaxed.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});
     return FrequencyField(relaxed.frequencies().begin(), relaxed.frequencies().end());
   };
   const FrequencyField first = next(once);
   EXPECT_EQ(next(again), first);
-  again.keep();
+  again.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});
   EXPECT_TRUE(std::ranges::equal(again.frequencies(), first));
   s.waves.directions = rotated(s.waves.directions, s.normals, 0.1f);
   const Progress stop([](const ProgressReport&) { return false; });
   again.restart();
   EXPECT_THROW(again.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies}, stop),
                Cancelled);
-  again.keep();
+  again.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});
   EXPECT_TRUE(std::ranges::equal(again.frequencies(), first));
   once.restart();
   EXPECT_EQ(next(again), next(once));
@@ -261,7 +261,7 @@ TEST(RelaxedFrequencies, FramesKeepUpWithFieldsThatTurn) {
   for (int n = 0; n < 12; ++n) {
     s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);
     const auto g = relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
-    relaxed.keep();
+    relaxed.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});
     EXPECT_LE(relaxed.change().sweeps, n == 0 ? 80 : 6);
     expect_least(s, 0.2f, g);
     EXPECT_TRUE(std::ranges::equal(g, relaxed.frequencies()));
@@ -283,7 +283,7 @@ TEST(RelaxedFrequencies, WhatIsNotKeptLeavesNoTrace) {
             Cancelled);
       }
       relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
-      relaxed.keep();
+      relaxed.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});
       const auto g = relaxed.frequencies();
       seen.insert(seen.end(), g.begin(), g.end());
     }
@@ -336,7 +336,7 @@ TEST(RelaxedFrequencies, MeanStaysWhatWasAskedFor) {
       RelaxedFrequencySolver relaxed(relaxed_setting(surface_of(s), with_penalty));
       for (int n = 0; n < 4; ++n) {
         const auto g = relaxed.solve({s.mesh.positions, s.waves.directions, s.waves.frequencies});
-        relaxed.keep();
+        relaxed.keep({s.mesh.positions, s.waves.directions, s.waves.frequencies});
         EXPECT_NEAR(mean_ratio(s, g, all), 1, 1e-4);
         EXPECT_NEAR(mean_ratio(s, g, branch_penalty), 1, 0.03);
         s.waves.directions = rotated(s.waves.directions, s.normals, 0.02f);

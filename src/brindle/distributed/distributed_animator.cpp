@@ -242,7 +242,7 @@ struct DistributedStripeAnimator::State {
   FramePhases phases;                      ///< of own vertices and ghosts
   WaveSet input;                           ///< of own vertices and ghosts
   std::shared_ptr<const RankRows> rows;    ///< of the spacing tolerance over several ranks
-  FrameFrequencies relaxed;                ///< of own vertices and ghosts
+  RelaxedFrequencySolver relaxed;          ///< of own vertices and ghosts
   DistributedMetrics metrics;
 
   Communicator& ranks() const { return *surface->ranks; }
@@ -283,8 +283,7 @@ void DistributedStripeAnimator::State::take_slack() {
   if (ranks().size() > 1) {
     peers = std::make_shared<RankRows>(ranks(), surface->graph, options.gather_below);
   }
-  relaxed = FrameFrequencies(
-      RelaxedFrequencySolver(rank_relaxed_setting(*surface, options.slack), peers));
+  relaxed = RelaxedFrequencySolver(rank_relaxed_setting(*surface, options.slack), peers);
   rows = std::move(peers);
 }
 
@@ -351,7 +350,7 @@ FrameInput DistributedStripeAnimator::State::input_of_nodes() const {
 /// Whether the input equals the last frame's on all ranks, with a spacing tolerance.
 bool DistributedStripeAnimator::State::is_kept() const {
   return phases.has_last && !phases.has_given && relaxed.relaxes() &&
-         !ranks().any(!relaxed.is_kept(input_of_nodes()));
+         !ranks().any(!relaxed.is_kept(relaxation_of(input_of_nodes())));
 }
 
 /// The input of own vertices and ghosts with the frequencies to solve for.
@@ -359,7 +358,8 @@ FrameInput DistributedStripeAnimator::State::relaxed_input(const Progress& progr
   if (!relaxed.relaxes()) return input_of_nodes();
   const std::uint64_t halo_before = rows ? rows->halo_bytes() : 0;
   const Traffic before = ranks().traffic();
-  const FrameInput result = relaxed.relaxed_input(input_of_nodes(), on_all(ranks(), progress));
+  const FrameInput result =
+      brindle::relaxed_input(relaxed, input_of_nodes(), on_all(ranks(), progress));
   metrics.frequency_bytes = ranks().traffic().since(before).bytes;
   metrics.frequency_halo_bytes = rows ? rows->halo_bytes() - halo_before : 0;
   return result;
@@ -453,7 +453,7 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
                                                               const Progress& progress) {
   FrameResult unchanged;
   unchanged.unchanged = true;
-  unchanged.frequency_change = relaxed.change();
+  unchanged.frequency_change = relaxed.kept_change();
   FrameClock clock;
   take_own(frame);
   take_ghosts();
@@ -479,9 +479,9 @@ FrameResult DistributedStripeAnimator::State::frame_of_pieces(const FrameInput& 
   FrameResult result;
   result.phase_step = ranks().sum(phases.steps(finest())).mean();
   phases.keep(finest());
-  if (yields) relaxed.keep(input_of_nodes());
+  if (yields) relaxed.keep(relaxation_of(input_of_nodes()));
   keep(phases.z_by_node, relaxed.frequencies());
-  result.frequency_change = relaxed.change();
+  result.frequency_change = relaxed.kept_change();
   clock.add(&FrameMilliseconds::solve);
   result.milliseconds = clock.spent;
   return kept_frame(result);

@@ -124,7 +124,7 @@ struct GpuAnimator::State {
       given_z;     ///< phases that the next frame continues instead, by node; or empty
   GlBuffer given;  ///< on the device
   Input input;
-  FrameFrequencies relaxed;
+  RelaxedFrequencySolver relaxed;
   RestNormals in_place;
   FrameSewing sewing;
   bool has_frame = false;   ///< whether a frame has been completed
@@ -332,7 +332,7 @@ GpuAnimator::GpuAnimator(std::shared_ptr<const GpuKernels> kernels, const Surfac
                          const AnimatorOptions& options)
     : GpuAnimator(std::move(kernels), surface.neighborhood, without_slack(options)) {
   state_->sewing = FrameSewing(surface);
-  state_->relaxed = FrameFrequencies(surface, options.slack);
+  state_->relaxed = frame_relaxation(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
 }
@@ -346,12 +346,12 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
   State& s = *state_;
   check_frame_input(input, s.neighborhood->node_count());
   const bool may_stay = s.has_last && s.given_z.empty();
-  if (may_stay && s.input.is_last && s.relaxed.is_kept(input)) {
+  if (may_stay && s.input.is_last && s.relaxed.is_kept(relaxation_of(input))) {
     s.timer.start();
     return false;
   }
   if (s.relaxed.relaxes()) check_values(input, *s.neighborhood, s.in_place);
-  const FrameInput relaxed = s.relaxed.relaxed_input(input, progress);
+  const FrameInput relaxed = relaxed_input(s.relaxed, input, progress);
   if (!s.input.compare(relaxed) && may_stay) {
     s.timer.start();
     return false;
@@ -363,7 +363,7 @@ bool GpuAnimator::frame(const FrameInput& input, const Progress& progress) {
     return s.input.upload(relaxed);
   });
   s.input.keep(relaxed);
-  s.relaxed.keep(input);
+  s.relaxed.keep(relaxation_of(input));
   return true;
 }
 
@@ -416,7 +416,7 @@ std::span<const float> GpuAnimator::frequencies() const {
 
 const FrequencyChange& GpuAnimator::frequency_change() const {
   static const FrequencyChange none;
-  return state_->input.is_last ? state_->relaxed.change() : none;
+  return state_->input.is_last ? state_->relaxed.kept_change() : none;
 }
 
 unsigned GpuAnimator::phases() const { return state_->z_by_node; }
@@ -464,6 +464,7 @@ void GpuAnimator::set_last_phases(std::span<const Complex> z) {
 }
 
 void GpuAnimator::set_slack(const Slack& slack) {
+  check_made_with_slack(state_->relaxed.relaxes());
   state_->relaxed.set_slack(slack);
   state_->options.slack = slack;
 }

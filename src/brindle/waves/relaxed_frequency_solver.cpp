@@ -10,6 +10,7 @@
 
 #include "brindle/base/elementary.h"
 #include "brindle/base/parallel.h"
+#include "brindle/base/standard.h"
 #include "brindle/waves/wave_check.h"
 
 namespace brindle {
@@ -46,6 +47,15 @@ ChangeSums over_all(MultigridPeers* peers, const ChangeSums& own) {
   const double low = peers->least(static_cast<double>(own.low));
   const double high = -peers->least(-static_cast<double>(own.high));
   return {sums[0], sums[1], sums[2], sums[3], static_cast<float>(low), static_cast<float>(high)};
+}
+
+bool same_bits(const Vec3& a, const Vec3& b) { return a == b; }
+
+/// Copies without allocating if there is room.
+void assign(const FrequencyInput& input, WaveSet& waves) {
+  waves.positions.assign(input.positions.begin(), input.positions.end());
+  waves.directions.assign(input.directions.begin(), input.directions.end());
+  waves.frequencies.assign(input.wanted.begin(), input.wanted.end());
 }
 
 /// Change of the logarithms over that of their target: first estimate and lower bound.
@@ -90,6 +100,11 @@ void RelaxedFrequencySolver::build(const FrequencyInput& input, const Progress& 
   frequencies_.resize(vertices);
   relaxed_.reserve(vertices);
   kept_.reserve(vertices);
+  for (WaveSet* kept : {&kept_input_, &built_for_}) {
+    kept->positions.reserve(vertices);
+    kept->directions.reserve(vertices);
+    kept->frequencies.reserve(vertices);
+  }
   rows_ = std::move(built);
   multigrid_ = std::move(multigrid);
   set_bounds();
@@ -118,7 +133,7 @@ void RelaxedFrequencySolver::set_slack(const Slack& slack) {
 void RelaxedFrequencySolver::set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting,
                                          bool weighs_as_before) {
   setting_ = std::move(setting);
-  has_next_ = false;
+  has_next_ = has_kept_ = false;
   if (!weighs_as_before) {
     settled_ = false;
     starts_ = true;
@@ -331,9 +346,13 @@ std::span<const float> RelaxedFrequencySolver::solve(const FrequencyInput& input
   return next_;
 }
 
-void RelaxedFrequencySolver::keep() {
+void RelaxedFrequencySolver::keep(const FrequencyInput& input) {
   if (!has_next_) return;
   has_next_ = false;
+  has_kept_ = true;
+  if (!settled_) assign(input, built_for_);
+  assign(input, kept_input_);
+  kept_change_ = change_;
   std::swap(relaxed_, kept_);
   kept_target_ = target_;
   std::swap(next_, frequencies_);
@@ -342,20 +361,36 @@ void RelaxedFrequencySolver::keep() {
   other_bounds_ = false;
 }
 
-void RelaxedFrequencySolver::archive(Archive& archive, const FrequencyInput& built_for) {
+bool RelaxedFrequencySolver::is_kept(const FrequencyInput& input) const {
+  return has_kept_ && ranges::equal(input.wanted, kept_input_.frequencies) &&
+         ranges::equal(input.directions, kept_input_.directions, same_bits) &&
+         ranges::equal(input.positions, kept_input_.positions, same_bits);
+}
+
+void RelaxedFrequencySolver::archive(Archive& archive) {
+  if (!relaxes()) return;
   const std::size_t vertices = setting_->slack.size();
-  archive(starts_, other_bounds_, kept_target_);
-  archive.list_of(vertices, kept_);
-  archive.list_of(vertices, frequencies_);
-  if (!archive.reads()) return;
-  const auto is_finite = [](float x) { return std::isfinite(x); };
-  if (!is_finite(kept_target_) || !std::all_of(kept_.begin(), kept_.end(), is_finite)) {
-    Archive::fail();
+  bool settled = settled_;
+  archive(settled, has_kept_);
+  if (settled) {
+    archive_waves(archive, vertices, built_for_);
+    archive(starts_, other_bounds_, kept_target_);
+    archive.list_of(vertices, kept_);
+    archive.list_of(vertices, frequencies_);
   }
-  std::vector<float> frequencies = std::move(frequencies_);
-  build(built_for, {});
-  frequencies_ = std::move(frequencies);
-  settled_ = true;
+  if (settled && archive.reads()) {
+    const auto is_finite = [](float x) { return std::isfinite(x); };
+    if (!is_finite(kept_target_) || !std::all_of(kept_.begin(), kept_.end(), is_finite)) {
+      Archive::fail();
+    }
+    std::vector<float> frequencies = std::move(frequencies_);
+    build({built_for_.positions, built_for_.directions, built_for_.frequencies}, {});
+    frequencies_ = std::move(frequencies);
+    settled_ = true;
+  }
+  if (!has_kept_) return;
+  archive_waves(archive, vertices, kept_input_);
+  archive_change(archive, kept_change_);
 }
 
 }  // namespace brindle

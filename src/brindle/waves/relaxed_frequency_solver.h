@@ -55,11 +55,15 @@ struct RatioSums {
 };
 
 /// Relaxes the frequencies of one frame after another. With peers, all processes must call all
-/// functions except `keep`, `frequencies` and `change`, and `progress` must throw on all or none.
+/// functions except accessors and `keep`, and `progress` must throw on all or none.
 class RelaxedFrequencySolver {
  public:
+  /// Without a setting, all frequencies stay fixed: nothing is ever solved or kept.
+  RelaxedFrequencySolver() = default;
   explicit RelaxedFrequencySolver(std::shared_ptr<const RelaxedFrequencySetting> setting,
                                   std::shared_ptr<MultigridPeers> peers = nullptr);
+
+  bool relaxes() const { return setting_ != nullptr; }
 
   /// A solver for the same setting without a kept result; only without peers.
   RelaxedFrequencySolver sibling() const { return RelaxedFrequencySolver(setting_); }
@@ -80,25 +84,26 @@ class RelaxedFrequencySolver {
   /// calls leave the kept result unchanged.
   std::span<const float> solve(const FrequencyInput& input, const Progress& progress = {});
 
-  /// Keeps the last result as the next start. Does nothing if there is none to keep: before
-  /// `solve`, after one that failed, or after a change of slack. Does not throw.
-  void keep();
+  /// Keeps the last result as the next start, and its input. Does nothing if there is none to keep:
+  /// before `solve`, after one that failed, or after a change of slack. Does not throw.
+  void keep(const FrequencyInput& input);
+
+  /// Whether the input equals the one kept last, with the same slack.
+  bool is_kept(const FrequencyInput& input) const;
 
   /// Drops the kept result.
   void restart() { starts_ = true; }
 
-  /// The kept frequencies.
+  /// The kept frequencies, and their change.
   std::span<const float> frequencies() const { return frequencies_; }
+  const FrequencyChange& kept_change() const { return kept_change_; }
 
   /// The change by the last `solve`.
   const FrequencyChange& change() const { return change_; }
 
-  /// Whether a result was kept since the last input that rows were built for.
-  bool is_settled() const { return settled_; }
-
-  /// Saves the kept result of a settled solver, or restores it; `built_for` is the input that rows
-  /// were built for. Only without peers.
-  void archive(Archive& archive, const FrequencyInput& built_for);
+  /// Saves what is kept, or restores it for the same setting. Throws Error for waves that
+  /// `check_waves` rejects. Only without peers.
+  void archive(Archive& archive);
 
  private:
   void build(const FrequencyInput& input, const Progress& progress);
@@ -123,7 +128,10 @@ class RelaxedFrequencySolver {
   std::vector<float> relaxed_, kept_;      ///< x by place, before its shift to the mean
   float target_ = 0, kept_target_ = 0;     ///< of logarithms under branch avoidance
   std::vector<float> next_, frequencies_;  ///< by vertex: of the last `solve`, and kept
-  FrequencyChange change_;
+  FrequencyChange change_, kept_change_;
+  WaveSet kept_input_;         ///< of the kept result
+  WaveSet built_for_;          ///< the kept input whose directions the levels follow
+  bool has_kept_ = false;      ///< whether there is a kept result of this slack
   bool has_next_ = false;      ///< whether there is a result that is not kept
   bool settled_ = false;       ///< whether a result was kept since rows were built
   bool starts_ = true;         ///< whether there is no kept result to start from

@@ -298,4 +298,16 @@ void refuse_noise(double edges_per_period, const std::string& where, const std::
               ": nothing can be told of such stripes; " + fewer);
 }
 
+void archive_waves(Archive& archive, std::size_t nodes, WaveSet& waves) {
+  archive.list_of(nodes, waves.positions);
+  archive.list_of(nodes, waves.directions);
+  archive.list_of(nodes, waves.frequencies);
+  check_waves(waves.positions, waves.directions, waves.frequencies);
+}
+
+void archive_change(Archive& archive, FrequencyChange& change) {
+  archive(change.ratio_min, change.ratio_max, change.ratio_mean, change.share_at_bounds,
+          change.sweeps, change.residual);
+}
+
 }  // namespace brindle

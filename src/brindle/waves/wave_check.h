@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "brindle/base/archive.h"
 #include "brindle/phase_graph.h"
 #include "brindle/spacing_tolerance.h"
 #include "brindle/types.h"
@@ -97,5 +98,10 @@ void check_fineness(const Adjacency& neighborhood, std::span<const Vec3> positio
 /// Throws the Error of `check_fineness`; `where` is the place, `fewer` the remedy.
 [[noreturn]] void refuse_noise(double edges_per_period, const std::string& where,
                                const std::string& fewer);
+
+/// Waves of this many nodes in an archive. Throws Error as `check_waves` does.
+void archive_waves(Archive& archive, std::size_t nodes, WaveSet& waves);
+
+void archive_change(Archive& archive, FrequencyChange& change);
 
 }  // namespace brindle

@@ -31,11 +31,6 @@ struct AnimatorArchive {
 
 void archive_options(Archive& archive, AnimatorOptions& options);
 
-/// Waves of this many nodes. Throws Error as `check_waves` does.
-void archive_waves(Archive& archive, std::size_t nodes, WaveSet& waves);
-
-void archive_change(Archive& archive, FrequencyChange& change);
-
 /// Throws Error unless vertices, edges and normals are alike.
 void check_made_of(const Surface& surface, const Adjacency& neighborhood,
                    std::span<const Vec3> normals);

@@ -2,13 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "brindle/base/archive.h"
 #include "brindle/geometry/normals_around.h"
 #include "brindle/geometry/topology.h"
 #include "brindle/stripe_animator.h"
@@ -76,53 +72,16 @@ void refuse_slack(const AnimatorOptions& options);
 /// Throws Error for an animator that was made without slack.
 void check_made_with_slack(bool made_with_slack);
 
-class FrameFrequencies {
- public:
-  /// Keeps all frequencies fixed.
-  FrameFrequencies() = default;
+/// Relaxes the frequencies of frames; none without slack. Throws Error as `check_slack` does.
+RelaxedFrequencySolver frame_relaxation(const Surface& surface, const Slack& slack);
 
-  /// Fixed frequencies if there is no slack. Throws Error as `check_slack` does.
-  FrameFrequencies(const Surface& surface, const Slack& slack);
+/// What relaxation sees of a frame.
+inline FrequencyInput relaxation_of(const FrameInput& input) {
+  return {input.positions, input.directions, input.frequencies};
+}
 
-  /// For a part of a surface: input has own vertices first, then those of other processes.
-  explicit FrameFrequencies(RelaxedFrequencySolver solver) : relaxed_(std::move(solver)) {}
-
-  bool relaxes() const { return relaxed_.has_value(); }
-
-  /// A new object for the same surface and slack.
-  FrameFrequencies sibling() const;
-
-  /// As StripeAnimator::set_slack.
-  void set_slack(const Slack& slack);
-
-  /// As RelaxedFrequencySolver::set_setting; needs slack.
-  void set_setting(std::shared_ptr<const RelaxedFrequencySetting> setting, bool weighs_as_before);
-  const RelaxedFrequencySetting& setting() const { return relaxed_->setting(); }
-
-  /// Whether there is slack and the input equals the one kept last.
-  bool is_kept(const FrameInput& input) const;
-
-  /// The input with relaxed frequencies. Throws Cancelled if `progress` cancels.
-  FrameInput relaxed_input(const FrameInput& input, const Progress& progress);
-
-  /// Commits the last `relaxed_input` as the last frame. Does not throw.
-  void keep(const FrameInput& input);
-  void restart();
-
-  /// Frequencies of the last kept frame; empty without slack.
-  std::span<const float> frequencies() const;
-  const FrequencyChange& change() const { return change_; }
-
-  /// Saves the state, with slack, or restores it for the same setting. Throws Error for waves that
-  /// `check_waves` rejects.
-  void archive(Archive& archive);
-
- private:
-  std::optional<RelaxedFrequencySolver> relaxed_;
-  bool has_kept_ = false;
-  WaveSet kept_;       ///< input of the kept frame
-  WaveSet built_for_;  ///< input of the frame whose directions the solver's levels follow
-  FrequencyChange change_;
-};
+/// The input with relaxed frequencies, or as it is. Throws Cancelled if `progress` cancels.
+FrameInput relaxed_input(RelaxedFrequencySolver& solver, const FrameInput& input,
+                         const Progress& progress);
 
 }  // namespace brindle

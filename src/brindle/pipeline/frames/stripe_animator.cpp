@@ -26,7 +26,7 @@ struct StripeAnimator::State {
   FramePhases phases = FramePhases(options);
   bool has_relaxed = false;    ///< whether the frame being solved has relaxed frequencies
   bool has_coarsened = false;  ///< whether the frame being solved builds coarser levels
-  FrameFrequencies relaxed = {};
+  RelaxedFrequencySolver relaxed = {};
   RestNormals in_place = {};
   FrameSewing sewing = {};
 
@@ -126,7 +126,7 @@ StripeAnimator::StripeAnimator(std::shared_ptr<const Adjacency> neighborhood,
 StripeAnimator::StripeAnimator(const Surface& surface, const AnimatorOptions& options)
     : StripeAnimator(surface.neighborhood, without_slack(options)) {
   state_->sewing = FrameSewing(surface);
-  state_->relaxed = FrameFrequencies(surface, options.slack);
+  state_->relaxed = frame_relaxation(surface, options.slack);
   state_->options.slack = options.slack;
   state_->in_place = {surface.mesh.positions, surface.normals};
 }
@@ -155,10 +155,10 @@ FrameResult StripeAnimator::solve(const FrameInput& input, const Progress& heard
   if (heard.is_heard()) allow_take_back();
   s.has_relaxed = false;
   const bool follows = s.phases.has_last && !s.phases.has_given;
-  if (follows && s.relaxed.is_kept(input)) return unchanged_result();
+  if (follows && s.relaxed.is_kept(relaxation_of(input))) return unchanged_result();
   FrameClock clock;
   const Progress progress = progress_of_frame(heard);
-  const FrameInput relaxed = s.relaxed.relaxed_input(input, progress.part(0, 0.3));
+  const FrameInput relaxed = relaxed_input(s.relaxed, input, progress.part(0, 0.3));
   s.has_relaxed = true;
   progress.report(0.3);
   clock.add(&FrameMilliseconds::frequency);
@@ -195,10 +195,10 @@ void StripeAnimator::keep(const FrameInput& input, FrameResult& solved) {
   State& s = *state_;
   Stopwatch watch;
   if (!solved.unchanged) s.phases.keep(s.finest());
-  if (s.has_relaxed) s.relaxed.keep(input);
+  if (s.has_relaxed) s.relaxed.keep(relaxation_of(input));
   solved.z = s.phases.z_by_node;
   solved.frequencies = s.relaxed.frequencies();
-  solved.frequency_change = s.relaxed.change();
+  solved.frequency_change = s.relaxed.kept_change();
   if (!solved.unchanged) solved.milliseconds.solve += watch.lap();
 }
 
@@ -263,6 +263,7 @@ void StripeAnimator::restart() {
 }
 
 void StripeAnimator::set_slack(const Slack& slack) {
+  check_made_with_slack(state_->relaxed.relaxes());
   state_->relaxed.set_slack(slack);
   state_->options.slack = slack;
 }
