@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -20,180 +21,91 @@ namespace {
 
 using Parameter = ShapeParameter;
 
-/// The values of all parameters of a shape.
-class Values {
- public:
-  explicit Values(const std::vector<Parameter>& parameters) {
-    for (const Parameter& parameter : parameters) values_[parameter.name] = parameter.standard;
-  }
-  void set(std::string_view name, double value) { values_.at(name) = value; }
-  float real(std::string_view name) const { return static_cast<float>(values_.at(name)); }
-  int whole(std::string_view name) const { return static_cast<int>(values_.at(name)); }
-  std::uint32_t seed(std::string_view name) const {
-    return static_cast<std::uint32_t>(values_.at(name));
-  }
-
- private:
-  std::map<std::string_view, double> values_;
-};
+/// The values of all parameters, in their order.
+using Values = std::span<const double>;
+using MakeWhole = std::function<Mesh(Values, const Progress&)>;
+using MakeStrips = std::function<StripShape(Values)>;
 
 struct Shape {
   std::string_view name;
   std::string_view help;
   std::vector<Parameter> parameters;
-  /// Shapes with a formula can be made in parts.
-  std::variant<std::function<Mesh(const Values&, const Progress&)>,
-               std::function<StripShape(const Values&)>>
-      make;
+  std::variant<MakeWhole, MakeStrips> make;  ///< shapes with a formula can be made in parts
 };
 
-Parameter length(std::string_view name, double standard, std::string_view help) {
-  return {std::string(name), standard, 1e-3, 1e3, false, std::string(help)};
+/// A parameter that sets a member of a shape's struct, which has its default.
+template <class Struct>
+struct Field {
+  Parameter parameter;
+  std::function<void(Struct&, double)> set;
+};
+
+template <class Struct, class Number>
+Field<Struct> field(std::string_view name, Number Struct::*member, double lower, double upper,
+                    std::string_view help) {
+  return {{std::string(name), static_cast<double>(Struct().*member), lower, upper,
+           std::is_integral_v<Number>, std::string(help)},
+          [member](Struct& shape, double value) { shape.*member = static_cast<Number>(value); }};
 }
 
-Parameter resolution(int standard, int lower, int upper, std::string_view help) {
-  return {"resolution",
-          static_cast<double>(standard),
-          static_cast<double>(lower),
-          static_cast<double>(upper),
-          true,
-          std::string(help)};
+template <class Struct>
+Field<Struct> length(std::string_view name, float Struct::*member, std::string_view help) {
+  return field(name, member, 1e-3, 1e3, help);
 }
 
-Parameter seed(std::string_view name, std::uint32_t standard) {
-  return {std::string(name),           static_cast<double>(standard), 0, 4294967295.0, true,
-          "another one, another shape"};
+template <class Struct>
+Field<Struct> resolution(int lower, int upper, std::string_view help) {
+  return field("resolution", &Struct::resolution, lower, upper, help);
 }
 
-Shape plane() {
-  const PlaneShape s;
-  return {"plane",
-          "a rectangle",
-          {length("width", s.width, "along x"), length("height", s.height, "along y"),
-           resolution(s.resolution, 1, 5000, "edges along x")},
-          [](const Values& v) {
-            return plane_strips({.width = v.real("width"),
-                                 .height = v.real("height"),
-                                 .resolution = v.whole("resolution")});
-          }};
+constexpr double kLargestSeed = 4294967295;
+constexpr std::string_view kSeedHelp = "another one, another shape";
+
+/// `make` takes the shape's struct, and the progress unless it makes strips.
+template <class Struct, class Made, class... Heard>
+Shape shape_of(std::string_view name, std::string_view help,
+               const std::vector<Field<Struct>>& fields,
+               Made (*make)(const Struct&, const Heard&...)) {
+  Shape shape{name, help, {}, {}};
+  for (const Field<Struct>& field : fields) shape.parameters.push_back(field.parameter);
+  shape.parameters.push_back(
+      {"noise", 0, 0, 10, false, "displacement of vertices, in mean edge lengths"});
+  shape.parameters.push_back({"noise_seed", 1, 0, kLargestSeed, true, std::string(kSeedHelp)});
+  shape.make = std::function<Made(Values, const Heard&...)>(
+      [fields, make](Values values, const Heard&... heard) {
+        Struct made;
+        for (std::size_t i = 0; i < fields.size(); ++i) fields[i].set(made, values[i]);
+        return make(made, heard...);
+      });
+  return shape;
 }
 
-Shape cylinder() {
-  const CylinderShape s;
-  return {"cylinder",
-          "the open side surface of a cylinder",
-          {length("radius", s.radius, "radius"), length("height", s.height, "along z"),
-           resolution(s.resolution, 3, 10000, "edges around")},
-          [](const Values& v) {
-            return cylinder_strips({.radius = v.real("radius"),
-                                    .height = v.real("height"),
-                                    .resolution = v.whole("resolution")});
-          }};
+StripShape checked_tube(const TubeShape& shape) {
+  const double widest =
+      static_cast<double>(shape.radius) * (1 + shape.bulge) * std::max(1.0f, shape.taper);
+  if (widest * static_cast<double>(shape.bend_deg) * 0.0174533 >= shape.length) {
+    throw Error(
+        "shape 'tube': it would cut into itself; lower bend, radius, bulge or taper, or raise "
+        "length");
+  }
+  return tube_strips(shape);
 }
 
-Shape tube() {
-  const TubeShape s;
-  return {"tube",
-          "an open tube along an arc: a sleeve, a vase",
-          {length("radius", s.radius, "radius"),
-           length("length", s.length, "along the arc"),
-           {"bend", s.bend_deg, 0, 360, false, "how much the arc turns, in degrees"},
-           {"bulge", s.bulge, 0, 0.9, false, "wider by this share below, narrower above"},
-           {"taper", s.taper, 0.1, 10, false, "radius of the upper end over that of the lower"},
-           resolution(s.resolution, 3, 5000, "edges around")},
-          [](const Values& v) {
-            const TubeShape shape{.radius = v.real("radius"),
-                                  .length = v.real("length"),
-                                  .bend_deg = v.real("bend"),
-                                  .bulge = v.real("bulge"),
-                                  .taper = v.real("taper"),
-                                  .resolution = v.whole("resolution")};
-            const double widest =
-                static_cast<double>(shape.radius) * (1 + shape.bulge) * std::max(1.0f, shape.taper);
-            if (widest * static_cast<double>(shape.bend_deg) * 0.0174533 >= shape.length) {
-              throw Error(
-                  "shape 'tube': it would cut into itself; lower bend, radius, bulge or "
-                  "taper, or raise length");
-            }
-            return tube_strips(shape);
-          }};
+StripShape checked_torus(const TorusShape& shape) {
+  if (shape.minor >= 0.999f * shape.major) {
+    throw Error("shape 'torus': minor must be below major; make one of them smaller or larger");
+  }
+  return torus_strips(shape);
 }
 
-Shape sphere() {
-  const SphereShape s;
-  return {"sphere",
-          "a divided icosahedron",
-          {length("radius", s.radius, "radius"),
-           resolution(s.resolution, 1, 1500, "edges along an edge of the icosahedron")},
-          [](const Values& v) {
-            return sphere_strips({.radius = v.real("radius"), .resolution = v.whole("resolution")});
-          }};
-}
-
-Shape torus() {
-  const TorusShape s;
-  return {"torus",
-          "a ring",
-          {length("major", s.major, "radius of the ring"),
-           length("minor", s.minor, "radius of the tube, below major"),
-           resolution(s.resolution, 4, 10000, "edges along the ring")},
-          [](const Values& v) {
-            if (v.real("minor") >= 0.999f * v.real("major")) {
-              throw Error("shape 'torus': minor must be below major; make one of them " +
-                          std::string("smaller or larger"));
-            }
-            return torus_strips({.major = v.real("major"),
-                                 .minor = v.real("minor"),
-                                 .resolution = v.whole("resolution")});
-          }};
-}
-
-Shape trefoil() {
-  const TrefoilShape s;
-  return {
-      "trefoil",
-      "a tube along a trefoil knot",
-      {{"radius", s.radius, 0.01, 0.25, false, "radius of the tube"},
-       resolution(s.resolution, 3, 500, "edges around the tube")},
-      [](const Values& v) {
-        return trefoil_strips({.radius = v.real("radius"), .resolution = v.whole("resolution")});
-      }};
-}
-
-Shape vessels() {
-  const VesselsShape s;
-  return {"vessels",
-          "a branching tree of vessels",
-          {{"generations", static_cast<double>(s.generations), 0, 7, true, "splits of the trunk"},
-           {"radius", s.radius, 0.03, 0.3, false, "radius of the trunk, before scaling to size 2"},
-           {"spread", s.spread, 0.1, 1.3, false, "angle of the branches, radians"},
-           seed("seed", s.seed),
-           resolution(s.resolution, 20, 800, "edges along one unit")},
-          [](const Values& v, const Progress& progress) {
-            return make_vessels({.generations = v.whole("generations"),
-                                 .radius = v.real("radius"),
-                                 .spread = v.real("spread"),
-                                 .seed = v.seed("seed"),
-                                 .resolution = v.whole("resolution")},
-                                progress);
-          }};
-}
-
-Shape molecule() {
-  const MoleculeShape s;
-  return {"molecule",
-          "blended spheres",
-          {{"atoms", static_cast<double>(s.atoms), 1, 200, true, "number of spheres"},
-           {"blend", s.blend, 0.001, 0.3, false, "radius of the blends"},
-           seed("seed", s.seed),
-           resolution(s.resolution, 5, 800, "edges along one unit")},
-          [](const Values& v, const Progress& progress) {
-            return make_molecule({.atoms = v.whole("atoms"),
-                                  .blend = v.real("blend"),
-                                  .seed = v.seed("seed"),
-                                  .resolution = v.whole("resolution")},
-                                 progress);
-          }};
+StripShape checked_mobius(const MobiusShape& shape) {
+  if (shape.width >= 2 * shape.radius) {
+    throw Error("shape 'mobius': width must be below twice the radius");
+  }
+  if (shape.radius / shape.width * static_cast<float>(shape.resolution) > 2000) {
+    throw Error("shape 'mobius': too many triangles; lower the resolution or the radius");
+  }
+  return mobius_strips(shape);
 }
 
 Mesh checked_box(const BoxShape& shape, const Progress& progress) {
@@ -210,87 +122,7 @@ Mesh checked_box(const BoxShape& shape, const Progress& progress) {
   return make_box(shape, progress);
 }
 
-Shape box() {
-  const BoxShape s;
-  return {"box",
-          "a block with rounded edges and a hole",
-          {{"width", s.width, 0.1, 10, false, "along x"},
-           {"depth", s.depth, 0.1, 10, false, "along y"},
-           {"height", s.height, 0.1, 10, false, "along z"},
-           {"fillet", s.fillet, 0.001, 5, false, "radius of the rounding"},
-           {"hole", s.hole, 0, 5, false, "radius of the hole along z; 0 for none"},
-           resolution(s.resolution, 5, 400, "edges along one unit")},
-          [](const Values& v, const Progress& progress) {
-            return checked_box({.width = v.real("width"),
-                                .depth = v.real("depth"),
-                                .height = v.real("height"),
-                                .fillet = v.real("fillet"),
-                                .hole = v.real("hole"),
-                                .resolution = v.whole("resolution")},
-                               progress);
-          }};
-}
-
-Shape hemisphere() {
-  const HemisphereShape s;
-  return {
-      "hemisphere",
-      "half a sphere, open below",
-      {length("radius", s.radius, "radius"),
-       resolution(s.resolution, 1, 3000, "edges from pole to rim")},
-      [](const Values& v) {
-        return hemisphere_strips({.radius = v.real("radius"), .resolution = v.whole("resolution")});
-      }};
-}
-
-Shape mobius() {
-  const MobiusShape s;
-  return {"mobius",
-          "a strip with half a turn, its ends joined: unorientable",
-          {length("radius", s.radius, "radius of the middle line"),
-           length("width", s.width, "width of the strip, below 2 radius"),
-           resolution(s.resolution, 1, 2000, "edges across the strip")},
-          [](const Values& v) {
-            if (v.real("width") >= 2 * v.real("radius")) {
-              throw Error("shape 'mobius': width must be below twice the radius");
-            }
-            if (v.real("radius") / v.real("width") * v.real("resolution") > 2000) {
-              throw Error("shape 'mobius': too many triangles; lower the resolution or the radius");
-            }
-            return mobius_strips({.radius = v.real("radius"),
-                                  .width = v.real("width"),
-                                  .resolution = v.whole("resolution")});
-          }};
-}
-
-Shape sheets() {
-  const SheetsShape s;
-  return {"sheets",
-          "sheets that meet in one edge: not a manifold",
-          {{"count", static_cast<double>(s.count), 1, 32, true, "number of sheets"},
-           length("width", s.width, "of a sheet"),
-           length("height", s.height, "along z"),
-           resolution(s.resolution, 1, 1000, "edges along the width")},
-          [](const Values& v) {
-            return sheets_strips({.count = v.whole("count"),
-                                  .width = v.real("width"),
-                                  .height = v.real("height"),
-                                  .resolution = v.whole("resolution")});
-          }};
-}
-
-Shape pieces() {
-  const PiecesShape s;
-  return {"pieces",
-          "unconnected spheres, rings and cylinders",
-          {{"count", static_cast<double>(s.count), 1, 100, true, "number of pieces"},
-           resolution(s.resolution, 2, 300, "edges along an edge of the icosahedron")},
-          [](const Values& v) {
-            return pieces_strips({.count = v.whole("count"), .resolution = v.whole("resolution")});
-          }};
-}
-
-Mesh checked_bracket(const BracketShape& shape) {
+Mesh checked_bracket(const BracketShape& shape, const Progress& /*progress*/) {
   if (!(shape.hole < room_for_hole(shape))) {
     throw Error(
         "shape 'bracket': the holes do not fit; hole must be below half of depth, and of what "
@@ -299,29 +131,7 @@ Mesh checked_bracket(const BracketShape& shape) {
   return make_bracket(shape);
 }
 
-Shape bracket() {
-  const BracketShape s;
-  return {"bracket",
-          "two plates at right angles with holes and a fillet, flat and coarse as from CAD",
-          {{"length", s.length, 0.1, 10, false, "along x"},
-           {"depth", s.depth, 0.1, 10, false, "along y"},
-           {"height", s.height, 0.1, 10, false, "along z"},
-           {"thickness", s.thickness, 0.01, 5, false, "of the plates"},
-           {"fillet", s.fillet, 0.01, 5, false, "radius between the plates"},
-           {"hole", s.hole, 0.01, 5, false, "radius of the holes"},
-           resolution(s.resolution, 1, 200, "edges along a quarter of a circle")},
-          [](const Values& v, const Progress&) {
-            return checked_bracket({.length = v.real("length"),
-                                    .depth = v.real("depth"),
-                                    .height = v.real("height"),
-                                    .thickness = v.real("thickness"),
-                                    .fillet = v.real("fillet"),
-                                    .hole = v.real("hole"),
-                                    .resolution = v.whole("resolution")});
-          }};
-}
-
-Mesh checked_gear(const GearShape& shape) {
+Mesh checked_gear(const GearShape& shape, const Progress& /*progress*/) {
   if (shape.tooth > shape.radius / 2) {
     throw Error("shape 'gear': tooth must be at most half of radius");
   }
@@ -331,35 +141,119 @@ Mesh checked_gear(const GearShape& shape) {
   return make_gear(shape);
 }
 
-Shape gear() {
-  const GearShape s;
-  return {"gear",
-          "a gear with a bore, flat and coarse as from CAD",
-          {{"teeth", static_cast<double>(s.teeth), 3, 200, true, "number of teeth"},
-           {"radius", s.radius, 0.1, 10, false, "to the tips of the teeth"},
-           {"tooth", s.tooth, 0.001, 5, false, "height of a tooth"},
-           {"width", s.width, 0.01, 10, false, "along z"},
-           {"bore", s.bore, 0.01, 8, false, "radius of the bore"},
-           resolution(s.resolution, 2, 20, "edges of the bore for each tooth")},
-          [](const Values& v, const Progress&) {
-            return checked_gear({.teeth = v.whole("teeth"),
-                                 .radius = v.real("radius"),
-                                 .tooth = v.real("tooth"),
-                                 .width = v.real("width"),
-                                 .bore = v.real("bore"),
-                                 .resolution = v.whole("resolution")});
-          }};
+std::vector<Shape> open_and_closed_shapes() {
+  return {
+      shape_of("plane", "a rectangle",
+               {length("width", &PlaneShape::width, "along x"),
+                length("height", &PlaneShape::height, "along y"),
+                resolution<PlaneShape>(1, 5000, "edges along x")},
+               plane_strips),
+      shape_of("cylinder", "the open side surface of a cylinder",
+               {length("radius", &CylinderShape::radius, "radius"),
+                length("height", &CylinderShape::height, "along z"),
+                resolution<CylinderShape>(3, 10000, "edges around")},
+               cylinder_strips),
+      shape_of(
+          "tube", "an open tube along an arc: a sleeve, a vase",
+          {length("radius", &TubeShape::radius, "radius"),
+           length("length", &TubeShape::length, "along the arc"),
+           field("bend", &TubeShape::bend_deg, 0, 360, "how much the arc turns, in degrees"),
+           field("bulge", &TubeShape::bulge, 0, 0.9, "wider by this share below, narrower above"),
+           field("taper", &TubeShape::taper, 0.1, 10,
+                 "radius of the upper end over that of the lower"),
+           resolution<TubeShape>(3, 5000, "edges around")},
+          checked_tube),
+      shape_of("sphere", "a divided icosahedron",
+               {length("radius", &SphereShape::radius, "radius"),
+                resolution<SphereShape>(1, 1500, "edges along an edge of the icosahedron")},
+               sphere_strips),
+      shape_of("torus", "a ring",
+               {length("major", &TorusShape::major, "radius of the ring"),
+                length("minor", &TorusShape::minor, "radius of the tube, below major"),
+                resolution<TorusShape>(4, 10000, "edges along the ring")},
+               checked_torus),
+      shape_of("trefoil", "a tube along a trefoil knot",
+               {field("radius", &TrefoilShape::radius, 0.01, 0.25, "radius of the tube"),
+                resolution<TrefoilShape>(3, 500, "edges around the tube")},
+               trefoil_strips),
+  };
+}
+
+std::vector<Shape> solid_shapes() {
+  return {
+      shape_of("vessels", "a branching tree of vessels",
+               {field("generations", &VesselsShape::generations, 0, 7, "splits of the trunk"),
+                field("radius", &VesselsShape::radius, 0.03, 0.3,
+                      "radius of the trunk, before scaling to size 2"),
+                field("spread", &VesselsShape::spread, 0.1, 1.3, "angle of the branches, radians"),
+                field("seed", &VesselsShape::seed, 0, kLargestSeed, kSeedHelp),
+                resolution<VesselsShape>(20, 800, "edges along one unit")},
+               make_vessels),
+      shape_of("molecule", "blended spheres",
+               {field("atoms", &MoleculeShape::atoms, 1, 200, "number of spheres"),
+                field("blend", &MoleculeShape::blend, 0.001, 0.3, "radius of the blends"),
+                field("seed", &MoleculeShape::seed, 0, kLargestSeed, kSeedHelp),
+                resolution<MoleculeShape>(5, 800, "edges along one unit")},
+               make_molecule),
+      shape_of("box", "a block with rounded edges and a hole",
+               {field("width", &BoxShape::width, 0.1, 10, "along x"),
+                field("depth", &BoxShape::depth, 0.1, 10, "along y"),
+                field("height", &BoxShape::height, 0.1, 10, "along z"),
+                field("fillet", &BoxShape::fillet, 0.001, 5, "radius of the rounding"),
+                field("hole", &BoxShape::hole, 0, 5, "radius of the hole along z; 0 for none"),
+                resolution<BoxShape>(5, 400, "edges along one unit")},
+               checked_box),
+      shape_of("bracket",
+               "two plates at right angles with holes and a fillet, flat and coarse as from CAD",
+               {field("length", &BracketShape::length, 0.1, 10, "along x"),
+                field("depth", &BracketShape::depth, 0.1, 10, "along y"),
+                field("height", &BracketShape::height, 0.1, 10, "along z"),
+                field("thickness", &BracketShape::thickness, 0.01, 5, "of the plates"),
+                field("fillet", &BracketShape::fillet, 0.01, 5, "radius between the plates"),
+                field("hole", &BracketShape::hole, 0.01, 5, "radius of the holes"),
+                resolution<BracketShape>(1, 200, "edges along a quarter of a circle")},
+               checked_bracket),
+      shape_of("gear", "a gear with a bore, flat and coarse as from CAD",
+               {field("teeth", &GearShape::teeth, 3, 200, "number of teeth"),
+                field("radius", &GearShape::radius, 0.1, 10, "to the tips of the teeth"),
+                field("tooth", &GearShape::tooth, 0.001, 5, "height of a tooth"),
+                field("width", &GearShape::width, 0.01, 10, "along z"),
+                field("bore", &GearShape::bore, 0.01, 8, "radius of the bore"),
+                resolution<GearShape>(2, 20, "edges of the bore for each tooth")},
+               checked_gear),
+  };
+}
+
+/// Shapes with borders, one side, edges of many triangles or several components.
+std::vector<Shape> special_shapes() {
+  return {
+      shape_of("hemisphere", "half a sphere, open below",
+               {length("radius", &HemisphereShape::radius, "radius"),
+                resolution<HemisphereShape>(1, 3000, "edges from pole to rim")},
+               hemisphere_strips),
+      shape_of("mobius", "a strip with half a turn, its ends joined: unorientable",
+               {length("radius", &MobiusShape::radius, "radius of the middle line"),
+                length("width", &MobiusShape::width, "width of the strip, below 2 radius"),
+                resolution<MobiusShape>(1, 2000, "edges across the strip")},
+               checked_mobius),
+      shape_of("sheets", "sheets that meet in one edge: not a manifold",
+               {field("count", &SheetsShape::count, 1, 32, "number of sheets"),
+                length("width", &SheetsShape::width, "of a sheet"),
+                length("height", &SheetsShape::height, "along z"),
+                resolution<SheetsShape>(1, 1000, "edges along the width")},
+               sheets_strips),
+      shape_of("pieces", "unconnected spheres, rings and cylinders",
+               {field("count", &PiecesShape::count, 1, 100, "number of pieces"),
+                resolution<PiecesShape>(2, 300, "edges along an edge of the icosahedron")},
+               pieces_strips),
+  };
 }
 
 const std::vector<Shape>& catalogue() {
   static const std::vector<Shape> shapes = [] {
-    std::vector<Shape> all = {plane(),   cylinder(),   tube(),     sphere(), torus(),
-                              trefoil(), vessels(),    molecule(), box(),    bracket(),
-                              gear(),    hemisphere(), mobius(),   sheets(), pieces()};
-    for (Shape& shape : all) {
-      shape.parameters.push_back(
-          {"noise", 0, 0, 10, false, "displacement of vertices, in mean edge lengths"});
-      shape.parameters.push_back(seed("noise_seed", 1));
+    std::vector<Shape> all = open_and_closed_shapes();
+    for (const auto& more : {solid_shapes(), special_shapes()}) {
+      all.insert(all.end(), more.begin(), more.end());
     }
     return all;
   }();
@@ -428,56 +322,51 @@ std::string_view take_until(std::string_view& text, char separator) {
   return head;
 }
 
+struct AskedShape {
+  const Shape& shape;
+  std::vector<double> values;  ///< of all parameters
+
+  double& value(std::string_view name) {
+    return values[static_cast<std::size_t>(&find_parameter(shape, name) - shape.parameters.data())];
+  }
+  float real(std::string_view name) { return static_cast<float>(value(name)); }
+};
+
 /// Bounds the memory that an innocent-looking spec can request.
-void check_size(const Shape& shape, const Values& values) {
+void check_size(AskedShape& asked) {
+  const std::string_view name = asked.shape.name;
   const auto proportion = [&](std::string_view across, std::string_view along) {
-    const double squares = values.real(across) / values.real(along) * values.real("resolution") *
-                           values.real("resolution");
+    const double squares = asked.real(across) / asked.real(along) * asked.real("resolution") *
+                           asked.real("resolution");
     if (squares > 3e7) {
-      throw Error("shape '" + std::string(shape.name) + "' would have some " +
+      throw Error("shape '" + std::string(name) + "' would have some " +
                   std::to_string(static_cast<long long>(squares)) +
                   " vertices; lower the resolution or '" + std::string(across) + "'");
     }
   };
-  if (shape.name == "plane") proportion("height", "width");
-  if (shape.name == "cylinder") proportion("height", "radius");
-  if (shape.name == "tube") proportion("length", "radius");
-  if (shape.name == "sheets") proportion("height", "width");
+  if (name == "plane") proportion("height", "width");
+  if (name == "cylinder") proportion("height", "radius");
+  if (name == "tube") proportion("length", "radius");
+  if (name == "sheets") proportion("height", "width");
 }
-
-struct AskedShape {
-  const Shape& shape;
-  Values values;
-};
 
 AskedShape parse_spec(std::string_view spec) {
-  const Shape& shape = find_shape(take_until(spec, ','));
-  Values values(shape.parameters);
+  AskedShape asked{find_shape(take_until(spec, ',')), {}};
+  for (const Parameter& p : asked.shape.parameters) asked.values.push_back(p.standard);
   while (!spec.empty()) {
     std::string_view value = take_until(spec, ',');
-    const std::string_view name = take_until(value, '=');
-    const Parameter& parameter = find_parameter(shape, name);
-    values.set(parameter.name, parse_value(shape, parameter, value));
+    const Parameter& parameter = find_parameter(asked.shape, take_until(value, '='));
+    asked.value(parameter.name) = parse_value(asked.shape, parameter, value);
   }
-  check_size(shape, values);
-  return {shape, values};
-}
-
-using Maker = std::function<Mesh(const Values&, const Progress&)>;
-
-Mesh whole(const Maker& make, const Values& values, const Progress& progress) {
-  return make(values, progress);
-}
-Mesh whole(const std::function<StripShape(const Values&)>& make, const Values& values,
-           const Progress& progress) {
-  return mesh_of(make(values), progress);
+  check_size(asked);
+  return asked;
 }
 
 /// Suggests the resolution that fits into memory: vertices grow with its square.
-[[noreturn]] void refuse_resolution(const AskedShape& asked, const TooLarge& error) {
-  const double most = asked.values.real("resolution") * std::sqrt(error.share());
-  throw TooLarge("shape '" + std::string(asked.shape.name) +
-                     "': resolution=" + std::to_string(asked.values.whole("resolution")) +
+[[noreturn]] void refuse_resolution(AskedShape& asked, const TooLarge& error) {
+  const double most = asked.value("resolution") * std::sqrt(error.share());
+  throw TooLarge("shape '" + std::string(asked.shape.name) + "': resolution=" +
+                     std::to_string(static_cast<int>(asked.value("resolution"))) +
                      " is too fine: " + error.what() +
                      ", as with resolution=" + std::to_string(static_cast<int>(std::floor(most))),
                  error.share());
@@ -486,17 +375,18 @@ Mesh whole(const std::function<StripShape(const Values&)>& make, const Values& v
 }  // namespace
 
 Mesh make_shape(std::string_view spec, const Progress& progress) {
-  const AskedShape asked = parse_spec(spec);
-  const Values& values = asked.values;
-  const float noise = values.real("noise");
+  AskedShape asked = parse_spec(spec);
+  const float noise = asked.real("noise");
   std::vector<JobStage> parts = {{"shape", 5}};
   if (noise > 0) parts.push_back({"noise", 1});
   JobStages stages(progress, std::move(parts));
   try {
     const Progress making = stages.begin("shape");
-    Mesh mesh =
-        std::visit([&](const auto& make) { return whole(make, values, making); }, asked.shape.make);
-    if (noise > 0) add_noise(mesh, noise, values.seed("noise_seed"), stages.begin("noise"));
+    const auto* strips = std::get_if<MakeStrips>(&asked.shape.make);
+    Mesh mesh = strips ? mesh_of((*strips)(asked.values), making)
+                       : std::get<MakeWhole>(asked.shape.make)(asked.values, making);
+    const auto seed = static_cast<std::uint32_t>(asked.value("noise_seed"));
+    if (noise > 0) add_noise(mesh, noise, seed, stages.begin("noise"));
     stages.finish();
     return mesh;
   } catch (const TooLarge& error) {
@@ -510,10 +400,10 @@ std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int pa
     throw Error("shape parts are numbered from 0 to " + std::to_string(parts - 1) +
                 "; there is no part " + std::to_string(part));
   }
-  const AskedShape asked = parse_spec(spec);
-  const auto* strips = std::get_if<std::function<StripShape(const Values&)>>(&asked.shape.make);
+  AskedShape asked = parse_spec(spec);
+  const auto* strips = std::get_if<MakeStrips>(&asked.shape.make);
   // Noise depends on the mean length of all edges.
-  if (!strips || asked.values.real("noise") > 0) return std::nullopt;
+  if (!strips || asked.real("noise") > 0) return std::nullopt;
   return part_of((*strips)(asked.values), part, parts);
 }
 
