@@ -25,8 +25,9 @@ struct RawMesh {
   std::string taken = {};     ///< lines for the user: parts of the file that were replaced
   /// Without triangles, the reason and the remedy, after "path: ".
   std::string why_empty = {};
-  FileElements elements = {};  ///< of VTK files; all cells but points and lines count as faces
-  std::string normals = {};    ///< name of the point array with the normals, or empty
+  /// Of VTK and OBJ files; all cells but points and lines count as faces.
+  FileElements elements = {};
+  std::string normals = {};  ///< name of the point array with the normals, or empty
 };
 
 class MeshBuilder {

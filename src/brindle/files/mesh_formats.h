@@ -29,8 +29,6 @@ RawMesh read_obj(const std::filesystem::path& path, const Progress& progress = {
 /// that.
 LoadedPoints read_obj_points(const std::filesystem::path& path);
 
-FileElements obj_elements(const std::filesystem::path& path);
-
 /// The format has only normals and texture coordinates as arrays. `materials` names a material
 /// library; the mesh then uses its material.
 void write_obj(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,

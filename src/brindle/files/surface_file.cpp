@@ -147,9 +147,8 @@ struct SurfaceFile::Content {
     const std::string kind = lower_extension(path);
     if (kind == ".csv") return {};
     if (kind == ".ply") return ply_elements(path);
-    if (kind == ".obj") return obj_elements(path);
-    if (!is_vtk_format(path)) return {true, false};
-    raw = read_vtk(path, progress);
+    if (kind != ".obj" && !is_vtk_format(path)) return {true, false};
+    raw = read_raw_mesh(path, progress);
     return raw->elements;
   }
 };
@@ -196,7 +195,9 @@ LoadedMesh SurfaceFile::mesh(const Progress& progress) {
 
 LoadedPoints SurfaceFile::points(const Progress& progress) {
   LoadedPoints loaded = with_memory(path(), "these points", [&] {
-    return is_vtk_format(path()) ? points_of(content_->take(progress)) : read_raw_points(path());
+    if (is_vtk_format(path())) return points_of(content_->take(progress));
+    content_->raw.reset();
+    return read_raw_points(path());
   });
   if (!loaded.cloud.used.empty()) return loaded;
   throw Error(shown(path().string()) + ": has no point with finite coordinates; export it again");
@@ -221,12 +222,11 @@ LoadedMesh mesh_of_cells(CellArrays cells, const std::string& name) {
     throw Error(name + ": has " + std::to_string(cells.types.size()) + " types for " +
                 std::to_string(cells.ends.rows()) + " cells");
   }
-  VtkSurface surface(name);
-  VtkPiece piece{std::move(cells.points), {}, std::move(cells.arrays), {}};
-  piece.cells.push_back(
+  std::vector<VtkPiece> pieces(1);
+  pieces[0] = {std::move(cells.points), {}, std::move(cells.arrays), {}};
+  pieces[0].cells.push_back(
       {std::move(cells.corners), std::move(cells.ends), std::move(cells.types), 0});
-  surface.add(std::move(piece));
-  return mesh_of(name, false, surface.take());
+  return mesh_of(name, false, vtk_surface(name, std::move(pieces)));
 }
 
 LoadedPoints read_points(const fs::path& path) { return SurfaceFile(path).points(); }

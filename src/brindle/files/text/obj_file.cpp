@@ -21,6 +21,7 @@ class ObjReader {
   }
 
   RawMesh read_mesh() {
+    FileElements elements;
     while (const auto line = next_whole_line()) {
       std::string_view rest = *line;
       const std::string_view keyword = take_word(rest);
@@ -28,6 +29,9 @@ class ObjReader {
         add_vertex(rest);
       } else if (keyword == "f") {
         add_face(rest);
+        elements.faces = true;
+      } else if (keyword == "l") {
+        elements.lines = true;
       } else if (keyword == "vt") {
         has_coordinates_ = true;
       }
@@ -35,6 +39,7 @@ class ObjReader {
     check_forward_references();
     RawMesh raw = mesh_.take();
     raw.left_out = left_out();
+    raw.elements = elements;
     return raw;
   }
 
@@ -59,49 +64,12 @@ class ObjReader {
     return loaded;
   }
 
-  /// Searches blocks from the end, where faces usually are, until one has a face.
-  FileElements elements() {
-    FileElements found;
-    std::string block;
-    for (std::uint64_t end = file_.size(), size = kFirstBlock; end > 0 && !found.faces;) {
-      const std::uint64_t begin = end - std::min(end, size);
-      block.resize(static_cast<std::size_t>(end - begin));
-      file_.read_at(begin, std::as_writable_bytes(std::span(block)));
-      // The first line of a block may start before it.
-      const std::size_t whole = begin == 0 ? 0 : block.find('\n') + 1;
-      if (begin > 0 && whole == 0) {
-        size *= 2;
-        continue;
-      }
-      look_for_elements(std::string_view(block).substr(whole), found);
-      end = begin + whole;
-      if (begin == 0) break;
-      size = std::min<std::uint64_t>(4 * size, kLargestBlock);
-    }
-    return found;
-  }
-
  private:
   /// A corner that refers to a later vertex.
   struct ForwardReference {
     std::int64_t number;
     std::size_t line;
   };
-
-  static void look_for_elements(std::string_view lines, FileElements& found) {
-    bool goes_on = false;
-    while (!lines.empty() && !found.faces) {
-      const std::size_t end = std::min(lines.find('\n'), lines.size());
-      std::string_view line = lines.substr(0, end);
-      lines.remove_prefix(std::min(end + 1, lines.size()));
-      std::string_view rest = line;
-      const std::string_view keyword = goes_on ? std::string_view() : take_word(rest);
-      found.faces = keyword == "f";
-      found.lines = found.lines || keyword == "l";
-      if (line.ends_with('\r')) line.remove_suffix(1);
-      goes_on = line.ends_with('\\');
-    }
-  }
 
   /// A backslash at the end of a line continues it.
   std::optional<std::string_view> next_whole_line() {
@@ -202,7 +170,6 @@ class ObjReader {
   }
 
   static constexpr std::int64_t kMostVertices = 0xfffffffe;
-  static constexpr std::uint64_t kFirstBlock = 1 << 14, kLargestBlock = 1 << 24;
 
   InputFile file_;
   MeshBuilder mesh_;
@@ -240,8 +207,6 @@ RawMesh read_obj(const std::filesystem::path& path, const Progress& progress) {
 LoadedPoints read_obj_points(const std::filesystem::path& path) {
   return ObjReader(path).read_points();
 }
-
-FileElements obj_elements(const std::filesystem::path& path) { return ObjReader(path).elements(); }
 
 void write_obj(OutputStream& out, const Mesh& mesh, std::span<const DataArray> arrays,
                const std::string& materials) {

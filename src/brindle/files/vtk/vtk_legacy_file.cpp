@@ -59,7 +59,10 @@ class VtkLegacyReader {
   RawMesh read() {
     read_header();
     for (std::string word = next_keyword(); !word.empty(); word = next_keyword()) read_part(word);
-    RawMesh raw = take_surface();
+    check_piece();
+    std::vector<VtkPiece> pieces(1);
+    pieces[0] = std::move(piece_);
+    RawMesh raw = vtk_surface(file_.name(), std::move(pieces));
     raw.left_out += left_out_;
     return raw;
   }
@@ -103,13 +106,6 @@ class VtkLegacyReader {
   }
 
   std::string take_name() { return percent_decoded(take_word_of_lines(rest_)); }
-
-  RawMesh take_surface() {
-    check_piece();
-    VtkSurface surface(file_.name());
-    surface.add(std::move(piece_));
-    return surface.take();
-  }
 
   void read_header() {
     std::string_view first = take_line();
