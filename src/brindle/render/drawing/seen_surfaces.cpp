@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
 
 #include <Eigen/Geometry>
@@ -14,9 +16,31 @@
 #include "brindle/corner_phases.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/pattern/motif_centre.h"
+#include "brindle/render/surface_light.h"
 
 namespace brindle {
 namespace {
+
+// Whether strokes of a style, or motifs of a texture's tiles, cover a point.
+
+/// A visible point of a triangle.
+struct SeenPoint {
+  const StyledSurface* surface = nullptr;
+  std::size_t number = 0;  ///< of the surface, among all
+  std::size_t triangle = 0;
+  Vec3 barycentric = Vec3::Zero();
+  /// The same half a step to the right, left, below and above in the picture; weights may be
+  /// slightly negative.
+  std::array<Vec3, 4> beside{};
+  float step = 1;  ///< pixels
+};
+
+/// The layer that covers a point of a surface.
+enum class Cover {
+  plain,   ///< no pattern: no wave, or no value for the strokes
+  ground,  ///< between strokes
+  stroke
+};
 
 using Corners = std::array<CornerWave, 3>;
 
@@ -93,13 +117,14 @@ bool strokes_cover(const Strokes& strokes, const Corners& corners, const SeenPoi
   return levels_cover(strokes, turns_of(wave.z) - 0.25f, width, footprint);
 }
 
-}  // namespace
-
+/// Whether strokes of the surface depend on the light.
 bool follows_tone(const StyledSurface& surface) {
   return std::any_of(surface.strokes.begin(), surface.strokes.end(),
                      [](const Strokes& strokes) { return strokes.tone.has_value(); });
 }
 
+/// Twin of strokes.glsl with stripe_middle.glsl: the same ends of stripes, but unfiltered. `tone`
+/// is the lightness of the surface there, 0 to 1.
 Cover cover_at(const SeenPoint& point, float tone) {
   const Triangle& t = point.surface->mesh.triangles[point.triangle];
   Cover cover = Cover::plain;
@@ -111,8 +136,6 @@ Cover cover_at(const SeenPoint& point, float tone) {
   }
   return cover;
 }
-
-namespace {
 
 using Point = Eigen::Vector2f;
 
@@ -204,12 +227,13 @@ bool motif_covers(BuiltInTile tile, const Point& uv, float size) {
   return tile_distance(tile, decal.x(), decal.y()) <= 0;
 }
 
-}  // namespace
-
+/// Whether region borders depend on the pixel grid: each tile takes the value in its middle.
 bool follows_values(const RegionTexture& texture) {
   return !texture.values.empty() || !texture.sizes.empty();
 }
 
+/// The tile of the texture whose motif covers the point; empty if none does. Twin of
+/// region_texture.glsl for unfiltered built-in tiles; picture tiles have no motif.
 std::optional<std::size_t> tile_at(const SeenPoint& point) {
   const RegionTexture& texture = *point.surface->texture;
   const Stencil stencil = coordinates_at(point, follows_values(texture));
@@ -229,8 +253,6 @@ std::optional<std::size_t> tile_at(const SeenPoint& point) {
   return region;
 }
 
-namespace {
-
 constexpr int kSquare = 4;            // pixels along the side of a square
 constexpr double kEdgeSlack = 1e-10;  // rounding of barycentric weights
 constexpr double kTurnsStep = 0.02;   // pixels, step of the phase difference
@@ -247,6 +269,235 @@ bool is_measured_on_screen(const StyledSurface& surface) {
                      [](const Strokes& s) { return s.unit == WidthUnit::pixels || s.spacing > 0; });
 }
 
+/// Finds the nearest triangle at a picture point exactly, with lists of candidate triangles per
+/// square of a few pixels instead of a depth grid.
+class SeenSurfaces {
+ public:
+  SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera,
+               const PictureLight& light, int width, int height, const Progress& progress)
+      : surfaces_(surfaces),
+        camera_(camera),
+        lights_(lights_of(camera, light)),
+        width_(width),
+        height_(height),
+        columns_((width + kSquare - 1) / kSquare),
+        rows_((height + kSquare - 1) / kSquare),
+        first_codes_(first_codes(surfaces)) {
+    for (const StyledSurface& surface : surfaces) project(surface);
+    sort_into_squares(progress);
+  }
+
+  std::uint16_t code_at(double x, double y) const {
+    if (!(x >= 0 && y >= 0 && x <= width_ && y <= height_)) return 0;
+    const int column = std::min(static_cast<int>(x) / kSquare, columns_ - 1);
+    const int row = std::min(static_cast<int>(y) / kSquare, rows_ - 1);
+    const std::size_t square = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                               static_cast<std::size_t>(column);
+    double nearest = std::numeric_limits<double>::infinity();
+    Hit best{};
+    for (std::size_t i = square_begin_[square]; i < square_begin_[square + 1]; ++i) {
+      Hit hit{};
+      if (!weights_at(listed_[i], x, y, hit)) continue;
+      double depth = 0, beyond = 0;
+      for (std::size_t m = 0; m < 3; ++m) {
+        depth += hit.weights[m] * corners_[triangles_[hit.entry][m]].depth;
+        beyond += hit.weights[m] * corners_[triangles_[hit.entry][m]].beyond;
+      }
+      if (!(depth < nearest) || beyond > 0) continue;
+      if (is_open(hit, x, y)) continue;
+      nearest = depth;
+      best = hit;
+    }
+    if (!std::isfinite(nearest)) return 0;
+    const std::size_t code = first_codes_[surface_of(best.entry)] + layer_of(best, x, y);
+    return static_cast<std::uint16_t>(code);
+  }
+
+ private:
+  /// A vertex in the camera: pixel coordinates times w, for weights linear on the surface; its
+  /// depth along the viewing direction and its signed distance from the slice.
+  struct Corner {
+    double x, y, w, depth;
+    double beyond;  ///< positive: cut away by the slice
+  };
+  struct Hit {
+    std::size_t entry;
+    std::array<double, 3> weights;
+    bool from_behind;
+  };
+
+  void project(const StyledSurface& surface) {
+    const std::size_t first = corners_.size();
+    first_entry_.push_back(triangles_.size());
+    const Vec3 offset =
+        (surface.mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
+    const Eigen::Matrix4d view = camera_.view_from_world.cast<double>();
+    const Eigen::Matrix4d clip = camera_.clip_from_view.cast<double>();
+    for (const Vec3& position : surface.mesh.positions) {
+      const Eigen::Vector4d seen = view * (position + offset).cast<double>().homogeneous();
+      const Eigen::Vector4d c = clip * seen;
+      const Vec3 place = position + offset + camera_.origin;
+      const bool sliced = camera_.slice && surface.sliced;
+      const float beyond = sliced ? camera_.slice->signedDistance(place) : -1.0f;
+      corners_.push_back({0.5 * width_ * (c.w() + c.x()), 0.5 * height_ * (c.w() - c.y()), c.w(),
+                          -seen.z(), static_cast<double>(beyond)});
+    }
+    for (const Triangle& t : surface.mesh.triangles) {
+      triangles_.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+  }
+
+  void sort_into_squares(const Progress& progress) {
+    constexpr std::size_t kPerReport = 1 << 16;
+    // NaN and points behind the camera fail the tests and cover no square.
+    const auto for_squares = [&](std::size_t entry, const auto& visit) {
+      Eigen::AlignedBox2d box;
+      for (const std::size_t v : triangles_[entry]) {
+        const Corner& c = corners_[v];
+        if (!(c.w > 0)) return;
+        box.extend(Eigen::Vector2d(c.x / c.w, c.y / c.w));
+      }
+      const auto square = [](double pixel, int count) {
+        return static_cast<int>(std::clamp(std::floor(pixel / kSquare), 0.0, count - 1.0));
+      };
+      if (!(box.min().x() <= width_ && box.min().y() <= height_ && box.max().x() >= 0 &&
+            box.max().y() >= 0)) {
+        return;
+      }
+      for (int r = square(box.min().y(), rows_); r <= square(box.max().y(), rows_); ++r) {
+        for (int c = square(box.min().x(), columns_); c <= square(box.max().x(), columns_); ++c) {
+          visit(static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+                static_cast<std::size_t>(c));
+        }
+      }
+    };
+    square_begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1,
+                         0);
+    const auto count = static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (t % kPerReport == 0) progress.report(0.5 * static_cast<double>(t) / count);
+      for_squares(t, [&](std::size_t square) { ++square_begin_[square + 1]; });
+    }
+    for (std::size_t s = 1; s < square_begin_.size(); ++s) square_begin_[s] += square_begin_[s - 1];
+    listed_.resize(square_begin_.back());
+    std::vector<std::size_t> next(square_begin_.begin(), square_begin_.end() - 1);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (t % kPerReport == 0) progress.report(0.5 + 0.5 * static_cast<double>(t) / count);
+      for_squares(
+          t, [&](std::size_t square) { listed_[next[square]++] = static_cast<std::uint32_t>(t); });
+    }
+  }
+
+  /// Barycentric weights at a point, linear on the surface; false if the triangle does not cover
+  /// it.
+  bool weights_at(std::size_t entry, double x, double y, Hit& hit) const {
+    std::array<double, 3> to_x, to_y;
+    for (std::size_t m = 0; m < 3; ++m) {
+      const Corner& c = corners_[triangles_[entry][m]];
+      to_x[m] = c.x - x * c.w;
+      to_y[m] = c.y - y * c.w;
+    }
+    double sum = 0;
+    for (std::size_t m = 0; m < 3; ++m) {
+      const std::size_t next = (m + 1) % 3, last = (m + 2) % 3;
+      hit.weights[m] = to_x[next] * to_y[last] - to_y[next] * to_x[last];
+      sum += hit.weights[m];
+    }
+    if (!(std::abs(sum) > 0)) return false;
+    bool inside = true;
+    for (double& weight : hit.weights) {
+      weight /= sum;
+      inside = inside && weight >= -kEdgeSlack;
+    }
+    hit.entry = entry;
+    hit.from_behind = sum > 0;  // the y axis points down
+    return inside;
+  }
+
+  SeenPoint point_of(const Hit& hit, double x, double y) const {
+    const std::size_t number = surface_of(hit.entry);
+    SeenPoint point;
+    point.surface = &surfaces_[number];
+    point.number = number;
+    point.triangle = hit.entry - first_entry_[number];
+    const auto rounded = [](const std::array<double, 3>& weights) {
+      return Vec3(static_cast<float>(weights[0]), static_cast<float>(weights[1]),
+                  static_cast<float>(weights[2]));
+    };
+    point.barycentric = rounded(hit.weights).cwiseMax(0.0f);
+    point.barycentric /= point.barycentric.sum();
+    if (!is_measured_on_screen(*point.surface)) return point;
+    constexpr std::array<std::array<int, 2>, 4> kWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      Hit beside{};
+      weights_at(hit.entry, x + 0.5 * kTurnsStep * kWays[i][0], y + 0.5 * kTurnsStep * kWays[i][1],
+                 beside);
+      point.beside[i] = rounded(beside.weights);
+    }
+    point.step = static_cast<float>(kTurnsStep);
+    return point;
+  }
+
+  std::size_t surface_of(std::size_t entry) const {
+    const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), entry);
+    return static_cast<std::size_t>(after - first_entry_.begin()) - 1;
+  }
+
+  /// Tests strokes.
+  Cover cover_of(const SeenPoint& point, bool from_behind) const {
+    if (point.surface->strokes.empty()) return Cover::plain;
+    const float tone = follows_tone(*point.surface) ? tone_of(point, from_behind) : 0.0f;
+    return cover_at(point, tone);
+  }
+
+  /// 0: the plain surface; from 1 on its marks.
+  std::uint16_t layer_of(const Hit& hit, double x, double y) const {
+    const SeenPoint point = point_of(hit, x, y);
+    if (!point.surface->texture) return cover_of(point, hit.from_behind) == Cover::stroke;
+    const auto tile = tile_at(point);
+    return static_cast<std::uint16_t>(tile ? *tile + 1 : 0);
+  }
+
+  /// Whether the surface is transparent there: between strokes or around tiles.
+  bool is_open(const Hit& hit, double x, double y) const {
+    if (surfaces_[surface_of(hit.entry)].between != BetweenStrokes::discarded) return false;
+    const SeenPoint point = point_of(hit, x, y);
+    return point.surface->texture ? !tile_at(point)
+                                  : cover_of(point, hit.from_behind) == Cover::ground;
+  }
+
+  float tone_of(const SeenPoint& point, bool from_behind) const {
+    const Mesh& mesh = point.surface->mesh;
+    const Triangle& t = mesh.triangles[point.triangle];
+    const Vec3& a = mesh.positions[t[0]];
+    const Vec3 facet = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).normalized();
+    Vec3 normal = Vec3::Zero();
+    Vec3 place = Vec3::Zero();
+    for (int m = 0; m < 3; ++m) {
+      place += point.barycentric[m] * mesh.positions[t[m]];
+      // Vertex normals follow the winding of this triangle, as in surface_point.glsl.
+      const Vec3 n = point.surface->normals.empty() ? facet : point.surface->normals[t[m]];
+      const Vec3 unit = n.isZero(0) ? facet : n.normalized();
+      normal += point.barycentric[m] * (unit.dot(facet) < 0 ? -unit : unit);
+    }
+    place += (mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
+    const Vec3 seen = (camera_.view_from_world * place.homogeneous()).head<3>();
+    const Vec3 turned = camera_.view_from_world.topLeftCorner<3, 3>() * normal.normalized();
+    return tone_at(from_behind ? -turned : turned, sight_to(camera_, seen), lights_);
+  }
+
+  std::span<const StyledSurface> surfaces_;
+  Camera camera_;
+  Lights lights_;
+  int width_, height_, columns_, rows_;
+  std::vector<Corner> corners_;           // of all surfaces
+  std::vector<std::size_t> first_entry_;  // of each surface: index of its first triangle among all
+  std::vector<std::size_t> first_codes_;  // of each surface
+  std::vector<std::array<std::size_t, 3>> triangles_;
+  std::vector<std::size_t> square_begin_;  // of each square, in `listed_`
+  std::vector<std::uint32_t> listed_;      // candidate triangles, ascending
+};
+
 }  // namespace
 
 std::size_t mark_count(const StyledSurface& surface) {
@@ -261,203 +512,11 @@ std::vector<std::size_t> first_codes(std::span<const StyledSurface> surfaces) {
   return codes;
 }
 
-SeenSurfaces::SeenSurfaces(std::span<const StyledSurface> surfaces, const Camera& camera,
-                           const PictureLight& light, int width, int height,
-                           const Progress& progress)
-    : surfaces_(surfaces),
-      camera_(camera),
-      lights_(lights_of(camera, light)),
-      width_(width),
-      height_(height),
-      columns_((width + kSquare - 1) / kSquare),
-      rows_((height + kSquare - 1) / kSquare),
-      first_codes_(first_codes(surfaces)) {
-  for (const StyledSurface& surface : surfaces) project(surface);
-  sort_into_squares(progress);
-}
-
-void SeenSurfaces::project(const StyledSurface& surface) {
-  const std::size_t first = corners_.size();
-  first_entry_.push_back(triangles_.size());
-  const Vec3 offset =
-      (surface.mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
-  const Eigen::Matrix4d view = camera_.view_from_world.cast<double>();
-  const Eigen::Matrix4d clip = camera_.clip_from_view.cast<double>();
-  for (const Vec3& position : surface.mesh.positions) {
-    const Eigen::Vector4d seen = view * (position + offset).cast<double>().homogeneous();
-    const Eigen::Vector4d c = clip * seen;
-    const Vec3 place = position + offset + camera_.origin;
-    const bool sliced = camera_.slice && surface.sliced;
-    const float beyond = sliced ? camera_.slice->signedDistance(place) : -1.0f;
-    corners_.push_back({0.5 * width_ * (c.w() + c.x()), 0.5 * height_ * (c.w() - c.y()), c.w(),
-                        -seen.z(), static_cast<double>(beyond)});
-  }
-  for (const Triangle& t : surface.mesh.triangles) {
-    triangles_.push_back({first + t[0], first + t[1], first + t[2]});
-  }
-}
-
-void SeenSurfaces::sort_into_squares(const Progress& progress) {
-  constexpr std::size_t kPerReport = 1 << 16;
-  // NaN and points behind the camera fail the tests and cover no square.
-  const auto for_squares = [&](std::size_t entry, const auto& visit) {
-    Eigen::AlignedBox2d box;
-    for (const std::size_t v : triangles_[entry]) {
-      const Corner& c = corners_[v];
-      if (!(c.w > 0)) return;
-      box.extend(Eigen::Vector2d(c.x / c.w, c.y / c.w));
-    }
-    const auto square = [](double pixel, int count) {
-      return static_cast<int>(std::clamp(std::floor(pixel / kSquare), 0.0, count - 1.0));
-    };
-    if (!(box.min().x() <= width_ && box.min().y() <= height_ && box.max().x() >= 0 &&
-          box.max().y() >= 0)) {
-      return;
-    }
-    for (int r = square(box.min().y(), rows_); r <= square(box.max().y(), rows_); ++r) {
-      for (int c = square(box.min().x(), columns_); c <= square(box.max().x(), columns_); ++c) {
-        visit(static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
-              static_cast<std::size_t>(c));
-      }
-    }
-  };
-  square_begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-  const auto count = static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (t % kPerReport == 0) progress.report(0.5 * static_cast<double>(t) / count);
-    for_squares(t, [&](std::size_t square) { ++square_begin_[square + 1]; });
-  }
-  for (std::size_t s = 1; s < square_begin_.size(); ++s) square_begin_[s] += square_begin_[s - 1];
-  listed_.resize(square_begin_.back());
-  std::vector<std::size_t> next(square_begin_.begin(), square_begin_.end() - 1);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (t % kPerReport == 0) progress.report(0.5 + 0.5 * static_cast<double>(t) / count);
-    for_squares(
-        t, [&](std::size_t square) { listed_[next[square]++] = static_cast<std::uint32_t>(t); });
-  }
-}
-
-/// Barycentric weights at a point, linear on the surface; false if the triangle does not cover it.
-bool SeenSurfaces::weights_at(std::size_t entry, double x, double y, Hit& hit) const {
-  std::array<double, 3> to_x, to_y;
-  for (std::size_t m = 0; m < 3; ++m) {
-    const Corner& c = corners_[triangles_[entry][m]];
-    to_x[m] = c.x - x * c.w;
-    to_y[m] = c.y - y * c.w;
-  }
-  double sum = 0;
-  for (std::size_t m = 0; m < 3; ++m) {
-    const std::size_t next = (m + 1) % 3, last = (m + 2) % 3;
-    hit.weights[m] = to_x[next] * to_y[last] - to_y[next] * to_x[last];
-    sum += hit.weights[m];
-  }
-  if (!(std::abs(sum) > 0)) return false;
-  bool inside = true;
-  for (double& weight : hit.weights) {
-    weight /= sum;
-    inside = inside && weight >= -kEdgeSlack;
-  }
-  hit.entry = entry;
-  hit.from_behind = sum > 0;  // the y axis points down
-  return inside;
-}
-
-SeenPoint SeenSurfaces::point_of(const Hit& hit, double x, double y) const {
-  const std::size_t number = surface_of(hit.entry);
-  SeenPoint point;
-  point.surface = &surfaces_[number];
-  point.number = number;
-  point.triangle = hit.entry - first_entry_[number];
-  const auto rounded = [](const std::array<double, 3>& weights) {
-    return Vec3(static_cast<float>(weights[0]), static_cast<float>(weights[1]),
-                static_cast<float>(weights[2]));
-  };
-  point.barycentric = rounded(hit.weights).cwiseMax(0.0f);
-  point.barycentric /= point.barycentric.sum();
-  if (!is_measured_on_screen(*point.surface)) return point;
-  constexpr std::array<std::array<int, 2>, 4> kWays{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    Hit beside{};
-    weights_at(hit.entry, x + 0.5 * kTurnsStep * kWays[i][0], y + 0.5 * kTurnsStep * kWays[i][1],
-               beside);
-    point.beside[i] = rounded(beside.weights);
-  }
-  point.step = static_cast<float>(kTurnsStep);
-  return point;
-}
-
-float SeenSurfaces::tone_of(const SeenPoint& point, bool from_behind) const {
-  const Mesh& mesh = point.surface->mesh;
-  const Triangle& t = mesh.triangles[point.triangle];
-  const Vec3& a = mesh.positions[t[0]];
-  const Vec3 facet = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).normalized();
-  Vec3 normal = Vec3::Zero();
-  Vec3 place = Vec3::Zero();
-  for (int m = 0; m < 3; ++m) {
-    place += point.barycentric[m] * mesh.positions[t[m]];
-    // Vertex normals follow the winding of this triangle, as in surface_point.glsl.
-    const Vec3 n = point.surface->normals.empty() ? facet : point.surface->normals[t[m]];
-    const Vec3 unit = n.isZero(0) ? facet : n.normalized();
-    normal += point.barycentric[m] * (unit.dot(facet) < 0 ? -unit : unit);
-  }
-  place += (mesh.origin - surfaces_.front().mesh.origin).cast<float>() - camera_.origin;
-  const Vec3 seen = (camera_.view_from_world * place.homogeneous()).head<3>();
-  const Vec3 turned = camera_.view_from_world.topLeftCorner<3, 3>() * normal.normalized();
-  return tone_at(from_behind ? -turned : turned, sight_to(camera_, seen), lights_);
-}
-
-std::size_t SeenSurfaces::surface_of(std::size_t entry) const {
-  const auto after = std::upper_bound(first_entry_.begin(), first_entry_.end(), entry);
-  return static_cast<std::size_t>(after - first_entry_.begin()) - 1;
-}
-
-/// Tests strokes.
-Cover SeenSurfaces::cover_of(const SeenPoint& point, bool from_behind) const {
-  if (point.surface->strokes.empty()) return Cover::plain;
-  const float tone = follows_tone(*point.surface) ? tone_of(point, from_behind) : 0.0f;
-  return cover_at(point, tone);
-}
-
-/// 0: the plain surface; from 1 on its marks.
-std::uint16_t SeenSurfaces::layer_of(const Hit& hit, double x, double y) const {
-  const SeenPoint point = point_of(hit, x, y);
-  if (!point.surface->texture) return cover_of(point, hit.from_behind) == Cover::stroke;
-  const auto tile = tile_at(point);
-  return static_cast<std::uint16_t>(tile ? *tile + 1 : 0);
-}
-
-/// Whether the surface is transparent there: between strokes or around tiles.
-bool SeenSurfaces::is_open(const Hit& hit, double x, double y) const {
-  if (surfaces_[surface_of(hit.entry)].between != BetweenStrokes::discarded) return false;
-  const SeenPoint point = point_of(hit, x, y);
-  return point.surface->texture ? !tile_at(point)
-                                : cover_of(point, hit.from_behind) == Cover::ground;
-}
-
-std::uint16_t SeenSurfaces::code_at(double x, double y) const {
-  if (!(x >= 0 && y >= 0 && x <= width_ && y <= height_)) return 0;
-  const int column = std::min(static_cast<int>(x) / kSquare, columns_ - 1);
-  const int row = std::min(static_cast<int>(y) / kSquare, rows_ - 1);
-  const std::size_t square = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                             static_cast<std::size_t>(column);
-  double nearest = std::numeric_limits<double>::infinity();
-  Hit best{};
-  for (std::size_t i = square_begin_[square]; i < square_begin_[square + 1]; ++i) {
-    Hit hit{};
-    if (!weights_at(listed_[i], x, y, hit)) continue;
-    double depth = 0, beyond = 0;
-    for (std::size_t m = 0; m < 3; ++m) {
-      depth += hit.weights[m] * corners_[triangles_[hit.entry][m]].depth;
-      beyond += hit.weights[m] * corners_[triangles_[hit.entry][m]].beyond;
-    }
-    if (!(depth < nearest) || beyond > 0) continue;
-    if (is_open(hit, x, y)) continue;
-    nearest = depth;
-    best = hit;
-  }
-  if (!std::isfinite(nearest)) return 0;
-  const std::size_t code = first_codes_[surface_of(best.entry)] + layer_of(best, x, y);
-  return static_cast<std::uint16_t>(code);
+CodeAt seen_codes(std::span<const StyledSurface> surfaces, const Camera& camera,
+                  const PictureLight& light, int width, int height, const Progress& progress) {
+  const auto seen =
+      std::make_shared<const SeenSurfaces>(surfaces, camera, light, width, height, progress);
+  return [seen](double x, double y) { return seen->code_at(x, y); };
 }
 
 }  // namespace brindle

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "brindle/base/parallel.h"
 #include "brindle/error.h"
 #include "brindle/render/drawing/pen_order.h"
 #include "brindle/render/drawing/region_tracer.h"
@@ -85,46 +86,33 @@ Pen pen_of(std::string name, const Color& color, const std::vector<OutlineLoop>&
   return pen;
 }
 
-/// The pens of a surface: its own, then those of its marks.
-class SurfacePens {
- public:
-  SurfacePens(const StyledSurface& surface, std::size_t number, std::size_t first_code)
-      : surface_(surface),
-        suffix_(number == 0 ? "" : "_" + std::to_string(number)),
-        first_code_(first_code),
-        marks_(mark_count(surface)) {}
-
-  void add_to(std::vector<Pen>& pens, const RegionTracer& tracer, double least_area,
-              const Progress& progress) const {
-    const auto trace = [&](std::size_t first, std::size_t last, std::size_t turn) {
-      const auto count = static_cast<double>(marks_ + 1);
-      return tracer.outlines(
-          static_cast<std::uint16_t>(first_code_ + first),
-          static_cast<std::uint16_t>(first_code_ + last), kTraceTolerance,
-          progress.part(static_cast<double>(turn) / count, static_cast<double>(turn + 1) / count));
-    };
-    if (surface_.between == BetweenStrokes::surface) {
-      pens.push_back(pen_of("surface" + suffix_, surface_.color, trace(0, marks_, 0), least_area));
-    }
-    for (std::size_t mark = 1; mark <= marks_; ++mark) {
-      pens.push_back(pen_of(name_of(mark), color_of(mark), trace(mark, mark, mark), least_area));
-    }
-  }
-
- private:
-  std::string name_of(std::size_t mark) const {
-    if (!surface_.texture) return "stripes" + suffix_;
-    return "tiles" + (mark == 1 ? "" : std::to_string(mark)) + suffix_;
-  }
-
-  const Color& color_of(std::size_t mark) const {
-    return surface_.texture ? surface_.texture->tiles[mark - 1].color : surface_.strokes[0].color;
-  }
-
-  const StyledSurface& surface_;
-  std::string suffix_;
-  std::size_t first_code_, marks_;
+/// A pen, and the codes that it fills.
+struct PenRegion {
+  std::string name;
+  Color color;
+  CodeRange codes;
 };
+
+/// The pens of surface `number`: its own, then those of its marks.
+void add_pens(const StyledSurface& surface, std::size_t number, std::size_t first_code,
+              std::vector<PenRegion>& pens) {
+  const std::string suffix = number == 0 ? "" : "_" + std::to_string(number);
+  const auto codes = [&](std::size_t first, std::size_t last) {
+    return CodeRange{static_cast<std::uint16_t>(first_code + first),
+                     static_cast<std::uint16_t>(first_code + last)};
+  };
+  if (surface.between == BetweenStrokes::surface) {
+    pens.push_back({"surface" + suffix, surface.color, codes(0, mark_count(surface))});
+  }
+  for (std::size_t mark = 1; mark <= mark_count(surface); ++mark) {
+    if (surface.texture) {
+      const std::string name = "tiles" + (mark == 1 ? "" : std::to_string(mark)) + suffix;
+      pens.push_back({name, surface.texture->tiles[mark - 1].color, codes(mark, mark)});
+    } else {
+      pens.push_back({"stripes" + suffix, surface.strokes[0].color, codes(mark, mark)});
+    }
+  }
+}
 
 }  // namespace
 
@@ -136,19 +124,24 @@ std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const 
   if (!(least_area >= 0)) throw Error("the least area of an outline is a number from 0 on");
   JobStages stages(heard, {{"outlines", 1}});
   const Progress progress = stages.begin("outlines");
-  constexpr double kSorted = 0.05, kSeen = 0.5;
-  const SeenSurfaces seen(surfaces, camera, light, width, height, progress.part(0, kSorted));
-  const RegionTracer::CodeAt code_at = [&](double x, double y) { return seen.code_at(x, y); };
-  const RegionTracer tracer(width, height, code_at, progress.part(kSorted, kSeen));
-  std::vector<Pen> pens;
+  constexpr double kSorted = 0.05, kTraced = 0.9;
+  const CodeAt code_at =
+      seen_codes(surfaces, camera, light, width, height, progress.part(0, kSorted));
   const std::vector<std::size_t> codes = first_codes(surfaces);
-  for (std::size_t i = surfaces.size(); i-- > 0;) {
-    const auto count = static_cast<double>(surfaces.size());
-    const double share = (1 - kSeen) / count;
-    const double begin = kSeen + share * static_cast<double>(surfaces.size() - 1 - i);
-    SurfacePens(surfaces[i], i, codes[i])
-        .add_to(pens, tracer, static_cast<double>(least_area), progress.part(begin, begin + share));
-  }
+  std::vector<PenRegion> regions;
+  for (std::size_t i = surfaces.size(); i-- > 0;) add_pens(surfaces[i], i, codes[i], regions);
+  std::vector<CodeRange> ranges;
+  for (const PenRegion& region : regions) ranges.push_back(region.codes);
+  const auto outlines = region_outlines(width, height, code_at, ranges, kTraceTolerance,
+                                        progress.part(kSorted, kTraced));
+  std::vector<Pen> pens;
+  reported_for(
+      regions.size(), progress.part(kTraced, 1),
+      [&](std::size_t i) {
+        pens.push_back(pen_of(regions[i].name, regions[i].color, outlines[i],
+                              static_cast<double>(least_area)));
+      },
+      1);
   stages.finish();
   return pens;
 }
