@@ -26,7 +26,6 @@ constexpr auto kReliefRows =
                .help = "leave flat faces wider than the spacing as they are"},
               {.name = "only",
                .common = true,
-               .kind = OptionKind::text,
                .form = "AXIS[@DEG]|X,Y,Z[@DEG]|FILE.csv",
                .files = ".csv",
                .help = "faces within DEG (default 45) of a direction, or weights above 0.5"},

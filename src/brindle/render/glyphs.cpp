@@ -30,14 +30,23 @@ constexpr float kTileShare = 0.99f;
 /// normal.
 class GlyphBuilder {
  public:
-  void reserve(std::size_t vertices, std::size_t triangles, bool tiles) {
-    glyphs_.mesh.positions.reserve(vertices);
-    glyphs_.normals.reserve(vertices);
-    glyphs_.sample_of_vertex.reserve(vertices);
-    glyphs_.mesh.triangles.reserve(triangles);
-    if (!tiles) return;
-    glyphs_.waves.u.reserve(triangles);
-    glyphs_.waves.v.reserve(triangles);
+  bool is_empty() const { return glyphs_.mesh.positions.empty(); }
+
+  /// Reserves memory for so many glyphs like the first one. Throws TooLarge if they do not fit.
+  void reserve_for(std::size_t count) {
+    const std::size_t vertices = glyphs_.normals.size(), triangles = glyphs_.mesh.triangle_count(),
+                      tiles = glyphs_.waves.u.size();
+    const std::size_t bytes = vertices * (2 * sizeof(Vec3) + sizeof(Index)) +
+                              triangles * sizeof(Triangle) + 2 * tiles * sizeof(CornerWaves);
+    check_fits(static_cast<double>(count), static_cast<double>(bytes), "the picture", "glyphs",
+               [](double most) { return rounded_down(most) + " would do"; });
+    if (count * vertices > std::numeric_limits<Index>::max()) return;  // rejected later
+    glyphs_.mesh.positions.reserve(count * vertices);
+    glyphs_.normals.reserve(count * vertices);
+    glyphs_.sample_of_vertex.reserve(count * vertices);
+    glyphs_.mesh.triangles.reserve(count * triangles);
+    glyphs_.waves.u.reserve(count * tiles);
+    glyphs_.waves.v.reserve(count * tiles);
   }
 
   void begin(const Sample& sample, Index number) {
@@ -230,39 +239,19 @@ void add_quad(GlyphBuilder& builder, const GlyphSize& size) {
 
 bool is_drawn(const GlyphSize& size) { return size.along > 0 && size.across > 0; }
 
-/// Vertices and triangles of one glyph.
-struct GlyphCounts {
-  std::size_t vertices, triangles;
-};
-
-GlyphCounts counts_of(GlyphShape shape) {
+void add_glyph(GlyphBuilder& builder, GlyphShape shape, const GlyphSize& size) {
   switch (shape) {
     case GlyphShape::disc:
-      return {2 * 25, 2 * 24};
+      return add_disc(builder, size);
     case GlyphShape::arrow:
-      return {8 * 14, 7 * 28};
+      return add_arrow(builder, size);
     case GlyphShape::ellipse:
-      return {8 * 28, 7 * 56};
+      return add_ellipse(builder, size);
     case GlyphShape::stroke:
-      return {4 * 30, 4 * 28};
+      return add_stroke(builder, size);
     case GlyphShape::quad:
-      break;
+      return add_quad(builder, size);
   }
-  return {8, 4};
-}
-
-/// Rejects glyphs beyond the memory limit, and reserves their memory.
-void make_room(GlyphBuilder& builder, GlyphShape shape, std::size_t glyphs) {
-  const GlyphCounts each = counts_of(shape);
-  const bool tiles = shape == GlyphShape::quad;
-  const std::size_t of_triangle = sizeof(Triangle) + (tiles ? 2 * sizeof(CornerWaves) : 0);
-  const std::size_t of_glyph =
-      each.vertices * (2 * sizeof(Vec3) + sizeof(Index)) + each.triangles * of_triangle;
-  check_fits(static_cast<double>(glyphs), static_cast<double>(of_glyph), "the picture", "glyphs",
-             [](double most) { return rounded_down(most) + " would do"; });
-  const std::size_t vertices = glyphs * each.vertices;
-  if (vertices > std::numeric_limits<Index>::max()) return;  // rejected later
-  builder.reserve(vertices, glyphs * each.triangles, tiles);
 }
 
 }  // namespace
@@ -295,34 +284,19 @@ Glyphs glyphs_at(std::span<const Sample> samples, GlyphShape shape,
     throw Error("there are " + std::to_string(sizes.size()) + " sizes for " +
                 std::to_string(samples.size()) + " glyphs");
   }
+  const auto count = static_cast<std::size_t>(ranges::count_if(sizes, is_drawn));
   GlyphBuilder builder;
-  make_room(builder, shape, static_cast<std::size_t>(ranges::count_if(sizes, is_drawn)));
   JobStages stages(heard, {{"glyphs", 1}});
   const Progress progress = stages.begin("glyphs");
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (i % kGlyphsPerReport == 0) {
       progress.report(static_cast<double>(i) / static_cast<double>(samples.size()));
     }
-    const GlyphSize& size = sizes[i];
-    if (!is_drawn(size)) continue;
+    if (!is_drawn(sizes[i])) continue;
+    const bool is_first = builder.is_empty();
     builder.begin(samples[i], static_cast<Index>(i));
-    switch (shape) {
-      case GlyphShape::disc:
-        add_disc(builder, size);
-        break;
-      case GlyphShape::arrow:
-        add_arrow(builder, size);
-        break;
-      case GlyphShape::ellipse:
-        add_ellipse(builder, size);
-        break;
-      case GlyphShape::stroke:
-        add_stroke(builder, size);
-        break;
-      case GlyphShape::quad:
-        add_quad(builder, size);
-        break;
-    }
+    add_glyph(builder, shape, sizes[i]);
+    if (is_first) builder.reserve_for(count);
   }
   stages.finish();
   return builder.take();

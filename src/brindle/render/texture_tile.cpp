@@ -20,20 +20,6 @@ constexpr float kDotRadius = 0.29f;
 constexpr float kSignLength = 0.25f, kSignWidth = 0.07f;  // half of each
 constexpr float kSmallSign = 0.75f;                       // in tiles with two
 
-constexpr std::array<std::pair<std::string_view, BuiltInTile>, 12> kTiles{
-    {{"stripes", BuiltInTile::stripes},
-     {"checker", BuiltInTile::checker},
-     {"dots", BuiltInTile::dots},
-     {"arrows", BuiltInTile::arrows},
-     {"bricks", BuiltInTile::bricks},
-     {"hatch", BuiltInTile::hatch},
-     {"plus", BuiltInTile::plus},
-     {"minus", BuiltInTile::minus},
-     {"plusminus", BuiltInTile::plus_minus},
-     {"knurl", BuiltInTile::knurl},
-     {"weave", BuiltInTile::weave},
-     {"scales", BuiltInTile::scales}}};
-
 /// From -1/2 to 1/2.
 float wrapped(float x) { return x - std::round(x); }
 
@@ -74,9 +60,13 @@ float arrow(const Point& p) {
   return std::min({lone_arrow(p), lone_arrow(p + Point(1, 0)), lone_arrow(p - Point(1, 0))});
 }
 
-float checker(float u, float v) {
-  const float to_u = 0.25f - std::abs(wrapped(u - 0.5f));
-  const float to_v = 0.25f - std::abs(wrapped(v - 0.5f));
+float stripes(const Point& p) { return std::abs(p.x()) - 0.25f; }
+
+float dots(const Point& p) { return p.norm() - kDotRadius; }
+
+float checker(const Point& p) {
+  const float to_u = 0.25f - std::abs(p.x());
+  const float to_v = 0.25f - std::abs(p.y());
   const float distance = std::min(std::abs(to_u), std::abs(to_v));
   return (to_u < 0) == (to_v < 0) ? -distance : distance;
 }
@@ -92,14 +82,14 @@ float bricks(const Point& p) {
 }
 
 /// Each stroke has copies before and after it, and its image under half a turn is a stroke.
-float hatch(float u, float v) {
+float hatch(const Point& place) {
   constexpr float kRadius = 0.03f;
   float distance = 1;
   for (const float turn : {1.0f, -1.0f}) {
     for (const bool crossing : {false, true}) {
       const Point from = turn * (crossing ? Point(-0.22f, -0.40f) : Point(-0.40f, -0.28f));
       const Point to = turn * (crossing ? Point(-0.28f, 0.40f) : Point(0.40f, -0.22f));
-      const Point p = wrapped(Point(u - 0.5f, v - 0.5f) - 0.5f * (from + to));
+      const Point p = wrapped(place - 0.5f * (from + to));
       const Point half = 0.5f * (to - from);
       const Point next = crossing ? Point(0, 1) : Point(1, 0);
       for (const float copy : {-1.0f, 0.0f, 1.0f}) {
@@ -252,43 +242,45 @@ bool is_transparent_round(const Image& picture) {
   return true;
 }
 
-TileMotifs motifs_of(BuiltInTile tile) {
-  switch (tile) {
-    case BuiltInTile::dots:
-      return single_motif(covering(kDotRadius, kDotRadius), kOfSquare);
-    case BuiltInTile::arrows:
-      return single_motif({Point(-0.40f, -0.21f), Point(0.42f, 0.21f)}, kAsItIs | kMirroredAlongV);
-    case BuiltInTile::plus:
-      return single_motif(covering(kSignLength, kSignLength), kOfSquare);
-    case BuiltInTile::minus:
-      return single_motif(covering(kSignLength, kSignWidth), kOfRectangle);
-    case BuiltInTile::plus_minus:
-      return {TileLayout::middle_and_corner,
-              {covering(kSmallSign * kSignLength, kSmallSign * kSignLength),
-               covering(kSmallSign * kSignLength, kSmallSign * kSignWidth)},
-              kOfRectangle};
-    case BuiltInTile::bricks:
-      // Bricks own half of each joint. A joint that ends in a tile continues.
-      return {TileLayout::courses,
-              {covering(0.5f, 0.25f), covering(0.5f, 0.25f)},
-              kOfRectangle,
-              Point(0, 0),
-              true};
-    case BuiltInTile::stripes:
-      return single_motif(TileMotifs::whole_tile(), kOfRectangle);
-    case BuiltInTile::checker:
-      return single_motif(TileMotifs::whole_tile(), kOfSquare);
-    case BuiltInTile::hatch:
-    case BuiltInTile::weave:
-      return single_motif(TileMotifs::whole_tile(), kAsItIs | kHalfTurn);
-    case BuiltInTile::knurl:
-      return {
-          TileLayout::middle_and_corner, {covering(0.5f, 0.5f), covering(0.5f, 0.5f)}, kOfSquare};
-    case BuiltInTile::scales:
-      return single_motif(TileMotifs::whole_tile(), kAsItIs | kMirroredAlongV);
-  }
-  return {};
+/// A built-in tile. Functions take the way from the tile's middle, from -1/2 to 1/2 along each
+/// axis; `hatch` takes any and wraps each stroke.
+struct TileRow {
+  std::string_view name;
+  float (*distance)(const Point& p);
+  TileMotifs motifs;
+  bool has_own_shape = true;
+  float (*height)(const Point& p) = nullptr;  ///< null: plateaus with steep flanks
+};
+
+/// In the order of BuiltInTile.
+const std::array<TileRow, 12>& tile_rows() {
+  static const Covered whole = TileMotifs::whole_tile();
+  static const Covered plus = covering(kSignLength, kSignLength);
+  static const Covered minus = covering(kSignLength, kSignWidth);
+  static const Covered small_plus = covering(kSmallSign * kSignLength, kSmallSign * kSignLength);
+  static const Covered small_minus = covering(kSmallSign * kSignLength, kSmallSign * kSignWidth);
+  static const Covered arrow_part(Point(-0.40f, -0.21f), Point(0.42f, 0.21f));
+  // Bricks own half of each joint. A joint that ends in a tile continues.
+  static const Covered brick = covering(0.5f, 0.25f);
+  constexpr auto kTwo = TileLayout::middle_and_corner;
+  static const std::array<TileRow, 12> rows = {{
+      {"stripes", stripes, single_motif(whole, kOfRectangle), false},
+      {"checker", checker, single_motif(whole, kOfSquare), false},
+      {"dots", dots, single_motif(covering(kDotRadius, kDotRadius), kOfSquare)},
+      {"arrows", arrow, single_motif(arrow_part, kAsItIs | kMirroredAlongV)},
+      {"bricks", bricks, {TileLayout::courses, {brick, brick}, kOfRectangle, Point(0, 0), true}},
+      {"hatch", hatch, single_motif(whole, kAsItIs | kHalfTurn), false},
+      {"plus", plus_sign, single_motif(plus, kOfSquare)},
+      {"minus", minus_sign, single_motif(minus, kOfRectangle)},
+      {"plusminus", plus_and_minus, {kTwo, {small_plus, small_minus}, kOfRectangle}},
+      {"knurl", knurl, {kTwo, {whole, whole}, kOfSquare}, true, knurl_height},
+      {"weave", weave, single_motif(whole, kAsItIs | kHalfTurn), false, weave_height},
+      {"scales", scales, single_motif(whole, kAsItIs | kMirroredAlongV), false, scales_height},
+  }};
+  return rows;
 }
+
+const TileRow& row_of(BuiltInTile tile) { return tile_rows()[static_cast<std::size_t>(tile)]; }
 
 Pixel opaque_pixel(const Vec3& light) { return pixel_of({light.x(), light.y(), light.z(), 1}); }
 
@@ -333,18 +325,17 @@ Image over(Image picture, const Vec3& ground) {
 }  // namespace
 
 std::optional<BuiltInTile> parse_built_in_tile(std::string_view name) {
-  for (const auto& [known, tile] : kTiles) {
-    if (known == name) return tile;
-  }
-  return std::nullopt;
+  const auto row = ranges::find(tile_rows(), name, &TileRow::name);
+  if (row == tile_rows().end()) return std::nullopt;
+  return static_cast<BuiltInTile>(row - tile_rows().begin());
 }
 
 std::string_view built_in_tile_names() {
   static const std::string names = [] {
     std::string all;
-    for (const auto& [name, tile] : kTiles) {
+    for (const TileRow& row : tile_rows()) {
       if (!all.empty()) all += '|';
-      all += name;
+      all += row.name;
     }
     return all;
   }();
@@ -352,49 +343,16 @@ std::string_view built_in_tile_names() {
 }
 
 float tile_distance(BuiltInTile tile, float u, float v) {
-  const Point p = wrapped(Point(u - 0.5f, v - 0.5f));
-  switch (tile) {
-    case BuiltInTile::stripes:
-      return std::abs(p.x()) - 0.25f;
-    case BuiltInTile::checker:
-      return checker(u, v);
-    case BuiltInTile::dots:
-      return p.norm() - kDotRadius;
-    case BuiltInTile::arrows:
-      return arrow(p);
-    case BuiltInTile::bricks:
-      return bricks(p);
-    case BuiltInTile::hatch:
-      return hatch(u, v);
-    case BuiltInTile::plus:
-      return plus_sign(p);
-    case BuiltInTile::minus:
-      return minus_sign(p);
-    case BuiltInTile::plus_minus:
-      return plus_and_minus(p);
-    case BuiltInTile::knurl:
-      return knurl(p);
-    case BuiltInTile::weave:
-      return weave(p);
-    case BuiltInTile::scales:
-      return scales(p);
-  }
-  return 1;
+  const Point place(u - 0.5f, v - 0.5f);
+  return row_of(tile).distance(tile == BuiltInTile::hatch ? place : wrapped(place));
 }
 
 float tile_height(const TextureTile& tile, float u, float v) {
   if (const auto* picture = std::get_if<Image>(&tile)) return grey_at(*picture, u, v);
-  const Point p = wrapped(Point(u - 0.5f, v - 0.5f));
-  switch (std::get<BuiltInTile>(tile)) {
-    case BuiltInTile::knurl:
-      return knurl_height(p);
-    case BuiltInTile::weave:
-      return weave_height(p);
-    case BuiltInTile::scales:
-      return scales_height(p);
-    default:
-      return std::clamp(-tile_distance(std::get<BuiltInTile>(tile), u, v) / kFlank, 0.0f, 1.0f);
-  }
+  const auto built_in = std::get<BuiltInTile>(tile);
+  const TileRow& row = row_of(built_in);
+  if (row.height != nullptr) return row.height(wrapped(Point(u - 0.5f, v - 0.5f)));
+  return std::clamp(-tile_distance(built_in, u, v) / kFlank, 0.0f, 1.0f);
 }
 
 float tile_detail(const TextureTile& tile) {
@@ -408,7 +366,7 @@ TileMotifs tile_motifs(const TextureTile& tile) {
   if (const auto* picture = std::get_if<Image>(&tile)) {
     return single_motif(opaque_part(*picture), kAsItIs);
   }
-  return motifs_of(std::get<BuiltInTile>(tile));
+  return row_of(std::get<BuiltInTile>(tile)).motifs;
 }
 
 TileMotifs motifs_within(const TileMotifs& motifs, float size, const Eigen::Vector2f& shift) {
@@ -425,18 +383,7 @@ TileMotifs motifs_within(const TileMotifs& motifs, float size, const Eigen::Vect
 
 bool has_own_shape(const TextureTile& tile) {
   if (const auto* picture = std::get_if<Image>(&tile)) return is_transparent_round(*picture);
-  switch (std::get<BuiltInTile>(tile)) {
-    case BuiltInTile::dots:
-    case BuiltInTile::arrows:
-    case BuiltInTile::plus:
-    case BuiltInTile::minus:
-    case BuiltInTile::plus_minus:
-    case BuiltInTile::bricks:
-    case BuiltInTile::knurl:
-      return true;
-    default:
-      return false;
-  }
+  return row_of(std::get<BuiltInTile>(tile)).has_own_shape;
 }
 
 Image tile_picture(const TextureTile& tile, int side, const Color& motif, const Color& ground) {
