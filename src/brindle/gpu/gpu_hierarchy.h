@@ -41,8 +41,6 @@ class GpuHierarchy {
 
   const GpuKernels& kernels() const { return *kernels_; }
   const GpuTopology& topology() const { return *topology_; }
-  std::shared_ptr<const GpuTopology> shared_topology() const { return topology_; }
-  std::shared_ptr<const GpuKernels> shared_kernels() const { return kernels_; }
 
   /// Buffer names, for kernels with other bindings.
   GLuint phases() const { return z_; }

@@ -25,11 +25,6 @@ namespace {
 
 // Radii of curves, and curves without tight bends.
 
-struct KeptCurves {
-  float least_radius = 0, reach = 0;
-  float least_length = 0;
-};
-
 /// A line by its length; a closed one goes round.
 class MeasuredLine {
  public:
@@ -136,21 +131,23 @@ double least_radius_of(const Polylines& lines, float reach) {
 }
 
 /// Lines, cut at the tightest point of each bend below `least_radius`, without those shorter than
-/// `least_length` or without two points. Counts cuts and lines left out.
-Polylines kept_curves(const Polylines& lines, const KeptCurves& kept, ToolPathMetrics& metrics) {
+/// `least_length` or `cut_length`, or without two points. Counts cuts and lines left out.
+Polylines kept_curves(const Polylines& lines, const ToolPathOptions& options,
+                      ToolPathMetrics& metrics) {
+  const float least_length = std::max(options.least_length, options.cut_length);
   Polylines result;
   result.origin = lines.origin;
   for (std::size_t line = 0; line < lines.count(); ++line) {
     Polylines parts;
     const std::vector<std::size_t> bends =
-        kept.least_radius > 0
-            ? tight_bends(radii_of(lines, line, kept.reach), static_cast<double>(kept.least_radius))
-            : std::vector<std::size_t>();
+        options.least_radius > 0 ? tight_bends(radii_of(lines, line, options.width / 2),
+                                               static_cast<double>(options.least_radius))
+                                 : std::vector<std::size_t>();
     metrics.bends_cut += bends.size();
     add_parts(lines, line, bends, parts);
     for (std::size_t part = 0; part < parts.count(); ++part) {
       const double length = length_of(parts, part);
-      if (!(length > 0) || length < static_cast<double>(kept.least_length)) {
+      if (!(length > 0) || length < static_cast<double>(least_length)) {
         ++metrics.left_out;
         continue;
       }
@@ -408,10 +405,7 @@ ToolPaths tool_paths(const Mesh& mesh, const Polylines& curves, const ToolPathOp
   const Progress ordering = stages.begin("order of paths");
   ToolPaths paths;
   paths.width = options.width;
-  const Polylines kept = kept_curves(
-      curves,
-      {options.least_radius, options.width / 2, std::max(options.least_length, options.cut_length)},
-      paths.metrics);
+  const Polylines kept = kept_curves(curves, options, paths.metrics);
   paths.metrics.curves = kept.count();
   if (kept.count() > 0) {
     const std::vector<PlacedLine> order = order_of(kept, options, paths.metrics, ordering);

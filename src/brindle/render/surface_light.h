@@ -19,8 +19,9 @@ struct Lights {
 /// The lights of a picture from this camera.
 Lights lights_of(const Camera& camera, const PictureLight& light);
 
-/// Twin of tone.glsl: the lightness of a white surface at a point, 0 to 1. `view_normal` (unit, of
-/// the visible side) and `sight` (from the viewer, any length) are in camera coordinates.
+/// Twin of tone_at in strokes.glsl: the lightness of a white surface at a point, 0 to 1.
+/// `view_normal` (unit, of the visible side) and `sight` (from the viewer, any length) are in
+/// camera coordinates.
 float tone_at(const Vec3& view_normal, const Vec3& sight, const Lights& lights);
 
 /// The pixel of linear light, premultiplied by alpha; the inverse of `premultiplied_light`.

@@ -39,7 +39,7 @@ Vec3 key_from(const LightDirection& from) {
       .cast<float>();
 }
 
-/// Twin of `lit` in light.glsl for a white surface: change both or neither.
+/// Twin of `lit_by` in light.glsl for a white surface: change both or neither.
 Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Lights& lights) {
   const Vec3 v = -view_position.normalized();
   const float facing = std::clamp(n.dot(v), 0.0f, 1.0f);
@@ -57,7 +57,7 @@ Vec3 light_on_white(const Vec3& n, const Vec3& view_position, const Lights& ligh
   return light;
 }
 
-/// Twin of tone.glsl.
+/// Twin of tone_at in strokes.glsl.
 float tone_of(const Vec3& light) {
   return elementary::pow(std::clamp(light.dot(Vec3(0.2126f, 0.7152f, 0.0722f)), 0.0f, 1.0f),
                          1 / 2.2f);

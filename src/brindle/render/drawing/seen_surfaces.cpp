@@ -12,7 +12,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "brindle/base/compressed_rows.h"
 #include "brindle/base/elementary.h"
+#include "brindle/base/parallel.h"
 #include "brindle/corner_phases.h"
 #include "brindle/fragment_phase.h"
 #include "brindle/pattern/motif_centre.h"
@@ -291,13 +293,11 @@ class SeenSurfaces {
     if (!(x >= 0 && y >= 0 && x <= width_ && y <= height_)) return 0;
     const int column = std::min(static_cast<int>(x) / kSquare, columns_ - 1);
     const int row = std::min(static_cast<int>(y) / kSquare, rows_ - 1);
-    const std::size_t square = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                               static_cast<std::size_t>(column);
     double nearest = std::numeric_limits<double>::infinity();
     Hit best{};
-    for (std::size_t i = square_begin_[square]; i < square_begin_[square + 1]; ++i) {
+    for (const Index entry : squares_.of(number_of_square(column, row))) {
       Hit hit{};
-      if (!weights_at(listed_[i], x, y, hit)) continue;
+      if (!weights_at(entry, x, y, hit)) continue;
       double depth = 0, beyond = 0;
       for (std::size_t m = 0; m < 3; ++m) {
         depth += hit.weights[m] * corners_[triangles_[hit.entry][m]].depth;
@@ -347,45 +347,42 @@ class SeenSurfaces {
     }
   }
 
-  void sort_into_squares(const Progress& progress) {
-    constexpr std::size_t kPerReport = 1 << 16;
-    // NaN and points behind the camera fail the tests and cover no square.
-    const auto for_squares = [&](std::size_t entry, const auto& visit) {
-      Eigen::AlignedBox2d box;
-      for (const std::size_t v : triangles_[entry]) {
-        const Corner& c = corners_[v];
-        if (!(c.w > 0)) return;
-        box.extend(Eigen::Vector2d(c.x / c.w, c.y / c.w));
-      }
-      const auto square = [](double pixel, int count) {
-        return static_cast<int>(std::clamp(std::floor(pixel / kSquare), 0.0, count - 1.0));
-      };
-      if (!(box.min().x() <= width_ && box.min().y() <= height_ && box.max().x() >= 0 &&
-            box.max().y() >= 0)) {
-        return;
-      }
-      for (int r = square(box.min().y(), rows_); r <= square(box.max().y(), rows_); ++r) {
-        for (int c = square(box.min().x(), columns_); c <= square(box.max().x(), columns_); ++c) {
-          visit(static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
-                static_cast<std::size_t>(c));
-        }
-      }
+  /// Calls `visit` with the number of each square that a triangle may cover. NaN and points behind
+  /// the camera fail the tests and cover no square.
+  template <class Visit>
+  void for_squares(std::size_t entry, const Visit& visit) const {
+    Eigen::AlignedBox2d box;
+    for (const std::size_t v : triangles_[entry]) {
+      const Corner& c = corners_[v];
+      if (!(c.w > 0)) return;
+      box.extend(Eigen::Vector2d(c.x / c.w, c.y / c.w));
+    }
+    const auto square = [](double pixel, int count) {
+      return static_cast<int>(std::clamp(std::floor(pixel / kSquare), 0.0, count - 1.0));
     };
-    square_begin_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1,
-                         0);
-    const auto count = static_cast<double>(std::max<std::size_t>(triangles_.size(), 1));
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (t % kPerReport == 0) progress.report(0.5 * static_cast<double>(t) / count);
-      for_squares(t, [&](std::size_t square) { ++square_begin_[square + 1]; });
+    if (!(box.min().x() <= width_ && box.min().y() <= height_ && box.max().x() >= 0 &&
+          box.max().y() >= 0)) {
+      return;
     }
-    for (std::size_t s = 1; s < square_begin_.size(); ++s) square_begin_[s] += square_begin_[s - 1];
-    listed_.resize(square_begin_.back());
-    std::vector<std::size_t> next(square_begin_.begin(), square_begin_.end() - 1);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      if (t % kPerReport == 0) progress.report(0.5 + 0.5 * static_cast<double>(t) / count);
-      for_squares(
-          t, [&](std::size_t square) { listed_[next[square]++] = static_cast<std::uint32_t>(t); });
+    for (int r = square(box.min().y(), rows_); r <= square(box.max().y(), rows_); ++r) {
+      for (int c = square(box.min().x(), columns_); c <= square(box.max().x(), columns_); ++c) {
+        visit(number_of_square(c, r));
+      }
     }
+  }
+
+  std::size_t number_of_square(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+  void sort_into_squares(const Progress& progress) {
+    squares_ = compressed_rows<Index>(
+        number_of_square(0, rows_), progress, [&](const Progress& passing, const auto& add) {
+          reported_for(triangles_.size(), passing, [&](std::size_t t) {
+            for_squares(t, [&](std::size_t square) { add(square, static_cast<Index>(t)); });
+          });
+        });
   }
 
   /// Barycentric weights at a point, linear on the surface; false if the triangle does not cover
@@ -494,8 +491,7 @@ class SeenSurfaces {
   std::vector<std::size_t> first_entry_;  // of each surface: index of its first triangle among all
   std::vector<std::size_t> first_codes_;  // of each surface
   std::vector<std::array<std::size_t, 3>> triangles_;
-  std::vector<std::size_t> square_begin_;  // of each square, in `listed_`
-  std::vector<std::uint32_t> listed_;      // candidate triangles, ascending
+  CompressedRows<Index> squares_;  // candidate triangles of each square, ascending
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "brindle/render/drawing/pen_order.h"
 #include "brindle/render/drawing/region_tracer.h"
 #include "brindle/render/drawing/seen_surfaces.h"
+#include "brindle/render/style_checks.h"
 
 namespace brindle {
 namespace {
@@ -19,10 +20,7 @@ namespace {
 constexpr double kTraceTolerance = 0.015;
 constexpr double kFitTolerance = 0.03;
 
-void check_texture(const RegionTexture& texture, const Mesh& mesh) {
-  if (texture.waves == nullptr || texture.tiles.empty()) {
-    throw Error("a texture has no waves or no tile; give both");
-  }
+void check_drawn_texture(const RegionTexture& texture, const Mesh& mesh) {
   if (texture.waves->triangle_count() != mesh.triangle_count()) {
     throw Error("the texture of a drawing's surface has waves of " +
                 std::to_string(texture.waves->triangle_count()) + " triangles, not of its " +
@@ -36,30 +34,12 @@ void check_texture(const RegionTexture& texture, const Mesh& mesh) {
   }
 }
 
-void check_entries(const StyledSurface& surface) {
-  const std::size_t count = surface.mesh.vertex_count();
-  const auto check = [&](std::size_t size, const char* what, bool optional) {
-    if (size == count || (optional && size == 0)) return;
-    throw Error("the " + std::to_string(count) + " vertices of a drawing's surface have " +
-                std::to_string(size) + " " + what + "; give one per vertex");
-  };
-  check(surface.normals.size(), "normals", true);
-  for (const Strokes& strokes : surface.strokes) {
-    if (strokes.waves == nullptr) throw Error("strokes have no waves; give one per vertex");
-    check(strokes.z.size(), "phases", false);
-    check(strokes.widths.size(), "widths", true);
-    check(strokes.opacities.size(), "opacities", true);
-    check(strokes.color_places.size(), "places in the colour map", true);
-  }
-  if (!surface.texture) return;
-  check_texture(*surface.texture, surface.mesh);
-  check(surface.texture->values.size(), "values of regions", true);
-  check(surface.texture->sizes.size(), "sizes of tiles", true);
-}
-
-void check_entries(std::span<const StyledSurface> surfaces) {
+void check_surfaces(std::span<const StyledSurface> surfaces) {
   if (surfaces.empty()) throw Error("cannot draw outlines of no surface; add one");
-  for (const StyledSurface& surface : surfaces) check_entries(surface);
+  for (const StyledSurface& surface : surfaces) {
+    check_style(surface);
+    if (surface.texture) check_drawn_texture(*surface.texture, surface.mesh);
+  }
   if (first_codes(surfaces).back() > std::numeric_limits<std::uint16_t>::max()) {
     throw Error("a drawing has at most 65,534 surfaces, strokes and tiles");
   }
@@ -120,7 +100,7 @@ std::vector<Pen> stripe_outlines(std::span<const StyledSurface> surfaces, const 
                                  const PictureLight& light, int width, int height, float least_area,
                                  const Progress& heard) {
   check_drawing_size(width, height);
-  check_entries(surfaces);
+  check_surfaces(surfaces);
   if (!(least_area >= 0)) throw Error("the least area of an outline is a number from 0 on");
   JobStages stages(heard, {{"outlines", 1}});
   const Progress progress = stages.begin("outlines");

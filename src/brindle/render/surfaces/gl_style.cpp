@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "brindle/error.h"
 #include "brindle/gl/gl_buffer.h"
+#include "brindle/render/style_checks.h"
 #include "brindle/render/surfaces/gl_surface.h"
 
 namespace brindle {
@@ -24,61 +24,6 @@ constexpr float kNoValue = -2e30f;  // below the one of style_buffers.glsl
 constexpr GLuint kValuesBinding = 0;
 constexpr GLuint kSecondWavesBinding = 1;
 constexpr GLuint kSecondPhasesBinding = 2;
-
-[[noreturn]] void refuse_style(const std::string& why) {
-  throw Error("cannot draw this surface: " + why);
-}
-
-void check_style_count(std::size_t count, std::size_t vertices, const char* what) {
-  if (count == 0 || count == vertices) return;
-  refuse_style("it has " + std::to_string(count) + " " + what + " for " + std::to_string(vertices) +
-               " vertices");
-}
-
-void check_strokes(const Strokes& strokes, std::size_t vertices) {
-  if (strokes.waves == nullptr || strokes.waves->directions.size() != vertices ||
-      strokes.waves->frequencies.size() != vertices || strokes.z.size() != vertices) {
-    refuse_style("its strokes need a wave and a phase for each of its " + std::to_string(vertices) +
-                 " vertices");
-  }
-  check_style_count(strokes.widths.size(), vertices, "widths of strokes");
-  check_style_count(strokes.opacities.size(), vertices, "opacities of strokes");
-  check_style_count(strokes.color_places.size(), vertices, "colours of strokes");
-  const float widest = strokes.unit == WidthUnit::period ? 1.0f : 1e4f;
-  if (!(strokes.width >= 0 && strokes.width <= widest)) {
-    refuse_style("strokes are 0 to 1 periods or 0 to 10000 pixels wide, not " +
-                 std::to_string(strokes.width));
-  }
-  if (!(strokes.opacity >= 0 && strokes.opacity <= 1)) {
-    refuse_style("an opacity is a number from 0 to 1, not " + std::to_string(strokes.opacity));
-  }
-  if (!(strokes.spacing >= 0 && std::isfinite(strokes.spacing))) {
-    refuse_style("strokes are 0 or more pixels apart, not " + std::to_string(strokes.spacing));
-  }
-  if (strokes.tone && !(strokes.tone->none > strokes.tone->full)) {
-    refuse_style("strokes end at a tone (" + std::to_string(strokes.tone->none) +
-                 ") lighter than the one at which they are full (" +
-                 std::to_string(strokes.tone->full) + ")");
-  }
-}
-
-void check_texture(const StyledSurface& surface) {
-  if (!surface.texture) return;
-  const RegionTexture& texture = *surface.texture;
-  if (!surface.strokes.empty()) refuse_style("it has a texture; leave out its strokes");
-  if (texture.waves == nullptr || texture.tiles.empty()) {
-    refuse_style("its texture needs waves and a tile");
-  }
-  check_style_count(texture.values.size(), surface.mesh.vertex_count(), "values of regions");
-  check_style_count(texture.sizes.size(), surface.mesh.vertex_count(), "sizes of tiles");
-  check_style_count(texture.color_places.size(), surface.mesh.vertex_count(), "colours of motifs");
-  for (std::size_t i = 2; i < texture.tiles.size(); ++i) {
-    if (!(texture.tiles[i].from > texture.tiles[i - 1].from)) {
-      refuse_style("the regions of its texture must begin at rising values");
-    }
-  }
-  if (!texture.shift.allFinite()) refuse_style("its texture is shifted by no number");
-}
 
 /// Packs values; NaN and infinities become `kNoValue`.
 void put_values(std::span<const float> values, std::size_t which, std::vector<float>& packed) {
@@ -129,17 +74,7 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
       discards_(surface.between == BetweenStrokes::discarded),
       shading_(surface.shading),
       has_places_(!surface.color_places.empty()) {
-  const std::size_t vertices = surface.mesh.vertex_count();
-  if (surface.strokes.size() > layers_.size()) {
-    refuse_style("a surface has up to two patterns of strokes, not " +
-                 std::to_string(surface.strokes.size()));
-  }
-  if (discards_ && surface.strokes.empty() && !surface.texture) {
-    refuse_style(
-        "without strokes or tiles, nothing is left of it where it is discarded between them");
-  }
-  check_style_count(surface.color_places.size(), vertices, "colours");
-  check_texture(surface);
+  check_style(surface);
   if (surface.texture) {
     shift_ = surface.texture->shift;
     has_regions_ = !surface.texture->values.empty();
@@ -152,7 +87,6 @@ GlStyle::GlStyle(const StyledSurface& surface, const GlStyle* last)
     }
   }
   for (const Strokes& strokes : surface.strokes) {
-    check_strokes(strokes, vertices);
     Layer& layer = layers_[layer_count_++];
     layer.color = linear_light(strokes.color);
     layer.looks = {strokes.opacity, strokes.width, strokes.spacing};
