@@ -1,17 +1,16 @@
 #include "brindle/paths/path_order.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "brindle/base/standard.h"
+#include "brindle/geometry/box_tree.h"
 #include "brindle/polylines.h"
 #include "brindle/types.h"
 
@@ -23,165 +22,72 @@ namespace {
 /// A point at which a line may begin.
 struct LineStart {
   Vec3 point;
-  Index line = 0;   ///< its place in `chosen`
-  Index first = 0;  ///< number of the point in the line
+  Index line = 0;  ///< its place in `chosen`
 };
 
-/// Both ends of open lines, and some points of closed ones, in a k-d tree.
+/// Squared distances in float are this near to those of boxes.
+constexpr double kRounding = 1 + 1e-6;
+
+BoxTree tree_of(std::span<const LineStart> ends) {
+  return {ends.size(), [&](Index i) { return BoundingBox{ends[i].point, ends[i].point}; }};
+}
+
+/// Both ends of open lines, and some points of closed ones.
 class LineStarts {
  public:
-  LineStarts(const Polylines& lines, std::span<const Index> chosen);
-  explicit LineStarts(std::vector<LineStart> ends, std::size_t line_count);
+  LineStarts(const Polylines& lines, std::span<const Index> chosen)
+      : ends_(starts_of(lines, chosen)),
+        tree_(tree_of(ends_)),
+        in_tree_(chosen.size()),
+        taken_(chosen.size()) {}
 
-  const LineStart& operator[](std::size_t end) const { return ends_[end]; }
   std::span<const LineStart> all() const { return ends_; }
 
-  /// The nearest one of lines that are left; of several, the one with the smallest number. There
-  /// must be one.
-  std::size_t nearest(const Vec3& point) const;
-
-  /// Up to `count` ends of other lines than `line`, the nearest first.
-  std::vector<Index> nearest_of_others(const Vec3& point, Index line, std::size_t count) const;
+  /// The nearest one of lines that are left; of several, the first one. There must be one.
+  const LineStart& nearest(const Vec3& point) const {
+    std::pair<float, Index> found(std::numeric_limits<float>::infinity(), 0);
+    tree_.visit(
+        point.cast<double>(),
+        [&](const BoundingBox&, double square) { return square <= kRounding * found.first; },
+        [&](Index i) {
+          if (is_taken(ends_[i].line)) return;
+          found = std::min(found, std::pair((ends_[i].point - point).squaredNorm(), i));
+        });
+    return ends_[found.second];
+  }
 
   /// Takes a line out of the search.
-  void take(Index line);
+  void take(Index line) {
+    taken_[line] = true;
+    if (2 * ++taken_in_tree_ < in_tree_) return;
+    std::erase_if(ends_, [&](const LineStart& end) { return is_taken(end.line); });
+    tree_ = tree_of(ends_);
+    in_tree_ -= std::exchange(taken_in_tree_, 0);
+  }
   bool is_taken(Index line) const { return taken_[line]; }
 
  private:
-  template <class Visit>
-  void search(std::size_t begin, std::size_t end, int axis, const Vec3& point,
-              const Visit& visit) const;
-  void build(std::size_t begin, std::size_t end, int axis);
-  void build_all(std::size_t line_count);
-  void count_out(std::size_t place);
+  static std::vector<LineStart> starts_of(const Polylines& lines, std::span<const Index> chosen) {
+    constexpr std::size_t kMostOfClosed = 16;
+    std::vector<LineStart> ends;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const std::span<const Vec3> points = lines.points_of(chosen[i]);
+      const std::size_t last = points.size() - 1;
+      const std::size_t step = lines.closed[chosen[i]]
+                                   ? (points.size() + kMostOfClosed - 1) / kMostOfClosed
+                                   : std::max<std::size_t>(last, 1);
+      for (std::size_t p = 0; p <= last; p += step) {
+        ends.push_back({points[p], static_cast<Index>(i)});
+      }
+    }
+    return ends;
+  }
 
   std::vector<LineStart> ends_;
-  std::vector<std::size_t> tree_;    // numbers of ends; the middle of a range is its node
-  std::vector<std::size_t> place_;   // of every end in `tree_`
-  std::vector<std::size_t> left_;    // ends that are left in every node
-  std::vector<std::size_t> begins_;  // of every line in `ends_`
-  std::vector<bool> taken_;          // per line
+  BoxTree tree_;
+  std::size_t in_tree_, taken_in_tree_ = 0;  // lines
+  std::vector<bool> taken_;                  // per line
 };
-
-constexpr std::size_t kMostOfClosed = 16;
-
-LineStarts::LineStarts(const Polylines& lines, std::span<const Index> chosen) {
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const auto line = static_cast<Index>(i);
-    const std::span<const Vec3> points = lines.points_of(chosen[i]);
-    const std::size_t last = points.size() - 1;
-    const std::size_t step = lines.closed[chosen[i]]
-                                 ? (points.size() + kMostOfClosed - 1) / kMostOfClosed
-                                 : std::max<std::size_t>(last, 1);
-    for (std::size_t p = 0; p <= last; p += step) {
-      ends_.push_back({points[p], line, static_cast<Index>(p)});
-    }
-  }
-  build_all(chosen.size());
-}
-
-LineStarts::LineStarts(std::vector<LineStart> ends, std::size_t line_count)
-    : ends_(std::move(ends)) {
-  build_all(line_count);
-}
-
-void LineStarts::build_all(std::size_t line_count) {
-  tree_.resize(ends_.size());
-  place_.resize(ends_.size());
-  left_.resize(ends_.size());
-  taken_.resize(line_count);
-  begins_.assign(line_count + 1, 0);
-  for (const LineStart& end : ends_) ++begins_[end.line + 1];
-  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-  std::iota(tree_.begin(), tree_.end(), std::size_t{0});
-  build(0, ends_.size(), 0);
-  for (std::size_t i = 0; i < tree_.size(); ++i) place_[tree_[i]] = i;
-}
-
-/// The node of ends [begin, end) is the middle one; those before it are not beyond it on `axis`.
-void LineStarts::build(std::size_t begin, std::size_t end, int axis) {
-  if (begin == end) return;
-  const std::size_t middle = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t i) { return tree_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(begin), at(middle), at(end), [&](std::size_t a, std::size_t b) {
-    return std::pair(ends_[a].point[axis], a) < std::pair(ends_[b].point[axis], b);
-  });
-  left_[middle] = end - begin;
-  build(begin, middle, (axis + 1) % 3);
-  build(middle + 1, end, (axis + 1) % 3);
-}
-
-/// `visit(end, square)` returns the squared distance beyond which nothing counts.
-template <class Visit>
-void LineStarts::search(std::size_t begin, std::size_t end, int axis, const Vec3& point,
-                        const Visit& visit) const {
-  if (begin == end) return;
-  const std::size_t middle = begin + (end - begin) / 2;
-  if (left_[middle] == 0) return;
-  const LineStart& here = ends_[tree_[middle]];
-  const float square = taken_[here.line] ? std::numeric_limits<float>::infinity()
-                                         : (here.point - point).squaredNorm();
-  visit(tree_[middle], square);
-  const float beyond = point[axis] - here.point[axis];
-  const int next = (axis + 1) % 3;
-  const auto reaches = [&] {
-    return beyond * beyond <= visit(tree_[middle], std::numeric_limits<float>::infinity());
-  };
-  if (beyond <= 0) {
-    search(begin, middle, next, point, visit);
-    if (reaches()) search(middle + 1, end, next, point, visit);
-  } else {
-    search(middle + 1, end, next, point, visit);
-    if (reaches()) search(begin, middle, next, point, visit);
-  }
-}
-
-std::size_t LineStarts::nearest(const Vec3& point) const {
-  std::pair<float, std::size_t> found(std::numeric_limits<float>::infinity(), ends_.size());
-  search(0, ends_.size(), 0, point, [&](std::size_t end, float square) {
-    found = std::min(found, {square, end});
-    return found.first;
-  });
-  return found.second;
-}
-
-std::vector<Index> LineStarts::nearest_of_others(const Vec3& point, Index line,
-                                                 std::size_t count) const {
-  constexpr float kNone = std::numeric_limits<float>::infinity();
-  std::vector<std::pair<float, Index>> found;
-  search(0, ends_.size(), 0, point, [&](std::size_t end, float square) {
-    const std::pair<float, Index> here(square, static_cast<Index>(end));
-    const bool counts = square < kNone && ends_[end].line != line;
-    if (counts && (found.size() < count || here < found.back())) {
-      if (found.size() == count) found.pop_back();
-      found.insert(std::upper_bound(found.begin(), found.end(), here), here);
-    }
-    return found.size() < count ? kNone : found.back().first;
-  });
-  std::vector<Index> ends;
-  for (const auto& near : found) ends.push_back(near.second);
-  return ends;
-}
-
-void LineStarts::take(Index line) {
-  taken_[line] = true;
-  for (std::size_t end = begins_[line]; end < begins_[line + 1]; ++end) count_out(place_[end]);
-}
-
-/// Counts an end out of all nodes that contain it.
-void LineStarts::count_out(std::size_t place) {
-  std::size_t begin = 0, end = ends_.size();
-  while (true) {
-    const std::size_t middle = begin + (end - begin) / 2;
-    --left_[middle];
-    if (place == middle) return;
-    if (place < middle) {
-      end = middle;
-    } else {
-      begin = middle + 1;
-    }
-  }
-}
 
 constexpr std::size_t kLinesPerReport = 256;
 
@@ -196,14 +102,14 @@ const Vec3& point_of(const Polylines& lines, const PlacedLine& placed, bool at_e
 }
 
 /// The end farthest from the mean of all.
-std::size_t outermost(const LineStarts& ends) {
+Vec3 outermost(std::span<const LineStart> ends) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const LineStart& end : ends.all()) mean += end.point.cast<double>();
-  mean /= static_cast<double>(ends.all().size());
-  const auto far = ranges::max_element(ends.all(), {}, [&](const LineStart& end) {
-    return (end.point.cast<double>() - mean).squaredNorm();
-  });
-  return static_cast<std::size_t>(far - ends.all().begin());
+  for (const LineStart& end : ends) mean += end.point.cast<double>();
+  mean /= static_cast<double>(ends.size());
+  return ranges::max_element(
+             ends, {},
+             [&](const LineStart& end) { return (end.point.cast<double>() - mean).squaredNorm(); })
+      ->point;
 }
 
 /// A line that begins at one of its points: of closed lines, at the nearest one.
@@ -256,7 +162,7 @@ std::vector<PlacedLine> nearest_order(const Polylines& lines, std::span<const In
   std::vector<PlacedLine> order;
   if (chosen.empty()) return order;
   LineStarts ends(lines, chosen);
-  Vec3 from = start ? *start : ends[outermost(ends)].point;
+  Vec3 from = start ? *start : outermost(ends.all());
   Index last = 0;
   while (order.size() < chosen.size()) {
     if (order.size() % kLinesPerReport == 0) {
@@ -265,7 +171,7 @@ std::vector<PlacedLine> nearest_order(const Polylines& lines, std::span<const In
     const Index* next = order.empty() || beside.empty()
                             ? nullptr
                             : next_beside(lines, chosen, ends, beside[last], from);
-    last = next != nullptr ? *next : ends[ends.nearest(from)].line;
+    last = next != nullptr ? *next : ends.nearest(from).line;
     ends.take(last);
     order.push_back(begun_near(lines, chosen[last], from));
     from = end_of(lines, order.back());
@@ -332,14 +238,10 @@ class TravelShortener {
   }
 
   void improve(const Progress& progress) {
-    std::vector<LineStart> ends;
-    for (std::size_t e = 0; e < points_.size(); ++e) {
-      ends.push_back({points_[e], static_cast<Index>(e / 2)});
-    }
-    const LineStarts tree(ends, count_);
-    for (const LineStart& end : ends) {
-      near_.push_back(tree.nearest_of_others(end.point, end.line, kNeighbors));
-    }
+    const BoxTree tree(points_.size(), [&](Index e) {
+      return BoundingBox{points_[e], points_[e]};
+    });
+    for (Index e = 0; e < points_.size(); ++e) near_.push_back(nearest_of_others(tree, e));
     waiting_.resize(points_.size());
     for (std::size_t i = 0; i < count_; ++i) queue(static_cast<Place>(i));
     for (std::size_t done = 0; !queue_.empty(); ++done) {
@@ -354,6 +256,26 @@ class TravelShortener {
       while (improve_at(end)) {
       }
     }
+  }
+
+  /// Up to `kNeighbors` ends of other lines, the nearest first.
+  std::vector<Index> nearest_of_others(const BoxTree& tree, Index end) const {
+    std::vector<std::pair<float, Index>> found;
+    tree.visit(
+        points_[end].cast<double>(),
+        [&](const BoundingBox&, double square) {
+          return found.size() < kNeighbors || square <= kRounding * found.back().first;
+        },
+        [&](Index other) {
+          const std::pair here((points_[other] - points_[end]).squaredNorm(), other);
+          const bool is_full = found.size() == kNeighbors;
+          if (other / 2 == end / 2 || (is_full && here >= found.back())) return;
+          if (is_full) found.pop_back();
+          found.insert(std::upper_bound(found.begin(), found.end(), here), here);
+        });
+    std::vector<Index> ends;
+    for (const auto& near : found) ends.push_back(near.second);
+    return ends;
   }
 
   /// Tries to link an end with ends that are nearer than the one after or before it in the order.
