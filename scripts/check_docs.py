@@ -147,12 +147,14 @@ def makes(output, name):
 
 def thumbnail(text):
     """The same command with a small picture, and as little data as there may be: surfaces of implicit
-    functions are coarse, and the gallery's data small."""
+    functions are coarse, the gallery's data small, and reliefs have few tiles."""
     text = re.sub(r"shape:(vessels|molecule|box|trefoil)\b(?!\S*resolution)", r"shape:\1,resolution=40",
                   text)
     if re.match(r"brindle gallery \w", text) and "--surface" not in text and \
             (output_paths(text) or "--data" in text):
         text = re.sub(r" --detail \S+", "", text) + " --detail 0.25"
+    if text.startswith("brindle relief"):
+        text = re.sub(r"--spacing (\d+)%", lambda found: f"--spacing {3 * int(found[1])}%", text)
     if re.search(r"--size \S+", text):
         return re.sub(r"--size \S+", f"--size {THUMBNAIL}", text)
     draws = any(path.endswith((".png", ".svg")) for path in output_paths(text))
