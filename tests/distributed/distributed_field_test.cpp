@@ -63,13 +63,16 @@ TEST(DistributedField, IsThatOfOneProcessHoweverASurfaceIsCut) {
                          make_shape("sheets,resolution=12"), roof()}) {
     const WavySurface wavy = wavy_surface(std::move(mesh), kAxis, 20);
     const Surface whole = make_surface(wavy.mesh);
-    for (const SmoothFieldOptions& options : smooth_fields(wavy.mesh)) {
-      const DirectionField expected = smooth_direction_field(whole, options);
-      for (const Cut& cut : kCuts) {
-        SCOPED_TRACE(cut.name);
-        const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
-        const DistributedSurface surface = parts.surface();
-        EXPECT_EQ(gathered(parts, surface, smooth_direction_field(surface, options)), expected);
+    const std::vector<SmoothFieldOptions> fields = smooth_fields(wavy.mesh);
+    std::vector<DirectionField> expected;
+    for (const auto& options : fields) expected.push_back(smooth_direction_field(whole, options));
+    for (const Cut& cut : cuts()) {
+      const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
+      const DistributedSurface surface = parts.surface();
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        SCOPED_TRACE(std::string(cut.name) + ", field " + std::to_string(i));
+        EXPECT_EQ(gathered(parts, surface, smooth_direction_field(surface, fields[i])),
+                  expected[i]);
       }
     }
   }
@@ -94,7 +97,7 @@ TEST(DistributedField, FollowsTheOneBeforeAsThatOfOneProcess) {
     options.last.confidence.assign(uncertain ? options.last.directions.size() : 0, 0.5f);
     const DirectionField expected = smooth_direction_field(whole, options);
     ASSERT_NE(expected, smooth_direction_field(whole));
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(cut.name);
       const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
       const DistributedSurface surface = parts.surface();
@@ -131,7 +134,7 @@ TEST(DistributedField, OfCurvatureIsThatOfOneProcess) {
       principal_curvatures(wavy.mesh.positions, wavy.normals, *wavy.neighborhood);
   DirectionField expected = curvature_direction_field(curvatures, CurvatureDirection::minimum);
   orient_alike(*wavy.neighborhood, expected);
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
     const DistributedSurface surface = parts.surface();
@@ -172,7 +175,7 @@ TEST(DistributedStrokes, AreThoseOfTheWholeHoweverItIsCut) {
   }
   const std::vector<FieldAnchor> expected = stroke_anchors(make_surface(torus.mesh), strokes);
   ASSERT_GT(expected.size(), 100u);
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const Parts parts(torus, cut.rank_of_triangle(torus.mesh));
     const DistributedSurface surface = parts.surface();
@@ -198,7 +201,7 @@ TEST(DistributedStrokes, DrawTheFieldOfAllRanks) {
   options.anchors = stroke_anchors(whole, strokes);
   const DirectionField expected = smooth_direction_field(whole, options);
   ASSERT_NE(expected, smooth_direction_field(whole));
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const Parts parts(torus, cut.rank_of_triangle(torus.mesh));
     const DistributedSurface surface = parts.surface();
@@ -215,7 +218,7 @@ TEST(DistributedStrokes, AlongFeaturesAreThoseOfTheWhole) {
     const Surface whole = make_surface(wavy.mesh);
     const std::vector<FieldStroke> expected = feature_strokes(whole, kAngle, 0.2, 3);
     ASSERT_FALSE(expected.empty());
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(std::string(shape) + ", " + cut.name);
       const Parts parts(wavy, cut.rank_of_triangle(wavy.mesh));
       const DistributedSurface surface = parts.surface();

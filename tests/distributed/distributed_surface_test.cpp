@@ -20,7 +20,7 @@ using namespace testing_support;
 
 TEST(DistributedSurface, IsThatOfTheWholeHoweverItIsCut) {
   const auto whole = wavy_surface("box,resolution=20", kAxis, 20);
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
     const DistributedSurface surface = parts.surface();
@@ -44,7 +44,7 @@ TEST(DistributedSurface, IsThatOfTheWholeHoweverItIsCut) {
 TEST(DistributedSurface, TurnsTheTrianglesThatTheWholeTurns) {
   for (const Mesh& mesh : {make_shape("torus,resolution=30"), make_shape("mobius,resolution=12")}) {
     const auto whole = wavy_surface(with_turned_triangles(mesh), kAxis, 20);
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(cut.name);
       const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
       const DistributedSurface surface = parts.surface();
@@ -65,7 +65,7 @@ TEST(DistributedSurface, IsSplitAtTheCreasesOfTheWholeHoweverItIsCut) {
     const Creases creases = split_at_creases(split);
     ASSERT_FALSE(creases.empty());
     const Surface whole = make_surface(split, creases);
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(cut.name);
       Parts parts(wavy_surface(mesh, kAxis, 20), cut.rank_of_triangle(mesh));
       const auto copied = split_at_creases(parts.surface(), parts.piece);

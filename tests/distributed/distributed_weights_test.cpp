@@ -43,7 +43,7 @@ TEST(DistributedWeights, AreThoseOfTheWholeHoweverItIsCut) {
   for (Mesh& mesh : std::vector<Mesh>{make_shape("trefoil,resolution=32"), torn_mesh()}) {
     const WavySurface whole = wavy_surface(std::move(mesh), kAxis, 20);
     const std::vector<float> weights = cotangent_weights(whole.mesh, *whole.neighborhood);
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(cut.name);
       const Parts parts(whole, cut.rank_of_triangle(whole.mesh));
       const DistributedSurface surface = parts.surface();

@@ -12,7 +12,7 @@ using namespace testing_support;
 
 TEST(RankColoring, ColoursNoNeighboursAlikeAcrossRanks) {
   const auto whole = wavy_surface("molecule,resolution=30", kAxis, 20);
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const DistributedSurface surface = Parts(whole, cut.rank_of_triangle(whole.mesh)).surface();
     const RankGraph& graph = surface.rank_surface().graph;

@@ -99,7 +99,7 @@ struct Cut {
   std::vector<int> (*rank_of_triangle)(const Mesh& mesh);
 };
 
-inline const Cut kCuts[] = {
+inline constexpr Cut kAllCuts[] = {
     {"along a curve", [](const Mesh& mesh) { return partition_by_curve(mesh, rank_count()); }},
     {"the last rank has nothing",
      [](const Mesh& mesh) { return partition_by_curve(mesh, std::max(1, rank_count() - 1)); }},
@@ -126,5 +126,10 @@ inline const Cut kCuts[] = {
     {"the last rank has all",
      [](const Mesh& mesh) { return std::vector<int>(mesh.triangle_count(), rank_count() - 1); }},
 };
+
+/// All ways; to one rank they are the same.
+inline std::span<const Cut> cuts() {
+  return std::span(kAllCuts).first(rank_count() == 1 ? 1 : std::size(kAllCuts));
+}
 
 }  // namespace brindle::testing_support

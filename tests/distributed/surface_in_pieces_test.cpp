@@ -47,7 +47,7 @@ TEST(SubdividedPiece, IsThatOfTheWholeHoweverItIsCut) {
   Communicator ranks(MPI_COMM_WORLD);
   for (const char* shape : {"sheets,resolution=6", "sphere,resolution=5", "mobius,resolution=3"}) {
     const Mesh whole = make_shape(shape);
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(std::string(shape) + ", " + cut.name);
       const SurfacePiece piece = piece_of(whole, cut.rank_of_triangle(whole), rank());
       for (const int times : {0, 1, 3}) {
@@ -89,7 +89,7 @@ TEST(SubdividedPiece, HasTheArraysOfTheWhole) {
   Communicator ranks(MPI_COMM_WORLD);
   Mesh whole = make_shape("sheets,resolution=6");
   DataArrays expected = arrays_of(whole);
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     Mesh finer = whole;
     DataArrays of_finer = expected;
@@ -116,7 +116,7 @@ TEST(PieceData, MovesRowsOfTrianglesToVerticesAsInTheWhole) {
     const Mesh whole = make_shape(shape);
     const DataArray cells = arrays_of(whole).cells[0];
     const DataArray expected = cells_to_points(whole, cells);
-    for (const Cut& cut : kCuts) {
+    for (const Cut& cut : cuts()) {
       SCOPED_TRACE(std::string(shape) + ", " + cut.name);
       const SurfacePiece piece = piece_of(whole, cut.rank_of_triangle(whole), rank());
       const DataArray own = rows_of(cells, numbers(piece.triangle_ids));
@@ -168,7 +168,7 @@ TEST(SubdividedPiece, RefusesWhatCannotBeNumbered) {
 /// Of triangles that ranks have several times one is left: the lowest rank's.
 TEST(RepeatedTriangles, LeaveOneOfEach) {
   const Mesh whole = make_shape("sheets,resolution=8");
-  for (const Cut& cut : kCuts) {
+  for (const Cut& cut : cuts()) {
     SCOPED_TRACE(cut.name);
     const std::vector<int> rank_of = cut.rank_of_triangle(whole);
     std::vector<int> more = rank_of;  // where some triangles stand as well
