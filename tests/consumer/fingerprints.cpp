@@ -85,7 +85,7 @@ void shapes() {
 }
 
 void solvers() {
-  for (const std::string shape : {"torus,resolution=60", "trefoil,resolution=40"}) {
+  for (const std::string shape : {"torus,resolution=40", "trefoil,resolution=28"}) {
     const Input in = input(shape, 40);
     const auto with = [&](const std::string& name, const auto& change) {
       brindle::StripeOptions options;
@@ -106,12 +106,12 @@ void solvers() {
 }
 
 void fields() {
-  const Input in = input("mobius,resolution=40", 20);
+  const Input in = input("mobius,resolution=28", 20);
   for (const int symmetry : {1, 2, 4}) {
     const auto field = brindle::smooth_direction_field(in.surface, {.symmetry = symmetry});
     print("smooth " + std::to_string(symmetry), Fingerprint().add(field));
   }
-  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=24"));
+  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=16"));
   const std::vector<brindle::FieldStroke> strokes = {
       {{{-0.4, 0.1, 0.5}, {0.1, -0.2, 0.5}, {0.4, 0.3, 0.5}}, 0.3, 1}};
   brindle::SmoothFieldOptions options{.symmetry = 4, .feature_anchor = 1};
@@ -124,7 +124,7 @@ void fields() {
 }
 
 void frames() {
-  const Input in = input("torus,resolution=50", 30);
+  const Input in = input("torus,resolution=36", 30);
   for (const float slack : {0.0f, 0.25f}) {
     brindle::AnimatorOptions options;
     options.slack = slack;
@@ -146,7 +146,7 @@ void frames() {
 }
 
 void textures_and_crosses() {
-  const Input in = input("torus,resolution=50", 30);
+  const Input in = input("torus,resolution=36", 30);
   const brindle::TexturePattern texture = brindle::texture_pattern(in.surface, in.waves);
   print("texture u", texture.u);
   print("texture v", texture.v);
@@ -169,7 +169,7 @@ void textures_and_crosses() {
     std::fprintf(stderr, "no samples: %s\n", error.what());
   }
 
-  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=24"));
+  const brindle::Surface box = brindle::make_surface(brindle::make_shape("box,resolution=16"));
   brindle::WaveSet waves{box.mesh.positions, brindle::smooth_direction_field(box, {.symmetry = 4}),
                          brindle::constant_frequency_field(16, box.mesh.vertex_count())};
   const brindle::CrossPattern cross = brindle::cross_pattern(box, waves);
@@ -186,7 +186,7 @@ void textures_and_crosses() {
 }
 
 void curves() {
-  const Input in = input("torus,resolution=50", 30);
+  const Input in = input("torus,resolution=36", 30);
   brindle::StripePattern pattern = brindle::stripe_pattern(in.surface, in.waves);
   const brindle::StripeCurves lines = brindle::stripe_curves(in.surface, pattern);
   print("curves", Fingerprint().add(lines.lines.points));
