@@ -406,7 +406,7 @@ SmoothedData see(FieldSmoothing& smoothing, const Truth& truth, const DirectionF
 }
 
 TEST(FieldSmoothing, AFrameThatFailsLeavesNothingBehind) {
-  const Truth truth("torus,resolution=40");
+  const Truth truth("torus,resolution=24");
   for (const std::optional<std::size_t> singularities :
        {std::optional<std::size_t>(), std::optional<std::size_t>(0)}) {
     const FieldSmoothingOptions options{.periods = 0.3f, .singularities = singularities};
