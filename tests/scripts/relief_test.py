@@ -17,7 +17,7 @@ BUNNY = ROOT.parent / "shared/models/stanford-bunny.obj"  # has holes
 # The bracket stands on a plain face: a printer lays nothing on the tips of a knurl.
 RELIEFS = {
     "knurl": ["shape:bracket", "--only", "z@100", "--texture", "knurl", "--height", "1%", "--spacing", "4%"],
-    "fine knurl": ["shape:bracket", "--only", "z@100", "--texture", "knurl", "--height", "0.2%", "--spacing", "1%"],
+    "fine knurl": ["shape:bracket", "--only", "z@100", "--texture", "knurl", "--height", "0.4%", "--spacing", "2%"],
     "bricks": ["shape:molecule", "--texture", "bricks", "--height", "0.6%", "--spacing", "4%"],
     "cut": ["shape:tube,bend=0", "--texture", "dots", "--height", "1%", "--spacing", "6%", "--cut"],
     "bunny": [str(BUNNY), "--texture", "bricks", "--height", "0.6%", "--spacing", "4%"],
