@@ -253,17 +253,17 @@ struct TileRow {
 };
 
 /// In the order of BuiltInTile.
-const std::array<TileRow, 12>& tile_rows() {
-  static const Covered whole = TileMotifs::whole_tile();
-  static const Covered plus = covering(kSignLength, kSignLength);
-  static const Covered minus = covering(kSignLength, kSignWidth);
-  static const Covered small_plus = covering(kSmallSign * kSignLength, kSmallSign * kSignLength);
-  static const Covered small_minus = covering(kSmallSign * kSignLength, kSmallSign * kSignWidth);
-  static const Covered arrow_part(Point(-0.40f, -0.21f), Point(0.42f, 0.21f));
+std::array<TileRow, 12> make_tile_rows() {
+  const Covered whole = TileMotifs::whole_tile();
+  const Covered plus = covering(kSignLength, kSignLength);
+  const Covered minus = covering(kSignLength, kSignWidth);
+  const Covered small_plus = covering(kSmallSign * kSignLength, kSmallSign * kSignLength);
+  const Covered small_minus = covering(kSmallSign * kSignLength, kSmallSign * kSignWidth);
+  const Covered arrow_part(Point(-0.40f, -0.21f), Point(0.42f, 0.21f));
   // Bricks own half of each joint. A joint that ends in a tile continues.
-  static const Covered brick = covering(0.5f, 0.25f);
+  const Covered brick = covering(0.5f, 0.25f);
   constexpr auto kTwo = TileLayout::middle_and_corner;
-  static const std::array<TileRow, 12> rows = {{
+  return {{
       {"stripes", stripes, single_motif(whole, kOfRectangle), false},
       {"checker", checker, single_motif(whole, kOfSquare), false},
       {"dots", dots, single_motif(covering(kDotRadius, kDotRadius), kOfSquare)},
@@ -277,6 +277,10 @@ const std::array<TileRow, 12>& tile_rows() {
       {"weave", weave, single_motif(whole, kAsItIs | kHalfTurn), false, weave_height},
       {"scales", scales, single_motif(whole, kAsItIs | kMirroredAlongV), false, scales_height},
   }};
+}
+
+const std::array<TileRow, 12>& tile_rows() {
+  static const std::array<TileRow, 12> rows = make_tile_rows();
   return rows;
 }
 

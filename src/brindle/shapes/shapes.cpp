@@ -1,7 +1,7 @@
 #include "brindle/shapes.h"
 
 #include <cmath>
-#include <functional>
+#include <initializer_list>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -23,60 +23,111 @@ using Parameter = ShapeParameter;
 
 /// The values of all parameters, in their order.
 using Values = std::span<const double>;
-using MakeWhole = std::function<Mesh(Values, const Progress&)>;
-using MakeStrips = std::function<StripShape(Values)>;
+
+/// A member of a shape's struct, and the function that finds it.
+using Member = std::variant<int*, unsigned*, float*>;
+using FindMember = Member (*)(void* shape);
+
+/// Shapes with a formula can be made in parts: they are strips.
+using MakeWhole = Mesh (*)(std::span<const FindMember>, Values, const Progress&);
+using MakeStrips = StripShape (*)(std::span<const FindMember>, Values);
 
 struct Shape {
   std::string_view name;
   std::string_view help;
-  std::vector<Parameter> parameters;
-  std::variant<MakeWhole, MakeStrips> make;  ///< shapes with a formula can be made in parts
+  std::vector<Parameter> parameters;  ///< those of members first
+  std::vector<FindMember> members;
+  std::variant<MakeWhole, MakeStrips> make;
 };
+
+double value_of(const Member& member) {
+  return std::visit([](auto* number) { return static_cast<double>(*number); }, member);
+}
+
+void set(const Member& member, double value) {
+  std::visit([=](auto* number) { *number = static_cast<std::decay_t<decltype(*number)>>(value); },
+             member);
+}
 
 /// A parameter that sets a member of a shape's struct, which has its default.
+struct AnyField {
+  std::string_view name;
+  FindMember member;
+  double lower, upper;
+  std::string_view help;
+};
+/// The struct is part of the type, so that the field of another one does not compile.
 template <class Struct>
-struct Field {
-  Parameter parameter;
-  std::function<void(Struct&, double)> set;
+struct Field : AnyField {};
+
+template <class Member>
+struct StructOf;
+template <class Struct, class Number>
+struct StructOf<Number Struct::*> {
+  using Type = Struct;
 };
 
-template <class Struct, class Number>
-Field<Struct> field(std::string_view name, Number Struct::*member, double lower, double upper,
-                    std::string_view help) {
-  return {{std::string(name), static_cast<double>(Struct().*member), lower, upper,
-           std::is_integral_v<Number>, std::string(help)},
-          [member](Struct& shape, double value) { shape.*member = static_cast<Number>(value); }};
+template <auto kMember>
+auto field(std::string_view name, double lower, double upper, std::string_view help) {
+  using Struct = typename StructOf<decltype(kMember)>::Type;
+  const FindMember find = [](void* shape) -> Member {
+    return &(static_cast<Struct*>(shape)->*kMember);
+  };
+  return Field<Struct>{{name, find, lower, upper, help}};
+}
+
+template <auto kMember>
+auto length(std::string_view name, std::string_view help) {
+  return field<kMember>(name, 1e-3, 1e3, help);
 }
 
 template <class Struct>
-Field<Struct> length(std::string_view name, float Struct::*member, std::string_view help) {
-  return field(name, member, 1e-3, 1e3, help);
-}
-
-template <class Struct>
-Field<Struct> resolution(int lower, int upper, std::string_view help) {
-  return field("resolution", &Struct::resolution, lower, upper, help);
+Field<Struct> resolution(double lower, double upper, std::string_view help) {
+  return field<&Struct::resolution>("resolution", lower, upper, help);
 }
 
 constexpr double kLargestSeed = 4294967295;
 constexpr std::string_view kSeedHelp = "another one, another shape";
 
-/// `make` takes the shape's struct, and the progress unless it makes strips.
-template <class Struct, class Made, class... Heard>
-Shape shape_of(std::string_view name, std::string_view help,
-               const std::vector<Field<Struct>>& fields,
-               Made (*make)(const Struct&, const Heard&...)) {
-  Shape shape{name, help, {}, {}};
-  for (const Field<Struct>& field : fields) shape.parameters.push_back(field.parameter);
+void add(const AnyField& field, void* standard, Shape& shape) {
+  const Member member = field.member(standard);
+  const bool whole = !std::holds_alternative<float*>(member);
+  shape.parameters.push_back({std::string(field.name), value_of(member), field.lower, field.upper,
+                              whole, std::string(field.help)});
+  shape.members.push_back(field.member);
+}
+
+void add_noise_to(Shape& shape) {
   shape.parameters.push_back(
       {"noise", 0, 0, 10, false, "displacement of vertices, in mean edge lengths"});
   shape.parameters.push_back({"noise_seed", 1, 0, kLargestSeed, true, std::string(kSeedHelp)});
-  shape.make = std::function<Made(Values, const Heard&...)>(
-      [fields, make](Values values, const Heard&... heard) {
-        Struct made;
-        for (std::size_t i = 0; i < fields.size(); ++i) fields[i].set(made, values[i]);
-        return make(made, heard...);
-      });
+}
+
+void fill(void* shape, std::span<const FindMember> members, Values values) {
+  for (std::size_t i = 0; i < members.size(); ++i) set(members[i](shape), values[i]);
+}
+
+template <class Made, class Struct, class... Heard>
+Struct struct_of(Made (*make)(const Struct&, const Heard&...));
+
+/// `kMake` takes the shape's struct, and the progress unless it makes strips.
+template <auto kMake, class Struct = decltype(struct_of(kMake))>
+Shape shape_of(std::string_view name, std::string_view help,
+               std::initializer_list<Field<Struct>> fields) {
+  Shape shape{name, help, {}, {}, {}};
+  Struct standard;
+  for (const Field<Struct>& field : fields) add(field, &standard, shape);
+  add_noise_to(shape);
+  const auto make = [](std::span<const FindMember> members, Values values, const auto&... heard) {
+    Struct made;
+    fill(&made, members, values);
+    return kMake(made, heard...);
+  };
+  if constexpr (std::is_invocable_v<decltype(kMake), const Struct&>) {
+    shape.make = MakeStrips(make);
+  } else {
+    shape.make = MakeWhole(make);
+  }
   return shape;
 }
 
@@ -143,109 +194,104 @@ Mesh checked_gear(const GearShape& shape, const Progress& /*progress*/) {
 
 std::vector<Shape> open_and_closed_shapes() {
   return {
-      shape_of("plane", "a rectangle",
-               {length("width", &PlaneShape::width, "along x"),
-                length("height", &PlaneShape::height, "along y"),
-                resolution<PlaneShape>(1, 5000, "edges along x")},
-               plane_strips),
-      shape_of("cylinder", "the open side surface of a cylinder",
-               {length("radius", &CylinderShape::radius, "radius"),
-                length("height", &CylinderShape::height, "along z"),
-                resolution<CylinderShape>(3, 10000, "edges around")},
-               cylinder_strips),
-      shape_of(
+      shape_of<plane_strips>("plane", "a rectangle",
+                             {length<&PlaneShape::width>("width", "along x"),
+                              length<&PlaneShape::height>("height", "along y"),
+                              resolution<PlaneShape>(1, 5000, "edges along x")}),
+      shape_of<cylinder_strips>("cylinder", "the open side surface of a cylinder",
+                                {length<&CylinderShape::radius>("radius", "radius"),
+                                 length<&CylinderShape::height>("height", "along z"),
+                                 resolution<CylinderShape>(3, 10000, "edges around")}),
+      shape_of<checked_tube>(
           "tube", "an open tube along an arc: a sleeve, a vase",
-          {length("radius", &TubeShape::radius, "radius"),
-           length("length", &TubeShape::length, "along the arc"),
-           field("bend", &TubeShape::bend_deg, 0, 360, "how much the arc turns, in degrees"),
-           field("bulge", &TubeShape::bulge, 0, 0.9, "wider by this share below, narrower above"),
-           field("taper", &TubeShape::taper, 0.1, 10,
-                 "radius of the upper end over that of the lower"),
-           resolution<TubeShape>(3, 5000, "edges around")},
-          checked_tube),
-      shape_of("sphere", "a divided icosahedron",
-               {length("radius", &SphereShape::radius, "radius"),
-                resolution<SphereShape>(1, 1500, "edges along an edge of the icosahedron")},
-               sphere_strips),
-      shape_of("torus", "a ring",
-               {length("major", &TorusShape::major, "radius of the ring"),
-                length("minor", &TorusShape::minor, "radius of the tube, below major"),
-                resolution<TorusShape>(4, 10000, "edges along the ring")},
-               checked_torus),
-      shape_of("trefoil", "a tube along a trefoil knot",
-               {field("radius", &TrefoilShape::radius, 0.01, 0.25, "radius of the tube"),
-                resolution<TrefoilShape>(3, 500, "edges around the tube")},
-               trefoil_strips),
+          {length<&TubeShape::radius>("radius", "radius"),
+           length<&TubeShape::length>("length", "along the arc"),
+           field<&TubeShape::bend_deg>("bend", 0, 360, "how much the arc turns, in degrees"),
+           field<&TubeShape::bulge>("bulge", 0, 0.9, "wider by this share below, narrower above"),
+           field<&TubeShape::taper>("taper", 0.1, 10,
+                                    "radius of the upper end over that of the lower"),
+           resolution<TubeShape>(3, 5000, "edges around")}),
+      shape_of<sphere_strips>(
+          "sphere", "a divided icosahedron",
+          {length<&SphereShape::radius>("radius", "radius"),
+           resolution<SphereShape>(1, 1500, "edges along an edge of the icosahedron")}),
+      shape_of<checked_torus>(
+          "torus", "a ring",
+          {length<&TorusShape::major>("major", "radius of the ring"),
+           length<&TorusShape::minor>("minor", "radius of the tube, below major"),
+           resolution<TorusShape>(4, 10000, "edges along the ring")}),
+      shape_of<trefoil_strips>(
+          "trefoil", "a tube along a trefoil knot",
+          {field<&TrefoilShape::radius>("radius", 0.01, 0.25, "radius of the tube"),
+           resolution<TrefoilShape>(3, 500, "edges around the tube")}),
   };
 }
 
 std::vector<Shape> solid_shapes() {
   return {
-      shape_of("vessels", "a branching tree of vessels",
-               {field("generations", &VesselsShape::generations, 0, 7, "splits of the trunk"),
-                field("radius", &VesselsShape::radius, 0.03, 0.3,
-                      "radius of the trunk, before scaling to size 2"),
-                field("spread", &VesselsShape::spread, 0.1, 1.3, "angle of the branches, radians"),
-                field("seed", &VesselsShape::seed, 0, kLargestSeed, kSeedHelp),
-                resolution<VesselsShape>(20, 800, "edges along one unit")},
-               make_vessels),
-      shape_of("molecule", "blended spheres",
-               {field("atoms", &MoleculeShape::atoms, 1, 200, "number of spheres"),
-                field("blend", &MoleculeShape::blend, 0.001, 0.3, "radius of the blends"),
-                field("seed", &MoleculeShape::seed, 0, kLargestSeed, kSeedHelp),
-                resolution<MoleculeShape>(5, 800, "edges along one unit")},
-               make_molecule),
-      shape_of("box", "a block with rounded edges and a hole",
-               {field("width", &BoxShape::width, 0.1, 10, "along x"),
-                field("depth", &BoxShape::depth, 0.1, 10, "along y"),
-                field("height", &BoxShape::height, 0.1, 10, "along z"),
-                field("fillet", &BoxShape::fillet, 0.001, 5, "radius of the rounding"),
-                field("hole", &BoxShape::hole, 0, 5, "radius of the hole along z; 0 for none"),
-                resolution<BoxShape>(5, 400, "edges along one unit")},
-               checked_box),
-      shape_of("bracket",
-               "two plates at right angles with holes and a fillet, flat and coarse as from CAD",
-               {field("length", &BracketShape::length, 0.1, 10, "along x"),
-                field("depth", &BracketShape::depth, 0.1, 10, "along y"),
-                field("height", &BracketShape::height, 0.1, 10, "along z"),
-                field("thickness", &BracketShape::thickness, 0.01, 5, "of the plates"),
-                field("fillet", &BracketShape::fillet, 0.01, 5, "radius between the plates"),
-                field("hole", &BracketShape::hole, 0.01, 5, "radius of the holes"),
-                resolution<BracketShape>(1, 200, "edges along a quarter of a circle")},
-               checked_bracket),
-      shape_of("gear", "a gear with a bore, flat and coarse as from CAD",
-               {field("teeth", &GearShape::teeth, 3, 200, "number of teeth"),
-                field("radius", &GearShape::radius, 0.1, 10, "to the tips of the teeth"),
-                field("tooth", &GearShape::tooth, 0.001, 5, "height of a tooth"),
-                field("width", &GearShape::width, 0.01, 10, "along z"),
-                field("bore", &GearShape::bore, 0.01, 8, "radius of the bore"),
-                resolution<GearShape>(2, 20, "edges of the bore for each tooth")},
-               checked_gear),
+      shape_of<make_vessels>(
+          "vessels", "a branching tree of vessels",
+          {field<&VesselsShape::generations>("generations", 0, 7, "splits of the trunk"),
+           field<&VesselsShape::radius>("radius", 0.03, 0.3,
+                                        "radius of the trunk, before scaling to size 2"),
+           field<&VesselsShape::spread>("spread", 0.1, 1.3, "angle of the branches, radians"),
+           field<&VesselsShape::seed>("seed", 0, kLargestSeed, kSeedHelp),
+           resolution<VesselsShape>(20, 800, "edges along one unit")}),
+      shape_of<make_molecule>(
+          "molecule", "blended spheres",
+          {field<&MoleculeShape::atoms>("atoms", 1, 200, "number of spheres"),
+           field<&MoleculeShape::blend>("blend", 0.001, 0.3, "radius of the blends"),
+           field<&MoleculeShape::seed>("seed", 0, kLargestSeed, kSeedHelp),
+           resolution<MoleculeShape>(5, 800, "edges along one unit")}),
+      shape_of<checked_box>(
+          "box", "a block with rounded edges and a hole",
+          {field<&BoxShape::width>("width", 0.1, 10, "along x"),
+           field<&BoxShape::depth>("depth", 0.1, 10, "along y"),
+           field<&BoxShape::height>("height", 0.1, 10, "along z"),
+           field<&BoxShape::fillet>("fillet", 0.001, 5, "radius of the rounding"),
+           field<&BoxShape::hole>("hole", 0, 5, "radius of the hole along z; 0 for none"),
+           resolution<BoxShape>(5, 400, "edges along one unit")}),
+      shape_of<checked_bracket>(
+          "bracket",
+          "two plates at right angles with holes and a fillet, flat and coarse as from CAD",
+          {field<&BracketShape::length>("length", 0.1, 10, "along x"),
+           field<&BracketShape::depth>("depth", 0.1, 10, "along y"),
+           field<&BracketShape::height>("height", 0.1, 10, "along z"),
+           field<&BracketShape::thickness>("thickness", 0.01, 5, "of the plates"),
+           field<&BracketShape::fillet>("fillet", 0.01, 5, "radius between the plates"),
+           field<&BracketShape::hole>("hole", 0.01, 5, "radius of the holes"),
+           resolution<BracketShape>(1, 200, "edges along a quarter of a circle")}),
+      shape_of<checked_gear>(
+          "gear", "a gear with a bore, flat and coarse as from CAD",
+          {field<&GearShape::teeth>("teeth", 3, 200, "number of teeth"),
+           field<&GearShape::radius>("radius", 0.1, 10, "to the tips of the teeth"),
+           field<&GearShape::tooth>("tooth", 0.001, 5, "height of a tooth"),
+           field<&GearShape::width>("width", 0.01, 10, "along z"),
+           field<&GearShape::bore>("bore", 0.01, 8, "radius of the bore"),
+           resolution<GearShape>(2, 20, "edges of the bore for each tooth")}),
   };
 }
 
 /// Shapes with borders, one side, edges of many triangles or several components.
 std::vector<Shape> special_shapes() {
   return {
-      shape_of("hemisphere", "half a sphere, open below",
-               {length("radius", &HemisphereShape::radius, "radius"),
-                resolution<HemisphereShape>(1, 3000, "edges from pole to rim")},
-               hemisphere_strips),
-      shape_of("mobius", "a strip with half a turn, its ends joined: unorientable",
-               {length("radius", &MobiusShape::radius, "radius of the middle line"),
-                length("width", &MobiusShape::width, "width of the strip, below 2 radius"),
-                resolution<MobiusShape>(1, 2000, "edges across the strip")},
-               checked_mobius),
-      shape_of("sheets", "sheets that meet in one edge: not a manifold",
-               {field("count", &SheetsShape::count, 1, 32, "number of sheets"),
-                length("width", &SheetsShape::width, "of a sheet"),
-                length("height", &SheetsShape::height, "along z"),
-                resolution<SheetsShape>(1, 1000, "edges along the width")},
-               sheets_strips),
-      shape_of("pieces", "unconnected spheres, rings and cylinders",
-               {field("count", &PiecesShape::count, 1, 100, "number of pieces"),
-                resolution<PiecesShape>(2, 300, "edges along an edge of the icosahedron")},
-               pieces_strips),
+      shape_of<hemisphere_strips>("hemisphere", "half a sphere, open below",
+                                  {length<&HemisphereShape::radius>("radius", "radius"),
+                                   resolution<HemisphereShape>(1, 3000, "edges from pole to rim")}),
+      shape_of<checked_mobius>(
+          "mobius", "a strip with half a turn, its ends joined: unorientable",
+          {length<&MobiusShape::radius>("radius", "radius of the middle line"),
+           length<&MobiusShape::width>("width", "width of the strip, below 2 radius"),
+           resolution<MobiusShape>(1, 2000, "edges across the strip")}),
+      shape_of<sheets_strips>("sheets", "sheets that meet in one edge: not a manifold",
+                              {field<&SheetsShape::count>("count", 1, 32, "number of sheets"),
+                               length<&SheetsShape::width>("width", "of a sheet"),
+                               length<&SheetsShape::height>("height", "along z"),
+                               resolution<SheetsShape>(1, 1000, "edges along the width")}),
+      shape_of<pieces_strips>(
+          "pieces", "unconnected spheres, rings and cylinders",
+          {field<&PiecesShape::count>("count", 1, 100, "number of pieces"),
+           resolution<PiecesShape>(2, 300, "edges along an edge of the icosahedron")}),
   };
 }
 
@@ -383,8 +429,9 @@ Mesh make_shape(std::string_view spec, const Progress& progress) {
   try {
     const Progress making = stages.begin("shape");
     const auto* strips = std::get_if<MakeStrips>(&asked.shape.make);
-    Mesh mesh = strips ? mesh_of((*strips)(asked.values), making)
-                       : std::get<MakeWhole>(asked.shape.make)(asked.values, making);
+    Mesh mesh =
+        strips ? mesh_of((*strips)(asked.shape.members, asked.values), making)
+               : std::get<MakeWhole>(asked.shape.make)(asked.shape.members, asked.values, making);
     const auto seed = static_cast<std::uint32_t>(asked.value("noise_seed"));
     if (noise > 0) add_noise(mesh, noise, seed, stages.begin("noise"));
     stages.finish();
@@ -404,7 +451,7 @@ std::optional<ShapePart> make_shape_part(std::string_view spec, int part, int pa
   const auto* strips = std::get_if<MakeStrips>(&asked.shape.make);
   // Noise depends on the mean length of all edges.
   if (!strips || asked.real("noise") > 0) return std::nullopt;
-  return part_of((*strips)(asked.values), part, parts);
+  return part_of((*strips)(asked.shape.members, asked.values), part, parts);
 }
 
 std::vector<ShapeInfo> shape_catalogue() {
