@@ -25,7 +25,11 @@ using Parameter = ShapeParameter;
 using Values = std::span<const double>;
 
 /// A member of a shape's struct, and the function that finds it.
-using Member = std::variant<int*, unsigned*, float*>;
+struct Member {
+  float* real = nullptr;
+  int* whole = nullptr;
+  unsigned* seed = nullptr;  ///< one of the three
+};
 using FindMember = Member (*)(void* shape);
 
 /// Shapes with a formula can be made in parts: they are strips.
@@ -40,13 +44,19 @@ struct Shape {
   std::variant<MakeWhole, MakeStrips> make;
 };
 
+void point_to(float& number, Member& member) { member.real = &number; }
+void point_to(int& number, Member& member) { member.whole = &number; }
+void point_to(unsigned& number, Member& member) { member.seed = &number; }
+
 double value_of(const Member& member) {
-  return std::visit([](auto* number) { return static_cast<double>(*number); }, member);
+  if (member.real != nullptr) return static_cast<double>(*member.real);
+  return member.whole != nullptr ? *member.whole : static_cast<double>(*member.seed);
 }
 
 void set(const Member& member, double value) {
-  std::visit([=](auto* number) { *number = static_cast<std::decay_t<decltype(*number)>>(value); },
-             member);
+  if (member.real != nullptr) *member.real = static_cast<float>(value);
+  if (member.whole != nullptr) *member.whole = static_cast<int>(value);
+  if (member.seed != nullptr) *member.seed = static_cast<unsigned>(value);
 }
 
 /// A parameter that sets a member of a shape's struct, which has its default.
@@ -70,8 +80,10 @@ struct StructOf<Number Struct::*> {
 template <auto kMember>
 auto field(std::string_view name, double lower, double upper, std::string_view help) {
   using Struct = typename StructOf<decltype(kMember)>::Type;
-  const FindMember find = [](void* shape) -> Member {
-    return &(static_cast<Struct*>(shape)->*kMember);
+  const FindMember find = [](void* shape) {
+    Member member;
+    point_to(static_cast<Struct*>(shape)->*kMember, member);
+    return member;
   };
   return Field<Struct>{{name, find, lower, upper, help}};
 }
@@ -91,7 +103,7 @@ constexpr std::string_view kSeedHelp = "another one, another shape";
 
 void add(const AnyField& field, void* standard, Shape& shape) {
   const Member member = field.member(standard);
-  const bool whole = !std::holds_alternative<float*>(member);
+  const bool whole = member.real == nullptr;
   shape.parameters.push_back({std::string(field.name), value_of(member), field.lower, field.upper,
                               whole, std::string(field.help)});
   shape.members.push_back(field.member);
