@@ -302,17 +302,15 @@ ParsedSession::ParsedSession(const SessionDocument& document)
   describe_options(*command_, job_of_shown(document.shown));
   if (document.mesh.empty()) throw CLI::ValidationError("MESH", "name a mesh file or a shape");
   app_->parse(words_of(document));
-  take_shared();
-  arguments_->waves.drawn_strokes = all_strokes(document);
-  arguments_->waves.frequency_factor = frequency_factor(document);
-  PictureOptions& picture = arguments_->picture;
+  PictureOptions& picture = parsed_job().picture;
   picture.render.camera = document.camera;
   picture.render.camera.up = UpAxis::y;
   stand_upright(picture, document.mesh);
   picture.render.width = document.size.width;
   picture.render.height = document.size.height;
-  if (curves_) curves_->picture = picture;
-  if (samples_) samples_->picture = picture;
+  take_shared();
+  arguments_->waves.drawn_strokes = all_strokes(document);
+  arguments_->waves.frequency_factor = frequency_factor(document);
 }
 
 void ParsedSession::add_options(Shown shown) {
@@ -328,13 +326,15 @@ void ParsedSession::add_options(Shown shown) {
   }
 }
 
+JobArguments& ParsedSession::parsed_job() {
+  if (curves_) return *curves_;
+  if (samples_) return *samples_;
+  return *arguments_;
+}
+
 void ParsedSession::take_shared() {
-  JobArguments& shared = *arguments_;
-  if (curves_) {
-    shared = *curves_;
-    arguments_->fabrication = curves_->fabrication;
-  }
-  if (samples_) shared = *samples_;
+  if (curves_ || samples_) static_cast<JobArguments&>(*arguments_) = parsed_job();
+  if (curves_) arguments_->fabrication = curves_->fabrication;
 }
 
 std::vector<UsedFile> ParsedSession::inputs() const {

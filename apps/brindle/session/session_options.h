@@ -73,6 +73,8 @@ class ParsedSession {
 
  private:
   void add_options(Shown shown);
+  /// What the command line has set, of whichever command is shown.
+  JobArguments& parsed_job();
   void take_shared();
 
   std::unique_ptr<CLI::App> app_;
