@@ -63,16 +63,6 @@ Surface PieceSource::places() const {
   return {{mesh().positions, {}, mesh().origin}, nullptr, {normals.begin(), normals.end()}};
 }
 
-/// Own vertices of this rank that have neighbours.
-std::vector<std::uint8_t> PieceSource::used_own() const {
-  const RankSurface& own = surface_.rank_surface();
-  std::vector<std::uint8_t> used;
-  for (const Index v : own.vertex_of_piece) {
-    used.push_back(v < own.graph.own && !own.graph.adjacency->of(v).empty() ? 1 : 0);
-  }
-  return used;
-}
-
 void PieceSource::check(const std::function<void()>& work) const {
   throw_usage_on_all(ranks_, work);
 }
@@ -113,7 +103,7 @@ ArraySource::PerVertex PieceSource::array(const std::string& name) const {
 
 std::optional<std::size_t> PieceSource::drop_too_far(DirectionField& directions) const {
   if (!other_) return std::nullopt;
-  const std::vector<std::uint8_t> counted = used_own();
+  const std::vector<std::uint8_t> counted = surface_.rank_surface().used_own();
   std::size_t count = 0;
   for (Index v = 0; v < directions.size(); ++v) {
     if (other_->is_near(v)) continue;

@@ -52,7 +52,6 @@ class PieceSource final : public WaveSource {
 
  private:
   Surface places() const;
-  std::vector<std::uint8_t> used_own() const;
 
   Communicator& ranks_;
   const DistributedSurface& surface_;

@@ -97,12 +97,8 @@ WaveMetrics measure_waves(const DistributedSurface& surface, const WaveSet& wave
 FrequencyField frequencies_by(const DistributedSurface& surface, const DataArray& array,
                               float frequency, const FrequencyRange& range) {
   const RankSurface& own = surface.rank_surface();
-  std::vector<std::uint8_t> used;
-  for (const Index v : own.vertex_of_piece) {
-    used.push_back(v < own.graph.own && !own.graph.adjacency->of(v).empty() ? 1 : 0);
-  }
   NumberExtent extent;
-  own.ranks->throw_on_all([&] { extent = extent_of(array, used); });
+  own.ranks->throw_on_all([&] { extent = extent_of(array, own.used_own()); });
   for (const NumberExtent& other : own.ranks->all(extent)) {
     extent.lowest = std::min(extent.lowest, other.lowest);
     extent.highest = std::max(extent.highest, other.highest);

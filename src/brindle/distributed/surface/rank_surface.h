@@ -61,6 +61,15 @@ struct RankSurface {
     for (const Index v : vertex_of_piece) result.push_back(by_vertex[v]);
     return result;
   }
+
+  /// By vertex of the partition: 1 for own vertices that have neighbours.
+  std::vector<std::uint8_t> used_own() const {
+    std::vector<std::uint8_t> used;
+    for (const Index v : vertex_of_piece) {
+      used.push_back(v < graph.own && !graph.adjacency->of(v).empty() ? 1 : 0);
+    }
+    return used;
+  }
 };
 
 /// The global numbers of vertices; 0 for those outside the partition.
