@@ -20,7 +20,6 @@
 #include "input/surface_options.h"
 
 namespace brindle::tool {
-
 namespace {
 
 constexpr std::string_view kIdPrefix = "id:";

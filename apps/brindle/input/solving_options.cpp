@@ -10,7 +10,6 @@
 #include "cli/option_fields.h"
 
 namespace brindle::tool {
-
 namespace {
 
 int parse_whole(const std::string& option, const std::string& expected, const std::string& number,

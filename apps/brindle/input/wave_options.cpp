@@ -18,7 +18,6 @@
 #include "input/vertex_values.h"
 
 namespace brindle::tool {
-
 namespace {
 
 constexpr std::string_view kArray = "array:";

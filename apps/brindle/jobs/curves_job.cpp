@@ -14,7 +14,6 @@
 #include "pictures/paper.h"
 
 namespace brindle::tool {
-
 namespace {
 
 WantedWinding parse_wales(const std::string& option, const std::string& text) {

@@ -20,7 +20,6 @@
 #include "pictures/frame_output.h"
 
 namespace brindle::tool {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -10,7 +10,6 @@
 #include "outputs/mesh_output.h"
 
 namespace brindle::tool {
-
 namespace {
 
 SceneFrame frame_of(const Preparation& prepared, const WaveSet& waves) {

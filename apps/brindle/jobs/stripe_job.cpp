@@ -13,7 +13,6 @@
 #include "pictures/paper.h"
 
 namespace brindle::tool {
-
 namespace {
 
 // Rejects, before a long job, options that points or crosses do not support.

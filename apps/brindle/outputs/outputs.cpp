@@ -18,7 +18,6 @@
 #include "pictures/drawing_file.h"
 
 namespace brindle::tool {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,7 +12,6 @@
 #include "pictures/picture.h"
 
 namespace brindle::tool {
-
 namespace {
 
 GlyphChoice parse_glyph(const std::string& option, const std::string& text) {

@@ -13,7 +13,6 @@
 #include "pictures/paper.h"
 
 namespace brindle::tool {
-
 namespace {
 
 void set_camera(RenderOptions& render, const std::string& option, const std::string& text) {

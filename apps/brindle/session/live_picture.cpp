@@ -42,10 +42,6 @@ std::vector<Vec3> drawn_points(const Surface& surface) {
   return points;
 }
 
-}  // namespace
-
-namespace {
-
 /// How a picture is drawn.
 struct DrawSettings {
   PictureQuality quality = PictureQuality::final;

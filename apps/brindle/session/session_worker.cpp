@@ -8,7 +8,6 @@
 #include "brindle/threads.h"
 
 namespace brindle::tool {
-
 namespace {
 
 constexpr const char* kGivenUp = "cancelled: all is as it was before";

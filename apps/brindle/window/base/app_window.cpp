@@ -16,7 +16,6 @@
 #include "window/base/theme.h"
 
 namespace brindle::tool {
-
 namespace {
 
 struct ReleasedKey {
